@@ -11,10 +11,11 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 use crate::fonts::Library;
 
 use super::file_state::watcher;
+use super::language::Language;
 use super::preferences::Preferences;
 use super::units::write_numbers;
 use super::view::{Arrangement, Canvas, Sheet};
-use super::{actions, dialogs, files, layers, widgets};
+use super::{actions, dialogs, files, language, layers, widgets};
 use crate::gui::core::compensated::Wanted;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
@@ -42,6 +43,10 @@ pub struct App {
     /// `None`: nobody is to draw letters that the bundled fonts lack.
     alphabet: Option<Alphabet>,
     shown: Preferences,
+    /// The language where none is preferred.
+    language: Language,
+    /// The language that was wanted last.
+    wanted: Language,
     title: String,
     /// When recovery is written next, and when the disk is looked at, in the window's seconds.
     recovery_due: Option<f64>,
@@ -74,6 +79,8 @@ impl App {
             unseen: 0,
             alphabet: None,
             shown: Preferences::default(),
+            language: Language::English,
+            wanted: Language::English,
             title: String::new(),
             recovery_due: None,
             look_due: 0.0,
@@ -118,8 +125,16 @@ impl App {
         self
     }
 
+    /// Speaks this language where none is preferred; English unless it is said.
+    #[must_use]
+    pub fn speaking(mut self, language: Language) -> Self {
+        self.language = language;
+        self
+    }
+
     /// Shows everything and does what was asked for.
     pub fn show(&mut self, ui: &mut Ui) {
+        self.speak();
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());
@@ -136,6 +151,21 @@ impl App {
             ui.ctx().request_repaint();
         }
         self.keep_arranged(ui.ctx());
+    }
+
+    /// Chooses the language for this frame. Its letters are looked for all at once, so that no panel
+    /// appears without them; where no font has them, English can be read.
+    fn speak(&mut self) {
+        let preferred = self.workbench.view().preferences.language;
+        let wanted = preferred.unwrap_or(self.language);
+        if wanted != self.wanted {
+            self.wanted = wanted;
+            let letters = wanted.letters().collect();
+            self.workbench.execute(Command::FindLetters(letters));
+            self.workbench.receive();
+        }
+        let lacks = self.workbench.letters().lack(wanted.own_name());
+        language::choose(if lacks { Language::English } else { wanted });
     }
 
     /// Where the arrangement has changed, the layout is done again before anybody sees it.

@@ -21,6 +21,7 @@
 //!   that is drawn.
 //! - `preferences`, `units`, `help`, `style`: numbers, words, colours and type.
 //! - `jobs`: work in the background, whatever it is about.
+//! - `language`: the texts of the window, by key.
 
 mod actions;
 mod app;
@@ -33,6 +34,7 @@ mod files;
 mod help;
 mod import_draft;
 mod jobs;
+mod language;
 mod layers;
 mod plots;
 mod preferences;
@@ -53,6 +55,7 @@ use anyhow::anyhow;
 
 pub use app::App;
 pub use jobs::Runner;
+pub use language::Language;
 
 const TITLE: &str = "truepose";
 
@@ -94,6 +97,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         Box::new(move |cc| {
             let app = App::new(&cc.egui_ctx, path, Runner::Threads);
             let app = app.drawn_by(cc.wgpu_render_state.as_ref());
+            let app = app.speaking(Language::of_system());
             Ok(Box::new(app.at_home(file_state::home())))
         }),
     )

@@ -5,6 +5,7 @@ use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
 use super::units::Notation;
+use crate::gui::language::Language;
 use crate::gui::units::{AngleUnit, LengthUnit};
 
 /// Light, dark, or as the system has it.
@@ -50,6 +51,8 @@ pub(crate) struct Sizes {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub(crate) struct Preferences {
+    /// `None`: that of the system, where it is offered.
+    pub(crate) language: Option<Language>,
     pub(crate) length: LengthUnit,
     pub(crate) angle: AngleUnit,
     /// Decimals of lengths; `None`: as many as can be read.
@@ -66,6 +69,7 @@ pub(crate) struct Preferences {
 impl Default for Preferences {
     fn default() -> Self {
         Self {
+            language: None,
             length: LengthUnit::default(),
             angle: AngleUnit::default(),
             decimals: None,

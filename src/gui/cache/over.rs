@@ -2,6 +2,7 @@
 //! effect also the joint's speed and its travel since the last reversal.
 
 use crate::gui::core::loaded_session::Subject;
+use crate::gui::language::say;
 use crate::gui::units::{AngleUnit, Units, trimmed};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,27 +66,24 @@ impl Over {
     pub(crate) fn needs(self) -> [&'static str; 2] {
         match self.variable {
             Variable::Joint => [
-                "No sample has a joint value",
-                "Every sample needs its q1 cell",
+                say!("over-no-sample-has-a-joint"),
+                say!("over-every-sample-needs-its-q1"),
             ],
             Variable::Time => [
-                "No time was logged",
-                "A column time_s would show whether the deviation drifts while you measure, \
-                 and when somebody touched the tripod",
+                say!("over-no-time-was-logged"),
+                say!("over-a-column-time-s-would"),
             ],
             Variable::Load => [
-                "No load was logged",
-                "A column load_kg would show whether the arm gives way under what it carries: \
-                 measure some poses empty and the same ones loaded",
+                say!("over-no-load-was-logged"),
+                say!("over-a-column-load-kg-would"),
             ],
             Variable::Temperature => [
-                "No temperature was logged",
-                "A column temperature_c would show whether the deviation follows the machine's \
-                 warmth",
+                say!("over-no-temperature-was-logged"),
+                say!("over-a-column-temperature-c-would"),
             ],
             Variable::Speed | Variable::Travel => [
-                "The joint's motion was not logged",
-                "Columns speed1_deg_s and dir1 would show how the deviation follows the motion",
+                say!("over-the-joints-motion-was-not"),
+                say!("over-columns-speed1-deg-s"),
             ],
         }
     }
@@ -141,12 +139,12 @@ impl Over {
         let joint = &subject.session.robot.joints[self.joint].name;
         match self.variable {
             Variable::Joint => joint.clone(),
-            Variable::Time if self.first(subject) == 0.0 => "time".to_owned(),
-            Variable::Time => "time since the first sample".to_owned(),
-            Variable::Load => "load".to_owned(),
-            Variable::Temperature => "temperature".to_owned(),
-            Variable::Speed => format!("speed of {joint}"),
-            Variable::Travel => format!("travel of {joint} since it reversed"),
+            Variable::Time if self.first(subject) == 0.0 => say!("common-time").to_owned(),
+            Variable::Time => say!("over-time-since-the-first-sample").to_owned(),
+            Variable::Load => say!("common-load").to_owned(),
+            Variable::Temperature => say!("common-temperature").to_owned(),
+            Variable::Speed => say!("over-speed-of", joint = joint),
+            Variable::Travel => say!("over-travel-of-since-it-reversed", joint = joint),
         }
     }
 

@@ -3,8 +3,10 @@
 //! in its panel and is spread over the others.
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
+use crate::gui::language::say;
 use crate::gui::units::{plain_number, significant};
 use crate::kinematics::JointKind;
 use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
@@ -90,12 +92,11 @@ impl Kind for ByJoint {
     fn about(&self) -> About {
         About {
             id: "deviation by joint",
-            short: "joints",
-            name: "Deviation by joint",
+            short: "common-joints",
+            name: "by-joint-deviation-by-joint",
             word: Word {
-                name: "Deviation by joint",
-                means: "The deviation over every joint, each from its smallest to its largest \
-                        value. A curve in one panel is an error of that joint",
+                name: "by-joint-deviation-by-joint",
+                means: "by-joint-the-deviation-over-every-joint",
             },
             of_component: true,
             of_joint: false,
@@ -119,8 +120,8 @@ impl Kind for ByJoint {
             Some(all.map_or([*mm; 2], |[low, high]| [low.min(*mm), high.max(*mm)]))
         });
         let Some(mm) = mm else {
-            let why = "Every sample needs its joint values and what was measured";
-            return Err(Missing::new("No sample to show", why));
+            let why = say!("by-joint-every-sample-needs-its-joint");
+            return Err(Missing::new(say!("by-joint-no-sample-to-show"), why));
         };
         let joints = panels.ranges.len();
         let names = scene.subject.session.robot.joints.iter().enumerate();
@@ -129,8 +130,9 @@ impl Kind for ByJoint {
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let made = Deviation {
             component: name,
+            is_length: scene.component() == Component::Length,
             across: Axis {
-                label: "joint, each over the range shown".to_owned(),
+                label: say!("by-joint-each-over-the-range").to_owned(),
                 ticks: Ticks::Words(names.collect()),
             },
             lengths: scene.lengths(&number),
@@ -142,15 +144,17 @@ impl Kind for ByJoint {
             boundaries: (1..joints).map(|joint| joint as f64).collect(),
             series,
         };
-        let note = thinned(panels.stride, "point").unwrap_or_default();
+        let note = thinned(panels.stride, "scale-point").unwrap_or_default();
         Ok(Shown {
-            chart: made.chart(format!("{name} deviation by joint"), note),
-            name: format!("deviation by joint, {name}"),
-            says: format!(
-                "{name} deviation of {} samples over {joints} joints, {} to {}",
-                scene.usable().len(),
-                scene.units.length(mm[0]),
-                scene.units.length(mm[1])
+            chart: made.chart(say!("by-joint-deviation-by-joint-2", name = name), note),
+            name: say!("by-joint-deviation-by-joint-3", name = name),
+            says: say!(
+                "by-joint-deviation-of-samples-over-joints",
+                name = name,
+                samples = scene.usable().len(),
+                joints = joints,
+                from = scene.units.length(mm[0]),
+                to = scene.units.length(mm[1])
             ),
             pointed: Pointed::Samples(Box::new(panels)),
         })

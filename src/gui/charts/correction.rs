@@ -5,6 +5,7 @@ use crate::compensation::SortedTable;
 use crate::gui::cache::preview::Made;
 use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
+use crate::gui::language::say;
 use crate::gui::units::{cell, plain_number};
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
@@ -18,8 +19,8 @@ impl Kind for Correction {
     fn about(&self) -> About {
         About {
             id: "correction table",
-            short: "table",
-            name: "Correction table",
+            short: "common-table",
+            name: "correction-correction-table",
             word: help::CORRECTION,
             of_component: false,
             of_joint: false,
@@ -40,12 +41,12 @@ impl Kind for Correction {
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
         let chart = scene.made.and_then(chart).ok_or(Missing::new(
-            "This format describes the robot itself and has no table",
+            say!("correction-this-format-describes-the-robot"),
             "",
         ))?;
         Ok(Shown {
             chart,
-            name: "correction table as a curve".to_owned(),
+            name: say!("correction-correction-table-as-a-curve").to_owned(),
             says: String::new(),
             pointed: Pointed::Nothing,
         })
@@ -106,17 +107,17 @@ fn chart(made: &Made) -> Option<Chart> {
     let every = stride(table.forward.values().len(), MOST_POINTS / 4);
     let mut items = Vec::new();
     let says = if table.forward == table.reverse {
-        "the same for both directions"
+        say!("correction-the-same-for-both-directions")
     } else {
         items.push(Item::Line(reverse, Stands::Before, 2.0, true));
-        "solid: moving positive · dashed: moving negative"
+        say!("correction-solid-moving-positive-dashed-moving")
     };
-    let notes = std::iter::once(says.to_owned()).chain(thinned(every, "entry"));
+    let notes = std::iter::once(says.to_owned()).chain(thinned(every, "scale-entry"));
     items.push(Item::Line(forward, Stands::After, 2.0, false));
     Some(Chart {
-        title: "correction table".to_owned(),
+        title: say!("correction-correction-table-2").to_owned(),
         across: Axis::turning(format!("{}, {unit}", made.joint), degrees),
-        upwards: Axis::numbers(format!("correction, {unit}")),
+        upwards: Axis::numbers(say!("correction-correction", unit = unit)),
         bounds: [[from - beside, low - by], [to + beside, high + by]],
         items,
         legend: Vec::new(),

@@ -9,6 +9,7 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
+use crate::gui::language::{say, within};
 use crate::gui::units::{plain_number, significant, whole};
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
@@ -42,25 +43,37 @@ const fn along(variable: Variable, names: [&'static str; 3], word: Word) -> Alon
 
 pub(crate) static ANGLE: Along = along(
     Variable::Joint,
-    ["deviation", "angle", "Deviation over angle"],
+    [
+        "deviation",
+        "deviation-angle",
+        "deviation-deviation-over-angle",
+    ],
     help::DEVIATION,
 );
 pub(crate) static TIME: Along = along(
     Variable::Time,
-    ["deviation over time", "time", "Deviation over time"],
+    [
+        "deviation over time",
+        "common-time",
+        "deviation-deviation-over-time",
+    ],
     help::OVER_TIME,
 );
 pub(crate) static LOAD: Along = along(
     Variable::Load,
-    ["deviation over load", "load", "Deviation over load"],
+    [
+        "deviation over load",
+        "common-load",
+        "deviation-deviation-over-load",
+    ],
     help::OVER_LOAD,
 );
 pub(crate) static TEMPERATURE: Along = along(
     Variable::Temperature,
     [
         "deviation over temperature",
-        "temperature",
-        "Deviation over temperature",
+        "common-temperature",
+        "deviation-deviation-over-temperature",
     ],
     help::OVER_TEMPERATURE,
 );
@@ -94,8 +107,12 @@ impl Kind for Along {
         }
         let component = scene.component().name();
         let name = match self.variable {
-            Variable::Joint => format!("deviation chart, {component}"),
-            _ => format!("{} chart, {component}", self.about.name.to_lowercase()),
+            Variable::Joint => say!("deviation-deviation-chart", component = component),
+            _ => say!(
+                "deviation-chart",
+                chart = within(self.about.name()),
+                component = component
+            ),
         };
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let extent = drawn.extent();
@@ -254,6 +271,7 @@ impl<'a> Drawn<'a> {
         let label = self.over.label(scene.subject);
         let made = Deviation {
             component: name,
+            is_length: scene.component() == Component::Length,
             across: Axis::turning(format!("{label}, {}", self.scale.unit), self.scale.degrees),
             lengths: scene.lengths(number),
             x: x.map(|x| self.scale.shown(x)),
@@ -265,7 +283,10 @@ impl<'a> Drawn<'a> {
             boundaries: boundaries.map(|b| self.scale.shown(b.at_rad)).collect(),
             series,
         };
-        made.chart(format!("{name} deviation over {label}"), String::new())
+        made.chart(
+            say!("deviation-deviation-over", name = name, label = label),
+            String::new(),
+        )
     }
 
     /// What has to be said.
@@ -277,22 +298,26 @@ impl<'a> Drawn<'a> {
             && polar.contains(&component)
         {
             // The axis below may be another joint's.
-            notes.push(format!("{} to {}", component.name(), first.name));
+            notes.push(say!(
+                "deviation-to",
+                component = component.name(),
+                first = first.name
+            ));
         }
         let never_changes = self.extent().is_none_or(|all| all.x[0] == all.x[1]);
         if never_changes && self.over.variable != Variable::Joint {
             let what = self.over.label(self.scene.subject);
-            notes.push(format!("the {what} never changes"));
+            notes.push(say!("deviation-the-never-changes", what = what));
         }
         if many {
-            notes.push("from the smallest to the largest in each column".to_owned());
+            notes.push(say!("deviation-from-the-smallest").to_owned());
         } else if self.envelope.is_none() {
-            notes.extend(thinned(self.stride, "point"));
+            notes.extend(thinned(self.stride, "scale-point"));
         }
         match self.unplaced {
             0 => {}
-            1 => notes.push("one sample has no value and is not shown".to_owned()),
-            n => notes.push(format!("{n} samples have no value and are not shown")),
+            1 => notes.push(say!("deviation-one-sample-has-no-value").to_owned()),
+            n => notes.push(say!("deviation-samples-have-no-value", n = n)),
         }
         notes.join(" · ")
     }
@@ -300,25 +325,34 @@ impl<'a> Drawn<'a> {
     /// What is seen, in words.
     fn says(&self, all: Option<Column>) -> String {
         let units = self.scene.units;
-        let between = |mm: [f64; 2]| format!("{} to {}", units.length(mm[0]), units.length(mm[1]));
-        let Some(all) = all else {
-            return "no sample to show".to_owned();
+        let between = |mm: [f64; 2]| {
+            say!(
+                "deviation-to-2",
+                from = units.length(mm[0]),
+                to = units.length(mm[1])
+            )
         };
-        let mut says = format!(
-            "{} deviation of {} samples over {} from {} to {}",
-            self.scene.component().name(),
-            self.scene.usable().len() - self.unplaced,
-            self.over.label(self.scene.subject),
-            self.scale.says(all.x[0]),
-            self.scale.says(all.x[1]),
+        let Some(all) = all else {
+            return say!("deviation-no-sample-to-show").to_owned();
+        };
+        let mut says = say!(
+            "deviation-deviation-of-samples-over",
+            component = self.scene.component().name(),
+            samples = self.scene.usable().len() - self.unplaced,
+            label = self.over.label(self.scene.subject),
+            from = self.scale.says(all.x[0]),
+            to = self.scale.says(all.x[1])
         );
-        for (name, mm) in [("before", all.before_mm), ("after", all.after_mm)] {
+        for (name, mm) in [
+            (say!("common-before"), all.before_mm),
+            (say!("common-after"), all.after_mm),
+        ] {
             if let Some(mm) = mm {
                 says += &format!(", {name} {}", between(mm));
             }
         }
         if let Some(tolerance) = self.scene.document.tolerance_mm {
-            says += &format!(", tolerance {}", units.length(tolerance));
+            says += &say!("deviation-tolerance", tolerance = units.length(tolerance));
         }
         says
     }

@@ -3,6 +3,7 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
+use crate::gui::language::say;
 use crate::gui::units::{plain_number, significant};
 use crate::gui::view::Step;
 use crate::model::GapStep;
@@ -22,8 +23,8 @@ impl Kind for Gap {
     fn about(&self) -> About {
         About {
             id: "gap by step",
-            short: "gap",
-            name: "Gap by step",
+            short: "chart-gap",
+            name: "chart-gap-by-step",
             word: help::GAP,
             of_component: false,
             of_joint: false,
@@ -44,13 +45,16 @@ impl Kind for Gap {
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
         let steps = steps(scene);
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
-        let mut chart = chart.ok_or(Missing::new("nothing is identified yet", ""))?;
-        "RMS over the fitted samples".clone_into(&mut chart.note);
+        let mut chart = chart.ok_or(Missing::new(
+            say!("chart-gap-nothing-is-identified-yet"),
+            "",
+        ))?;
+        say!("chart-gap-rms-over-the-fitted-samples").clone_into(&mut chart.note);
         let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {
             chart,
-            name: format!("gap by step: {}", says.join(", ")),
+            name: say!("chart-gap-by-step-2", steps = says.join(", ")),
             says: String::new(),
             pointed: Pointed::Nothing,
         })

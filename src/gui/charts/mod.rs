@@ -4,9 +4,11 @@
 //! draws.
 
 mod scene;
+mod words;
 
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
+use crate::gui::language::{say, text};
 use crate::present::chart::{Chart, Item};
 
 pub(crate) use scene::Scene;
@@ -36,15 +38,26 @@ register! {
 pub(crate) struct About {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
-    /// Its name where there is little room.
-    pub(crate) short: &'static str,
-    pub(crate) name: &'static str,
+    /// The key of its name where there is little room.
+    short: &'static str,
+    name: &'static str,
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// Whether it shows one component of the deviation.
     pub(crate) of_component: bool,
     /// Whether it is about one joint.
     pub(crate) of_joint: bool,
+}
+
+impl About {
+    /// Its name where there is little room.
+    pub(crate) fn short(&self) -> &'static str {
+        text(self.short)
+    }
+
+    pub(crate) fn name(&self) -> &'static str {
+        text(self.name)
+    }
 }
 
 /// A chart.
@@ -72,6 +85,14 @@ pub(crate) trait Kind: Sync {
     fn numbers(&self, scene: &Scene) -> String;
 }
 
+/// A chart as it is shown, in the language of the window.
+pub(crate) fn shown<'a>(kind: &dyn Kind, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    kind.show(scene).map(|shown| Shown {
+        chart: words::translated(shown.chart),
+        ..shown
+    })
+}
+
 /// The chart of this name.
 pub(crate) fn find(id: &str) -> Option<&'static dyn Kind> {
     CHARTS.iter().copied().find(|chart| chart.about().id == id)
@@ -94,7 +115,7 @@ impl Missing {
 
     /// The background is at it.
     pub(crate) fn yet() -> Self {
-        Self::new("Computing…", "")
+        Self::new(say!("chart-computing"), "")
     }
 }
 
@@ -156,11 +177,11 @@ mod tests {
     #[test]
     fn charts_are_called_differently() {
         for (k, chart) in CHARTS.iter().enumerate() {
-            let (id, name) = (chart.about().id, chart.about().name);
-            let same = |other: &&&dyn Kind| other.about().id == id || other.about().name == name;
+            let (id, name) = (chart.about().id, chart.about().name());
+            let same = |other: &&&dyn Kind| other.about().id == id || other.about().name() == name;
             assert_eq!(CHARTS.iter().filter(same).count(), 1, "{id}");
             assert!(
-                find(id).is_some_and(|found| found.about().name == name),
+                find(id).is_some_and(|found| found.about().name() == name),
                 "{k}"
             );
         }
@@ -173,7 +194,8 @@ mod tests {
         for entry in std::fs::read_dir(folder).expect("the folder") {
             let path = entry.expect("an entry").path();
             let file = path.file_stem().and_then(|s| s.to_str()).expect("a name");
-            let there = ["mod", "scene"].contains(&file) || code.contains(&format!("    {file}: "));
+            let there = ["mod", "scene", "words"].contains(&file)
+                || code.contains(&format!("    {file}: "));
             assert!(there, "{file} is not in the register");
         }
     }

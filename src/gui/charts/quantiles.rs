@@ -5,6 +5,7 @@
 //! z_i = Φ⁻¹((i − ½) / n),      the line through both quartiles has the slope σ
 //! ```
 
+use crate::gui::language::say;
 use statrs::function::erf::erf_inv;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
@@ -31,13 +32,11 @@ impl Kind for Quantiles {
     fn about(&self) -> About {
         About {
             id: "normal quantiles",
-            short: "quantiles",
-            name: "Normal quantiles",
+            short: "quantiles-quantiles",
+            name: "quantiles-normal-quantiles",
             word: Word {
-                name: "Normal quantiles",
-                means: "Each sample's residual over the place that noise would give it. On the line \
-                        there is nothing but noise; ends that turn away from it are outliers, a bend \
-                        or a step in the middle is an error that the model lacks",
+                name: "quantiles-normal-quantiles",
+                means: "quantiles-each-samples-residual-over",
             },
             of_component: true,
             of_joint: false,
@@ -61,19 +60,20 @@ impl Kind for Quantiles {
         let ranked: &Ranked = scene.found().ok_or_else(Missing::yet)?;
         if scene.component() == Component::Length || ranked.0.len() < 4 {
             return Err(Missing::new(
-                "Nothing to compare with the normal distribution",
-                "Choose a component that has a sign, of four samples or more",
+                say!("quantiles-nothing-to-compare"),
+                say!("quantiles-choose-a-component-that-has"),
             ));
         }
         let name = scene.component().name();
         let sigma = scene.units.length(ranked.line().1);
         Ok(Shown {
             chart: ranked.drawn(scene),
-            name: format!("normal quantiles, {name}"),
-            says: format!(
-                "{name} residuals of {} samples over normal quantiles; the middle half is spread \
-                 like noise of {sigma}",
-                scene.usable().len()
+            name: say!("quantiles-normal-quantiles-2", name = name),
+            says: say!(
+                "quantiles-residuals-of-samples-over-normal",
+                name = name,
+                samples = scene.usable().len(),
+                sigma = sigma
             ),
             pointed: Pointed::Samples(Box::new((scene, ranked))),
         })
@@ -138,8 +138,8 @@ impl Ranked {
         };
         let name = scene.component().name();
         Chart {
-            title: format!("{name} residuals over normal quantiles"),
-            across: Axis::numbers("what noise alone would be, σ"),
+            title: say!("quantiles-residuals-over-normal-quantiles", name = name),
+            across: Axis::numbers(say!("quantiles-what-noise-alone-would-be")),
             upwards: Axis::numbers(format!("{name}, {}", scene.units.length_name())),
             bounds: [[-far, -high], [far, high]],
             items: vec![
@@ -148,11 +148,11 @@ impl Ranked {
             ],
             legend: vec![
                 Entry::after(Sign::Mark(Form::Disc)),
-                Entry::new("noise alone", Sign::Line, Stands::Noise, false),
+                Entry::new(say!("common-noise-alone"), Sign::Line, Stands::Noise, false),
             ],
-            note: format!(
-                "the line has the slope of σ = {}",
-                scene.units.length(sigma)
+            note: say!(
+                "quantiles-the-line-has-the-slope",
+                sigma = scene.units.length(sigma)
             ),
         }
     }

@@ -4,6 +4,7 @@
 //! all: every refusal names the region, says what is wrong and what to type instead.
 
 use super::boundaries::{Boundary, NARROWEST_RAD, boundaries};
+use crate::gui::language::say;
 use crate::gui::units::{AngleUnit, Units, typed_in};
 use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -62,18 +63,26 @@ pub(crate) fn joint_at(regions: &[Region], region: usize, end: End) -> Joint {
 pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
     let text = text.trim();
     let (name, example) = match units.angle {
-        AngleUnit::Degree => ("degrees", "−30"),
-        AngleUnit::Radian => ("radians", "−0.5"),
-        AngleUnit::Milliradian => ("milliradians", "−500"),
-        AngleUnit::ArcSecond => ("seconds of arc", "−108000"),
+        AngleUnit::Degree => (say!("common-degrees"), "−30"),
+        AngleUnit::Radian => (say!("common-radians"), "−0.5"),
+        AngleUnit::Milliradian => (say!("boundary-entry-milliradians"), "−500"),
+        AngleUnit::ArcSecond => (say!("boundary-entry-seconds-of-arc"), "−108000"),
     };
     if text.is_empty() {
-        return Err(format!(
-            "the angle is missing; type it in {name}, such as {example}"
+        return Err(say!(
+            "boundary-entry-the-angle-is-missing-type",
+            name = name,
+            example = example
         ));
     }
-    typed_in(text, units.angle_name().trim(), "rad")
-        .map_err(|_| format!("'{text}' is no angle; type a number of {name}, such as {example}"))
+    typed_in(text, units.angle_name().trim(), "rad").map_err(|_| {
+        say!(
+            "boundary-entry-is-no-angle-type",
+            text = text,
+            name = name,
+            example = example
+        )
+    })
 }
 
 /// The regions with one boundary exactly there, or why it cannot be there and what could.
@@ -86,7 +95,7 @@ pub(crate) fn placed(
 ) -> Result<Vec<Region>, String> {
     let say = |rad: f64| units.angle(rad);
     if !at_rad.is_finite() {
-        return Err("a boundary is an angle; type a number".to_owned());
+        return Err(say!("boundary-entry-a-boundary-is-an-angle").to_owned());
     }
     if within.0 < within.1 && (at_rad < within.0 - SAME_RAD || at_rad > within.1 + SAME_RAD) {
         let range = format!("{} … {}", say(within.0), say(within.1));
@@ -95,19 +104,21 @@ pub(crate) fn placed(
             .into_iter()
             .find(|turned| (within.0..=within.1).contains(turned));
         return Err(match same {
-            Some(same) => format!(
-                "{} is outside of the joint's range {range}; {} is the same direction: type that",
-                say(at_rad),
-                say(same)
+            Some(same) => say!(
+                "boundary-entry-is-outside-of-the-joints",
+                at = say(at_rad),
+                range = range,
+                same = say(same)
             ),
-            None => format!(
-                "{} is outside of the joint's range {range}; type an angle in it",
-                say(at_rad)
+            None => say!(
+                "boundary-entry-is-outside-of-the-joints-range",
+                at = say(at_rad),
+                range = range
             ),
         });
     }
     let mut next = regions.to_vec();
-    let missing = "there is no such region";
+    let missing = say!("common-there-is-no-such-region");
     if let Some(k) = joint.below {
         next.get_mut(k).ok_or(missing)?.to_rad = at_rad;
     }
@@ -127,16 +138,17 @@ pub(crate) fn placed(
             .find(|(o, r)| *o != k && overlaps(r));
         if let Some((_, other)) = other {
             let free = if joint.below == Some(k) {
-                format!("at most {}", say(other.from_rad))
+                say!("boundary-entry-at-most", from = say(other.from_rad))
             } else {
-                format!("at least {}", say(other.to_rad))
+                say!("boundary-entry-at-least", to = say(other.to_rad))
             };
-            return Err(format!(
-                "region {} would overlap region {}, {} … {}; type {free}, or merge the two",
-                next[k].name,
-                other.name,
-                say(other.from_rad),
-                say(other.to_rad)
+            return Err(say!(
+                "boundary-entry-region-would-overlap-region-type",
+                next = next[k].name,
+                other = other.name,
+                from = say(other.from_rad),
+                to = say(other.to_rad),
+                free = free
             ));
         }
     }
@@ -157,39 +169,51 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
         return Ok(());
     }
     let instead = if at_its_end {
-        format!("type {} or more", say(from_rad + NARROWEST_RAD))
+        say!(
+            "boundary-entry-type-or-more",
+            least = say(from_rad + NARROWEST_RAD)
+        )
     } else {
-        format!("type {} or less", say(to_rad - NARROWEST_RAD))
+        say!(
+            "boundary-entry-type-or-less",
+            most = say(to_rad - NARROWEST_RAD)
+        )
     };
     let quarter = rad_from_deg(90.0);
     if width.abs() < SAME_RAD {
-        return Err(format!(
-            "region {name} would begin and end at {}; {instead}",
-            say(*from_rad)
+        return Err(say!(
+            "boundary-entry-region-would-begin-and-end",
+            name = name,
+            from = say(*from_rad),
+            instead = instead
         ));
     }
     if width > 0.0 {
-        return Err(format!(
-            "region {name} would be {} wide, less than {}; {instead}",
-            say(width),
-            say(NARROWEST_RAD)
+        return Err(say!(
+            "boundary-entry-region-would-be-wide-less",
+            name = name,
+            width = say(width),
+            least = say(NARROWEST_RAD),
+            instead = instead
         ));
     }
     if *from_rad > quarter && *to_rad < -quarter {
-        return Err(format!(
-            "region {name} would run from {} over {} to {}; no region does: make two, one to {} \
-             and one from {}",
-            say(*from_rad),
-            say(rad_from_deg(180.0)),
-            say(*to_rad),
-            say(rad_from_deg(180.0)),
-            say(rad_from_deg(-180.0))
+        return Err(say!(
+            "boundary-entry-region-would-run-from-over",
+            name = name,
+            from = say(*from_rad),
+            limit = say(rad_from_deg(180.0)),
+            to = say(*to_rad),
+            first = say(rad_from_deg(180.0)),
+            second = say(rad_from_deg(-180.0))
         ));
     }
-    Err(format!(
-        "region {name} would begin at {}, after its end at {}; {instead}",
-        say(*from_rad),
-        say(*to_rad)
+    Err(say!(
+        "boundary-entry-region-would-begin-at-after",
+        name = name,
+        from = say(*from_rad),
+        to = say(*to_rad),
+        instead = instead
     ))
 }
 

@@ -1,6 +1,7 @@
 //! The targets of a table or of a robot program, corrected by a model: what became of them, and the lines
 //! that changed.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::kinematics::Pose;
@@ -97,10 +98,10 @@ fn corrected(
     let bytes = read_document(path).map_err(|error| lines(&error))?;
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
-        vec![format!(
-            "{}: neither its ending nor its content says what it is; expected {}",
-            path.display(),
-            all.join(", ")
+        vec![say!(
+            "compensated-neither-its-ending-nor-its",
+            path = path.display(),
+            all = all.join(", ")
         )]
     })?;
     let answer = pipeline::compensate(&Request {

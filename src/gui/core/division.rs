@@ -1,6 +1,7 @@
 //! How the joint's range came to be divided, and what the adaptive division decided and why.
 
 use crate::effects::JointValues;
+use crate::gui::language::say;
 use crate::pipeline::{Method, identify};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
@@ -34,17 +35,17 @@ impl Decision {
     /// What was decided and why, in one line.
     pub(crate) fn says(&self, units: Units) -> String {
         if self.regions == 1 {
-            return "One region: nowhere does the deviation change by more than the noise"
-                .to_owned();
+            return say!("division-one-region-nowhere-does").to_owned();
         }
         let n = self.regions;
-        let first =
-            format!("{n} regions: a boundary where the deviation changes by more than the noise");
+        let first = say!("division-regions-a-boundary-where", n = n);
         match (self.left_mm, self.even_mm) {
-            (Some(left), Some(even)) => format!(
-                "{first}. They leave {}, {n} even ones {}",
-                units.length(left),
-                units.length(even)
+            (Some(left), Some(even)) => say!(
+                "division-they-leave-even-ones",
+                first = first,
+                left = units.length(left),
+                n = n,
+                even = units.length(even)
             ),
             _ => first,
         }

@@ -1,15 +1,26 @@
 //! Sessions that come with the program.
 
-/// A session that comes with the program.
+use crate::gui::language::text;
+
+/// A session that comes with the program: keys of what is said of it, and its files.
 pub(crate) struct Example {
-    /// Its name in the menu.
-    pub(crate) name: &'static str,
-    pub(crate) what: &'static str,
+    name: &'static str,
+    what: &'static str,
     document: &'static [u8],
     samples: &'static [u8],
 }
 
 impl Example {
+    /// Its name in the menu.
+    pub(crate) fn name(&self) -> &'static str {
+        text(self.name)
+    }
+
+    /// What is in it.
+    pub(crate) fn what(&self) -> &'static str {
+        text(self.what)
+    }
+
     /// Document and samples.
     pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
         (self.document, self.samples)
@@ -19,8 +30,8 @@ impl Example {
 /// Every session that comes with the program; the window opens on the first.
 pub(crate) const EXAMPLES: [Example; 3] = [
     Example {
-        name: "Lamp commissioning",
-        what: "two reflectors, both sides, noise, while the machine warms up",
+        name: "example-run",
+        what: "example-run-what",
         document: include_bytes!("../../../sessions/lamp-commissioning.json"),
         samples: include_bytes!("../../../sessions/lamp-commissioning.csv"),
     },

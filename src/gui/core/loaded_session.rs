@@ -1,5 +1,6 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
+use crate::gui::language::say;
 use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -82,10 +83,10 @@ impl Component {
 
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Length => "length",
-            Self::Tangential => "tangential",
-            Self::Radial => "radial",
-            Self::Axial => "axial",
+            Self::Length => say!("loaded-session-length"),
+            Self::Tangential => say!("loaded-session-tangential"),
+            Self::Radial => say!("loaded-session-radial"),
+            Self::Axial => say!("loaded-session-axial"),
             Self::X => "x",
             Self::Y => "y",
             Self::Z => "z",

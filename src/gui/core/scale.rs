@@ -1,5 +1,7 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
+use crate::gui::language::{say, text};
+
 /// Up to here samples are few.
 pub(crate) const FEW: usize = 1_000;
 
@@ -13,15 +15,22 @@ pub(crate) fn stride(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }
 
-/// What a plot says when it does not show everything.
-pub(crate) fn thinned(stride: usize, what: &str) -> Option<String> {
+/// What a plot says when it does not show everything; `what` is the key of its name.
+pub(crate) fn thinned(stride: usize, what: &'static str) -> Option<String> {
     let ordinal = match (stride % 10, stride % 100) {
         (1, n) if n != 11 => "st",
         (2, n) if n != 12 => "nd",
         (3, n) if n != 13 => "rd",
         _ => "th",
     };
-    (stride > 1).then(|| format!("every {stride}{ordinal} {what} shown"))
+    (stride > 1).then(|| {
+        say!(
+            "scale-every-shown",
+            stride = stride,
+            ordinal = ordinal,
+            what = text(what)
+        )
+    })
 }
 
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`.

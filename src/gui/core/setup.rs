@@ -1,6 +1,7 @@
 //! Robot, reflectors and instrument as they are filled in: numbers as the file has them (mm, degrees,
 //! kg), checked as they are typed, and the session that follows from them.
 
+use crate::gui::language::say;
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Place, Severity};
@@ -128,9 +129,12 @@ impl SetupForm {
             }
             let taken = self.joints[..k].iter().any(|j| j.name == form.name);
             if form.name.trim().is_empty() {
-                problems.push((Field::JointName(k), "a joint needs a name".to_owned()));
+                problems.push((
+                    Field::JointName(k),
+                    say!("setup-a-joint-needs-a-name").to_owned(),
+                ));
             } else if taken {
-                let says = format!("another joint is called {}", form.name);
+                let says = say!("setup-another-joint-is-called", form = form.name);
                 problems.push((Field::JointName(k), says));
             }
         }
@@ -154,7 +158,7 @@ impl SetupForm {
             SigmaForm::Three(sigma) => sigma.iter().all(|s| s.is_finite() && *s > 0.0),
         };
         if !sound {
-            problems.push((Field::Sigma, "the noise is a number above 0".to_owned()));
+            problems.push((Field::Sigma, say!("setup-the-noise-is-a-number").to_owned()));
         }
         if problems.is_empty() {
             let wrong = next.robot.problems(&Place::default()).into_iter();
@@ -178,9 +182,12 @@ impl SetupForm {
         for (k, form) in self.targets.iter().enumerate() {
             let name = form.name.trim();
             if name.is_empty() {
-                problems.push((Field::Target(k), "a reflector needs a name".to_owned()));
+                problems.push((
+                    Field::Target(k),
+                    say!("setup-a-reflector-needs-a-name").to_owned(),
+                ));
             } else if self.targets[..k].iter().any(|t| t.name.trim() == name) {
-                let says = format!("another reflector is called {name}");
+                let says = say!("setup-another-reflector-is-called", name = name);
                 problems.push((Field::Target(k), says));
             }
         }
@@ -242,7 +249,7 @@ fn change_joint(
             to: inside(to),
         });
         if form.limits.is_some_and(|[from, to]| from >= to) {
-            let says = "limits run from the smaller to the larger value";
+            let says = say!("setup-limits-run-from-the-smaller");
             problems.push((Field::Limits(k), says.to_owned()));
         }
     }
@@ -254,7 +261,7 @@ fn change_joint(
         .link
         .is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0)
     {
-        problems.push((Field::Mass(k), "a mass is 0 kg or more".to_owned()));
+        problems.push((Field::Mass(k), say!("setup-a-mass-is-0-kg").to_owned()));
     }
 }
 

@@ -1,5 +1,6 @@
 //! New by simulation: a small form, and the session that comes out of it.
 
+use crate::gui::language::say;
 use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
@@ -18,16 +19,16 @@ const MOST_SAMPLES: f64 = 1e6;
 /// Seconds from one pose to the next.
 const SECONDS_PER_POSE: f64 = 6.0;
 
-/// What the fields are called.
+/// What the fields are called, by key.
 pub(crate) mod field {
-    pub(crate) const RADIUS: &str = "nominal radius";
-    pub(crate) const OFFSET: &str = "zero offset";
-    pub(crate) const LENGTH: &str = "length error";
-    pub(crate) const TOLERANCE: &str = "tolerance";
-    pub(crate) const FROM: &str = "from";
-    pub(crate) const TO: &str = "to";
-    pub(crate) const STEP: &str = "step";
-    pub(crate) const NOISE: &str = "noise";
+    pub(crate) const RADIUS: &str = "simulation-nominal-radius";
+    pub(crate) const OFFSET: &str = "simulation-zero-offset";
+    pub(crate) const LENGTH: &str = "simulation-length-error";
+    pub(crate) const TOLERANCE: &str = "common-tolerance";
+    pub(crate) const FROM: &str = "common-from";
+    pub(crate) const TO: &str = "common-to";
+    pub(crate) const STEP: &str = "common-step";
+    pub(crate) const NOISE: &str = "common-noise";
 }
 
 /// An effect with the values that are filled in.
@@ -100,7 +101,7 @@ impl Form {
             .filter(|effect| effect.exists_on(0, JointKind::Revolute));
         let all = turning.map(|effect| effect.about());
         all.filter(|about| about.role == Role::Candidate)
-            .map(|about| (about.id, about.title))
+            .map(|about| (about.id, crate::gui::language::names::title(about.id)))
     }
 
     /// What is wrong with the numbers; `None` where they can be simulated.
@@ -122,7 +123,12 @@ impl Form {
         ];
         let infinite = fields.iter().filter(|(_, value)| !value.is_finite());
         let mut problems: Vec<_> = infinite
-            .map(|(name, _)| (*name, "this field needs a number".to_owned()))
+            .map(|(name, _)| {
+                (
+                    *name,
+                    say!("simulation-this-field-needs-a-number").to_owned(),
+                )
+            })
             .collect();
         let mut check = |wrong: bool, name: &'static str, says: &str| {
             if wrong && problems.iter().all(|(other, _)| *other != name) {
@@ -132,39 +138,43 @@ impl Form {
         check(
             self.radius_mm <= 0.0,
             field::RADIUS,
-            "the radius has to be above 0 mm",
+            say!("simulation-the-radius-has-to-be"),
         );
         check(
             self.tolerance_mm < 0.0,
             field::TOLERANCE,
-            "the tolerance cannot be below 0",
+            say!("simulation-the-tolerance-cannot-be-below"),
         );
         check(
             self.from_deg >= self.to_deg,
             field::TO,
-            "the sweep has to run from the smaller to the larger angle",
+            say!("simulation-the-sweep-has-to-run"),
         );
         check(
             self.step_deg <= 0.0,
             field::STEP,
-            "the step has to be above 0°",
+            say!("simulation-the-step-has-to-be"),
         );
         check(
             (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES,
             field::STEP,
-            "that is more than a million poses; take a larger step",
+            say!("simulation-that-is-more-than"),
         );
         check(
             self.noise_mm < 0.0,
             field::NOISE,
-            "the noise cannot be below 0",
+            say!("simulation-the-noise-cannot-be-below"),
         );
         for chosen in &self.effects {
             let infinite = chosen
                 .parameters
                 .iter()
                 .any(|(_, value)| !value.is_finite());
-            check(infinite, chosen.id, "every field needs a number");
+            check(
+                infinite,
+                chosen.id,
+                say!("simulation-every-field-needs-a-number"),
+            );
         }
         for term in self.parts() {
             let place = match role(term.0) {

@@ -1,5 +1,6 @@
 //! What this program is.
 
+use crate::gui::language::say;
 use egui::Ui;
 
 use crate::gui::widgets;
@@ -10,18 +11,12 @@ use super::ends::done;
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(400.0);
     widgets::heading(ui, "truepose");
-    widgets::hint(ui, concat!("version ", env!("CARGO_PKG_VERSION")));
-    ui.label(
-        "Calibrates a robot at commissioning: finds where measurement and simulation disagree, \
-         and writes what the controller needs",
-    );
     widgets::hint(
         ui,
-        "Everything in this window can be done in the terminal too: truepose --help",
+        say!("about-version", version = env!("CARGO_PKG_VERSION")),
     );
-    widgets::hint(
-        ui,
-        "Type: Inter, by the Inter project authors, SIL Open Font License 1.1",
-    );
+    ui.label(say!("about-calibrates-a-robot-at-commissioning"));
+    widgets::hint(ui, say!("about-everything-in-this-window-can"));
+    widgets::hint(ui, say!("about-type-inter-by-the-inter"));
     done(ui, commands);
 }

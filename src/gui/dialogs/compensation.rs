@@ -1,6 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
+use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
@@ -28,7 +29,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let name = compensated.wanted.path.file_name().unwrap_or_default();
-    widgets::heading(ui, &format!("Compensate {}", name.to_string_lossy()));
+    widgets::heading(
+        ui,
+        &say!("compensation-compensate", name = name.to_string_lossy()),
+    );
     asked(ui, &compensated.wanted, commands);
     match &compensated.result {
         Err(problems) => {
@@ -42,7 +46,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             lines(ui, &corrected.changed);
             left(ui, corrected);
             let any = corrected.summary.corrected > 0;
-            if ends::buttons_without_enter(ui, "Save corrected file…", any, commands) {
+            if ends::buttons_without_enter(
+                ui,
+                say!("compensation-save-corrected-file"),
+                any,
+                commands,
+            ) {
                 commands.push(Command::ChooseWhereToExport(What::Targets));
             }
         }
@@ -57,8 +66,13 @@ fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);
-    widgets::number(ui, "load where the file says none", "kg", field);
-    let says = "the measuring frame is the robot's base (--measured-frame)";
+    widgets::number(
+        ui,
+        say!("compensation-load-where-the-file-says"),
+        "kg",
+        field,
+    );
+    let says = say!("compensation-the-measuring-frame");
     ui.checkbox(&mut wanted.measured_frame, says);
     if wanted != *before {
         commands.push(Command::Compensate(wanted));
@@ -67,18 +81,22 @@ fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
 
 fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
     let (units, s) = (workbench.units(), corrected.summary);
-    widgets::fact(ui, "read as", corrected.language);
-    let of = format!("{} of {}", s.corrected, s.targets);
-    widgets::fact(ui, "targets corrected", of);
+    widgets::fact(ui, say!("compensation-read-as"), corrected.language);
+    let of = say!(
+        "compensation-of",
+        corrected = s.corrected,
+        targets = s.targets
+    );
+    widgets::fact(ui, say!("compensation-targets-corrected"), of);
     if s.corrected > 0 {
         let change = |a: f64, b: f64| {
             let [a, b] = [a, b].map(|mm| units.length_number(mm));
             format!("{a} → {b} {}", units.length_name())
         };
         let rms = change(s.before_mm, s.after_mm);
-        widgets::fact(ui, "RMS position error", rms);
+        widgets::fact(ui, say!("compensation-rms-position-error"), rms);
         let most = change(s.max_before_mm, s.max_after_mm);
-        widgets::fact(ui, "largest position error", most);
+        widgets::fact(ui, say!("compensation-largest-position-error"), most);
     }
 }
 
@@ -91,7 +109,7 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
     if changed.is_empty() {
         return;
     }
-    widgets::section(ui, "Lines that change");
+    widgets::section(ui, say!("compensation-lines-that-change"));
     let palette = Palette::of(ui);
     let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);
@@ -106,7 +124,11 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
         .max_scroll_height(high)
         .min_scrolled_height(0.0)
         .header(ROW, |mut header| {
-            for head in ["line", "before", "corrected"] {
+            for head in [
+                say!("compensation-line"),
+                say!("common-before"),
+                say!("common-corrected"),
+            ] {
                 header.col(|ui| {
                     ui.label(RichText::new(head).font(strong(size::SMALL)));
                 });
@@ -139,11 +161,12 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         let name = &target.name;
         Some((
             target.place,
-            format!("{name} is left as it is: {}", left.says),
+            say!("compensation-is-left-as", name = name, left = left.says),
         ))
     });
     let at_run_time = answer.at_run_time.iter();
-    let at_run_time = at_run_time.map(|(l, c, says)| ((*l, *c), format!("not corrected: {says}")));
+    let at_run_time =
+        at_run_time.map(|(l, c, says)| ((*l, *c), say!("compensation-not-corrected", says = says)));
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
     let remarks: Vec<_> = remarks
@@ -153,7 +176,12 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         return;
     }
     let at = |((line, column), says): &((u64, u64), String)| {
-        format!("line {line}, column {column}: {says}")
+        say!(
+            "compensation-line-column",
+            line = line,
+            column = column,
+            says = says
+        )
     };
     ScrollArea::vertical()
         .id_salt("what is left")
@@ -163,8 +191,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::wrong(ui, &at(warning));
             }
             if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
-                let says =
-                    format!("and {more} more: all of them stand in the file beside the saved one");
+                let says = say!("compensation-and-more-all-of-them", more = more);
                 widgets::hint(ui, says);
             }
             for remark in remarks.iter().take(MOST_LEFT) {

@@ -1,5 +1,6 @@
 //! How sheets end: their buttons, and Enter.
 
+use crate::gui::language::say;
 use egui::{Key, Ui};
 
 use crate::gui::style::tokens::space;
@@ -21,7 +22,7 @@ pub(super) fn buttons_without_enter(
 ) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], "Cancel").clicked() {
+        if widgets::other(&mut columns[0], say!("common-cancel")).clicked() {
             commands.push(Command::Sheet(None));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
@@ -32,7 +33,7 @@ pub(super) fn buttons_without_enter(
 /// The button at the end of a sheet that only says something.
 pub(super) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
-    if widgets::primary(ui, "Done").clicked() || entered(ui) {
+    if widgets::primary(ui, say!("common-done")).clicked() || entered(ui) {
         commands.push(Command::Sheet(None));
     }
 }

@@ -1,5 +1,6 @@
 //! Keyboard and mouse: what can be pressed, and what it does.
 
+use crate::gui::language::{say, text};
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::actions;
@@ -12,18 +13,18 @@ use super::ends::done;
 
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
-    widgets::heading(ui, "Keyboard and mouse");
+    widgets::heading(ui, say!("common-keyboard-and-mouse"));
     let others: [(&str, &str); 7] = [
-        ("← →", "move the boundary that has the focus"),
-        ("Shift+← →", "move it further"),
+        ("← →", say!("keys-move-the-boundary-that-has")),
+        ("Shift+← →", say!("keys-move-it-further")),
+        ("← → ↑ ↓ + −", say!("keys-orbit-and-zoom-the-3")),
+        ("Tab, Shift+Tab", say!("keys-next-control-the-one-before")),
+        (say!("keys-space-or-enter"), say!("keys-press")),
         (
-            "← → ↑ ↓ + −",
-            "orbit and zoom the 3-D view that has the focus",
+            "Ctrl++, Ctrl+−, Ctrl+0",
+            say!("keys-larger-smaller-usual-text"),
         ),
-        ("Tab, Shift+Tab", "next control, the one before"),
-        ("Space or Enter", "press it"),
-        ("Ctrl++, Ctrl+−, Ctrl+0", "larger, smaller, usual text"),
-        ("Esc", "close a sheet"),
+        ("Esc", say!("keys-close-a-sheet")),
     ];
     let all = actions::ALL.iter().map(|action| action.help(ui.ctx()));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
@@ -35,8 +36,8 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.add_space(space::ROW);
-    ui.label(RichText::new("The mouse, in the plots").font(strong(size::BODY)));
-    let mouse = gestures::GESTURES.map(|(how, what)| (how.to_owned(), what));
+    ui.label(RichText::new(say!("keys-the-mouse-in-the-plots")).font(strong(size::BODY)));
+    let mouse = gestures::GESTURES.map(|(how, what)| (text(how).to_owned(), text(what)));
     key_rows(ui, &mouse);
     done(ui, commands);
 }

@@ -1,5 +1,6 @@
 //! Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
 
+use crate::gui::language::say;
 use egui::{
     Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
@@ -25,11 +26,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut typed = before.unwrap_or_default();
     let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter]
         .map(|key| ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)));
-    let field = TextEdit::singleline(&mut typed.text).hint_text("what to do");
+    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("palette-what-to-do"));
     let room = egui::vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
     ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label("Command"));
+        .accesskit_node_builder(field.id, |node| node.set_label(say!("palette-command")));
     if first || !field.has_focus() {
         field.request_focus();
     }
@@ -58,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         }
         if fitting.is_empty() {
-            widgets::hint(ui, "No command has this in its name");
+            widgets::hint(ui, say!("palette-no-command-has-this"));
         }
     });
     if done.is_some() || ui.input(|i| i.key_pressed(Key::Escape)) {

@@ -1,5 +1,6 @@
 //! A path that is typed.
 
+use crate::gui::language::say;
 use std::path::PathBuf;
 
 use egui::{Key, TextEdit, Ui};
@@ -32,8 +33,14 @@ pub(super) fn save(
     typed: (&str, bool),
     commands: &mut Vec<Command>,
 ) {
-    let says = "The samples are written beside it, as a CSV file of the same name";
-    match path_form(ui, workbench, ("Save session", says), typed, commands) {
+    let says = say!("path-the-samples-are-written-beside");
+    match path_form(
+        ui,
+        workbench,
+        (say!("common-save-session"), says),
+        typed,
+        commands,
+    ) {
         Typed::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
         Typed::Changed { path, replace } => {
             commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
@@ -54,17 +61,17 @@ fn path_form(
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
     ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label("Path to save to"));
+        .accesskit_node_builder(field.id, |node| node.set_label(say!("path-path-to-save")));
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
         let (folder, name) = (folder.display(), name.to_string_lossy());
-        widgets::hint(ui, format!("{name}, in the folder {folder}"));
+        widgets::hint(ui, say!("path-in-the-folder", name = name, folder = folder));
     }
-    ui.checkbox(&mut allowed, "replace the file if it exists");
+    ui.checkbox(&mut allowed, say!("path-replace-the-file-if"));
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
-    let pressed = buttons(ui, "Save", named, commands);
+    let pressed = buttons(ui, say!("path-save"), named, commands);
     if named && (pressed || entered) {
         Typed::Done {
             path: typed.trim().into(),
@@ -90,22 +97,22 @@ pub(super) fn export(
 ) {
     let (title, says) = match what {
         What::Table => (
-            "Save table",
-            "A file that says what the table means is written beside it",
+            say!("common-save-table"),
+            say!("path-a-file-that-says-what"),
         ),
-        What::Model => ("Save model", "The model can be exported and verified later"),
-        What::Poses => (
-            "Save measuring list",
-            "A CSV table with the session's column names, to be measured next",
+        What::Model => (
+            say!("common-save-model-2"),
+            say!("path-the-model-can-be-exported"),
         ),
-        What::Report(_) => (
-            "Save report",
-            "A name that ends in .html or .pdf; a session that was not searched yet is searched first",
+        What::Poses => (say!("common-save-measuring-list"), say!("path-a-csv-table")),
+        What::Report(_) => (say!("common-save-report"), say!("path-a-name-that-ends")),
+        What::Picture(_) => (
+            say!("common-save-picture"),
+            say!("path-a-name-that-ends-in-svg"),
         ),
-        What::Picture(_) => ("Save picture", "A name that ends in .svg"),
         What::Targets => (
-            "Save corrected file",
-            "What was changed is written beside it, as NAME.meta.json",
+            say!("common-save-corrected-file"),
+            say!("path-what-was-changed-is-written"),
         ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {

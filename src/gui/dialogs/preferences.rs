@@ -1,5 +1,6 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
+use crate::gui::language::{LANGUAGES, say};
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
@@ -10,66 +11,85 @@ use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(440.0);
-    widgets::heading(ui, "Preferences");
+    widgets::heading(ui, say!("preferences-preferences"));
     let now = workbench.view().preferences;
     let mut next = now;
+    // A name that cannot be drawn is written in letters that can.
+    let asked = |(_, _, own): &(_, _, &str)| workbench.letters().were_asked_for(own);
+    if !LANGUAGES.iter().all(asked) {
+        commands.push(Command::FindNamesOfLanguages);
+    }
+    let drawn = |own: &'static str, plain| match own.is_ascii() || workbench.letters().have(own) {
+        true => own,
+        false => plain,
+    };
+    let languages = LANGUAGES.iter().map(|(one, _, own)| (Some(*one), drawn(own, "Chinese")));
+    let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
+        .chain(languages)
+        .collect();
+    widgets::form_row(ui, say!("preferences-language"), |ui| {
+        if let Some(language) = widgets::segmented(ui, &languages, now.language) {
+            next.language = language;
+        }
+    });
     let lengths = [
         (LengthUnit::Millimetre, "mm"),
         (LengthUnit::Micrometre, "µm"),
-        (LengthUnit::Inch, "inch"),
+        (LengthUnit::Inch, say!("preferences-inch")),
     ];
-    widgets::form_row(ui, "Lengths in", |ui| {
+    widgets::form_row(ui, say!("common-lengths"), |ui| {
         if let Some(unit) = widgets::segmented(ui, &lengths, now.length) {
             next.length = unit;
         }
     });
     let angles = [
-        (AngleUnit::Degree, "degrees"),
+        (AngleUnit::Degree, say!("common-degrees")),
         (AngleUnit::Radian, "rad"),
         (AngleUnit::Milliradian, "mrad"),
         (AngleUnit::ArcSecond, "arcsec"),
     ];
-    widgets::form_row(ui, "Angles in", |ui| {
+    widgets::form_row(ui, say!("preferences-angles"), |ui| {
         if let Some(unit) = widgets::segmented(ui, &angles, now.angle) {
             next.angle = unit;
         }
     });
     let decimals = [
-        (None, "readable"),
+        (None, say!("preferences-readable")),
         (Some(1), "1"),
         (Some(2), "2"),
         (Some(3), "3"),
         (Some(4), "4"),
         (Some(5), "5"),
     ];
-    widgets::form_row(ui, "Decimals of lengths", |ui| {
+    widgets::form_row(ui, say!("preferences-decimals-of-lengths"), |ui| {
         if let Some(decimals) = widgets::segmented(ui, &decimals, now.decimals) {
             next.decimals = decimals;
         }
     });
     let signs = [(false, "1.5"), (true, "1,5")];
-    widgets::form_row(ui, "Decimal sign", |ui| {
+    widgets::form_row(ui, say!("common-decimal-sign"), |ui| {
         if let Some(comma) = widgets::segmented(ui, &signs, now.decimal_comma) {
             next.decimal_comma = comma;
         }
     });
     let themes = [
-        (Theme::System, "as the system"),
-        (Theme::Light, "light"),
-        (Theme::Dark, "dark"),
+        (Theme::System, say!("preferences-as-the-system")),
+        (Theme::Light, say!("preferences-light")),
+        (Theme::Dark, say!("preferences-dark")),
     ];
-    widgets::form_row(ui, "Colours", |ui| {
+    widgets::form_row(ui, say!("preferences-colours"), |ui| {
         if let Some(theme) = widgets::segmented(ui, &themes, now.theme) {
             next.theme = theme;
         }
     });
-    widgets::form_row(ui, "Size of text", |ui| {
+    widgets::form_row(ui, say!("preferences-size-of-text"), |ui| {
         let mut percent = (100.0 * now.zoom).round();
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
         let slider = ui.add(slider.update_while_editing(false));
-        ui.ctx()
-            .accesskit_node_builder(slider.id, |node| node.set_label("Size of text"));
+        ui.ctx().accesskit_node_builder(slider.id, |node| {
+            node.set_label(say!("preferences-size-of-text"))
+        });
         // While it is dragged the slider would run away from under the pointer.
         let id = ui.scope_id().with("size of text");
         if slider.dragged() {
@@ -80,18 +100,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             next.zoom = percent / 100.0;
         }
     });
-    widgets::hint(
-        ui,
-        "Files are read and written in their own units, whatever is shown here",
-    );
+    widgets::hint(ui, say!("preferences-files-are-read-and-written"));
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let reset = now != Preferences::default();
-        let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, "Reset all"));
+        let button = columns[0].add_enabled_ui(reset, |ui| {
+            widgets::other(ui, say!("preferences-reset-all"))
+        });
         if button.inner.clicked() {
             next = Preferences::default();
         }
-        let done = widgets::primary(&mut columns[1], "Done").clicked();
+        let done = widgets::primary(&mut columns[1], say!("common-done")).clicked();
         if done || super::ends::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }

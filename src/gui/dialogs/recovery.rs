@@ -1,5 +1,6 @@
 //! What windows that are gone have left behind: what, from when, and whether to bring it back.
 
+use crate::gui::language::say;
 use std::time::{Duration, SystemTime};
 
 use egui::{RichText, ScrollArea, Ui};
@@ -10,29 +11,29 @@ use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
-    widgets::heading(ui, "Not saved when the program ended");
-    widgets::hint(
-        ui,
-        "The last time the program ended without warning. Nothing is lost unless it is discarded \
-         here: what is not restored now is offered again",
-    );
+    widgets::heading(ui, say!("recovery-not-saved-when-the-program"));
+    widgets::hint(ui, say!("recovery-the-last-time-the-program"));
     ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
         for (index, left) in workbench.left_behind().iter().enumerate() {
             widgets::card(ui, |ui| {
                 let title = match &left.kept {
                     Ok(kept) => kept.session.name.clone(),
-                    Err(_) => "A file that is damaged".to_owned(),
+                    Err(_) => say!("recovery-a-file-that-is-damaged").to_owned(),
                 };
                 ui.label(RichText::new(title).font(strong(size::BODY)));
                 if let Some(ago) = left.when.and_then(ago) {
-                    widgets::fact(ui, "kept", ago);
+                    widgets::fact(ui, say!("recovery-kept"), ago);
                 }
                 match &left.kept {
                     Ok(kept) => {
-                        widgets::fact(ui, "samples", kept.session.samples.len().to_string());
+                        widgets::fact(
+                            ui,
+                            say!("common-samples"),
+                            kept.session.samples.len().to_string(),
+                        );
                         let file = kept.file.as_ref().and_then(|f| f.file_name());
-                        let file = file.map_or("none".into(), |f| f.to_string_lossy());
-                        widgets::fact(ui, "its file", file);
+                        let file = file.map_or(say!("common-none").into(), |f| f.to_string_lossy());
+                        widgets::fact(ui, say!("recovery-its-file"), file);
                     }
                     Err(because) => {
                         widgets::wrong(ui, because);
@@ -43,12 +44,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.add_space(space::TIGHT);
                 ui.columns(2, |columns| {
                     let restore = if left.kept.is_ok() {
-                        if widgets::other(&mut columns[0], "Discard").clicked() {
+                        if widgets::other(&mut columns[0], say!("recovery-discard")).clicked() {
                             commands.push(Command::DiscardLeft(index));
                         }
-                        "Restore"
+                        say!("recovery-restore")
                     } else {
-                        "Put it aside"
+                        say!("recovery-put-it-aside")
                     };
                     if widgets::primary(&mut columns[1], restore).clicked() {
                         commands.push(Command::Restore(index));
@@ -58,10 +59,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
     });
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], "Discard all").clicked() {
+        if widgets::other(&mut columns[0], say!("recovery-discard-all")).clicked() {
             commands.push(Command::DiscardAllLeft);
         }
-        if widgets::other(&mut columns[1], "Not now").clicked() {
+        if widgets::other(&mut columns[1], say!("recovery-not-now")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });
@@ -78,15 +79,11 @@ fn ago(when: SystemTime) -> Option<String> {
 
 fn in_words(ago: Duration) -> String {
     let seconds = ago.as_secs();
-    let count = |n: u64, unit: &str| {
-        let s = if n == 1 { "" } else { "s" };
-        format!("{n} {unit}{s} ago")
-    };
     match seconds {
-        0..60 => "less than a minute ago".to_owned(),
-        60..3600 => count(seconds / 60, "minute"),
-        3600..86_400 => count(seconds / 3600, "hour"),
-        _ => count(seconds / 86_400, "day"),
+        0..60 => say!("recovery-less-than-a-minute-ago").to_owned(),
+        60..3600 => say!("recovery-minutes-ago", count = seconds / 60),
+        3600..86_400 => say!("recovery-hours-ago", count = seconds / 3600),
+        _ => say!("recovery-days-ago", count = seconds / 86_400),
     }
 }
 

@@ -1,5 +1,6 @@
 //! What would be lost, before it is; and a file that changed, before it is replaced.
 
+use crate::gui::language::say;
 use std::path::Path;
 
 use egui::Ui;
@@ -13,9 +14,18 @@ use crate::gui::workbench::{Command, Workbench};
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &mut Vec<Command>) {
     ui.set_width(420.0);
     let (title, discard) = match then {
-        Then::Leave => ("Leave without saving?", "Leave without saving"),
-        Then::Open(_) | Then::Example(_) => ("Open without saving?", "Open without saving"),
-        Then::Simulate(_) => ("Simulate without saving?", "Simulate without saving"),
+        Then::Leave => (
+            say!("unsaved-leave-without-saving"),
+            say!("unsaved-leave-without-saving-2"),
+        ),
+        Then::Open(_) | Then::Example(_) => (
+            say!("unsaved-open-without-saving"),
+            say!("unsaved-open-without-saving-2"),
+        ),
+        Then::Simulate(_) => (
+            say!("unsaved-simulate-without-saving"),
+            say!("unsaved-simulate-without-saving-2"),
+        ),
     };
     widgets::heading(ui, title);
     let name = &workbench.subject().session.name;
@@ -23,20 +33,21 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
     if losses.session {
         let file = workbench.file().and_then(Path::file_name);
         ui.label(match file {
-            Some(file) => format!(
-                "Changes of {name} are not in its file, {}",
-                file.to_string_lossy()
+            Some(file) => say!(
+                "unsaved-changes-of-are-not",
+                name = name,
+                file = file.to_string_lossy()
             ),
-            None => format!("The session {name} is in no file"),
+            None => say!("unsaved-the-session-is-in-no", name = name),
         });
     }
     if losses.model {
-        ui.label(format!("What was identified from {name} is in no file"));
+        ui.label(say!("unsaved-what-was-identified", name = name));
     }
     let save = match (losses.session, losses.model) {
-        (true, _) => "Save session",
-        (false, true) => "Save model…",
-        (false, false) => "Go on",
+        (true, _) => say!("common-save-session"),
+        (false, true) => say!("common-save-model"),
+        (false, false) => say!("unsaved-go"),
     };
     let sheet = |ui: &mut Ui, commands: &mut Vec<Command>| {
         ui.add_space(space::ROW);
@@ -51,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
             if widgets::secondary(&mut columns[0], discard).clicked() {
                 commands.push(Command::Do(then.clone()));
             }
-            if widgets::secondary(&mut columns[1], "Cancel").clicked() {
+            if widgets::secondary(&mut columns[1], say!("common-cancel")).clicked() {
                 commands.push(Command::Sheet(None));
             }
         });
@@ -62,21 +73,21 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
 /// Asks whether a file that changed since it was read is to be replaced.
 pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
     ui.set_width(420.0);
-    widgets::heading(ui, "Replace what another program wrote?");
-    ui.label(format!(
-        "{} changed since it was read. Saving here would replace what was written there",
-        path.display()
+    widgets::heading(ui, say!("unsaved-replace-what-another-program-wrote"));
+    ui.label(say!(
+        "unsaved-changed-since-it-was-read",
+        path = path.display()
     ));
     ui.add_space(space::ROW);
-    if widgets::primary(ui, "Save under another name…").clicked() {
+    if widgets::primary(ui, say!("unsaved-save-under-another-name")).clicked() {
         commands.push(Command::Sheet(None));
         commands.push(Command::ChooseWhereToSave);
     }
     ui.columns(2, |columns| {
-        if widgets::secondary(&mut columns[0], "Replace it").clicked() {
+        if widgets::secondary(&mut columns[0], say!("unsaved-replace")).clicked() {
             commands.push(Command::SaveDespite);
         }
-        if widgets::secondary(&mut columns[1], "Cancel").clicked() {
+        if widgets::secondary(&mut columns[1], say!("common-cancel")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });

@@ -1,5 +1,6 @@
 //! What the words mean, all of them.
 
+use crate::gui::language::say;
 use egui::{RichText, ScrollArea, Ui};
 
 use crate::gui::charts::CHARTS;
@@ -12,11 +13,8 @@ const REST: f32 = 240.0;
 
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, "Glossary");
-    widgets::hint(
-        ui,
-        "The same stands beside the numbers, where the pointer rests on a name",
-    );
+    widgets::heading(ui, say!("common-glossary"));
+    widgets::hint(ui, say!("glossary-the-same-stands-beside"));
     ui.add_space(space::TIGHT);
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {
@@ -24,8 +22,8 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         let charts = CHARTS.iter().map(|chart| chart.about().word);
         let charts = charts.filter(|word| !help::ALL.contains(word));
         for word in help::ALL.iter().copied().chain(charts) {
-            ui.label(RichText::new(word.name).font(strong(size::BODY)));
-            ui.add(egui::Label::new(word.means).wrap());
+            ui.label(RichText::new(word.name()).font(strong(size::BODY)));
+            ui.add(egui::Label::new(word.means()).wrap());
             ui.add_space(space::ROW);
         }
     });

@@ -6,6 +6,7 @@
 //! back when the program ends, however it ends. A file whose lock nobody holds was left behind, and
 //! the next window offers it. Two windows never touch the same file.
 
+use crate::gui::language::say;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -205,22 +206,22 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
 
 fn read(path: &Path) -> Result<Kept, String> {
     let bytes = fs::read(path).map_err(|e| e.to_string())?;
-    let end = memchr::memchr(b'\n', &bytes).ok_or("its first line is not complete")?;
+    let end = memchr::memchr(b'\n', &bytes).ok_or(say!("recovery-its-first-line-is-not"))?;
     let (first, document) = (&bytes[..end], &bytes[end + 1..]);
     let header: Header =
-        serde_json::from_slice(first).map_err(|_| "its first line cannot be read")?;
+        serde_json::from_slice(first).map_err(|_| say!("recovery-its-first-line-cannot-be"))?;
     if header.format != FORMAT {
-        return Err(format!("expected the format {FORMAT}"));
+        return Err(say!("recovery-expected-the-format", format = FORMAT));
     }
     if header.bytes != document.len() as u64 {
-        return Err(format!(
-            "{} of {} bytes are there",
-            document.len(),
-            header.bytes
+        return Err(say!(
+            "recovery-of-bytes-are-there",
+            document = document.len(),
+            bytes = header.bytes
         ));
     }
     if hexadecimal(&Sha256::digest(document)) != header.sha256 {
-        return Err("its contents do not agree with their hash".to_owned());
+        return Err(say!("recovery-its-contents-do-not-agree").to_owned());
     }
     let loaded = pipeline::parse(document).map_err(|e| e.to_string())?;
     Ok(Kept {

@@ -4,6 +4,7 @@
 //! Several windows share it. Each reads the document again before it changes its own part, so that
 //! the last word counts for a preference and the recent files are those of all windows.
 
+use crate::gui::language::say;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -78,8 +79,11 @@ pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
         _ => {
             let aside = folder.join("settings.damaged.json");
             let says = match fs::rename(&path, &aside) {
-                Ok(()) => format!("they were damaged and are kept as {}", aside.display()),
-                Err(_) => format!("{} is damaged", path.display()),
+                Ok(()) => say!(
+                    "settings-they-were-damaged-and-are",
+                    aside = aside.display()
+                ),
+                Err(_) => say!("settings-is-damaged", path = path.display()),
             };
             (Settings::default(), Some(says))
         }

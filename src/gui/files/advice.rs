@@ -1,43 +1,40 @@
 //! What is said where a file was not read or written, and what to do about it.
 
+use crate::gui::language::say;
 use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::atomic::WriteError;
 
 /// Why something was not read or written.
-pub(super) const CANCELLED: &str = "it was cancelled";
+pub(super) fn cancelled() -> String {
+    say!("file-it-was-cancelled").to_owned()
+}
 
 /// What the system says, and what to do about it.
 pub(super) fn advice(error: &WriteError) -> String {
     let source = match error {
         WriteError::Io { source, .. } => source,
         WriteError::Exists(path) => {
-            return format!(
-                "{} exists already; allow replacing it, or choose another name",
-                path.display()
-            );
+            return say!("file-exists-already-allow-replacing", path = path.display());
         }
         WriteError::NotAFile(path) => {
-            return format!(
-                "{} is a folder or a device and cannot be replaced; choose another name",
-                path.display()
-            );
+            return say!("file-is-a-folder-or", path = path.display());
         }
         WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
-        WriteError::Cancelled(_) => return CANCELLED.to_owned(),
+        WriteError::Cancelled(_) => return cancelled(),
     };
     let what_to_do = match source.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            "the disk is full: make room on it, or save to another disk"
+            say!("file-the-disk-is-full-make")
         }
-        ErrorKind::ReadOnlyFilesystem => "the disk can only be read: save to another disk",
-        ErrorKind::PermissionDenied => "nothing may be written there: save to another folder",
+        ErrorKind::ReadOnlyFilesystem => say!("file-the-disk-can-only-be"),
+        ErrorKind::PermissionDenied => say!("file-nothing-may-be-written-there"),
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
-            "the folder is not there: choose another, or make it first"
+            say!("file-the-folder-is-not-there")
         }
         ErrorKind::InvalidFilename => {
-            "the name is too long, or has a sign in it that no name may have: choose another name"
+            say!("file-the-name-is-too-long")
         }
         _ => return error.to_string(),
     };

@@ -1,5 +1,6 @@
 //! The system's dialogs for files.
 
+use crate::gui::language::{say, text};
 use std::path::{Path, PathBuf};
 
 use crate::gui::import_draft::{Beside, ROBOTS, TABLES};
@@ -9,10 +10,10 @@ use crate::programs::LANGUAGES;
 /// Asks the user for a session, a model or measurements, beside this file.
 pub(crate) fn choose_to_open(beside: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(beside)
-        .set_title("Open session, model or measurements")
-        .add_filter("Sessions and models (*.json)", &["json"])
-        .add_filter(MEASUREMENTS, TABLES)
-        .add_filter("All files", &["*"]);
+        .set_title(say!("dialog-open-session-model-or-measurements"))
+        .add_filter(say!("dialog-sessions-and-models-json"), &["json"])
+        .add_filter(text(MEASUREMENTS), TABLES)
+        .add_filter(say!("dialog-all-files"), &["*"]);
     dialog.pick_file()
 }
 
@@ -24,44 +25,46 @@ pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
         .copied()
         .collect();
     let mut dialog = dialog_beside(beside)
-        .set_title("Targets or program to correct")
-        .add_filter("Targets and programs", &all);
+        .set_title(say!("dialog-targets-or-program-to-correct"))
+        .add_filter(say!("common-targets-and-programs"), &all);
     for language in LANGUAGES {
         dialog = dialog.add_filter(language.title, language.extensions);
     }
-    dialog.add_filter("All files", &["*"]).pick_file()
+    dialog
+        .add_filter(say!("dialog-all-files"), &["*"])
+        .pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote, beside this file.
 pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(beside)
-        .set_title("Import measurements")
-        .add_filter(MEASUREMENTS, TABLES)
-        .add_filter("All files", &["*"]);
+        .set_title(say!("dialog-import-measurements"))
+        .add_filter(text(MEASUREMENTS), TABLES)
+        .add_filter(say!("dialog-all-files"), &["*"]);
     dialog.pick_file()
 }
 
 /// Asks the user for a file that goes with a measured one, beside that.
 pub(crate) fn choose_beside(which: Beside, measured: Option<&Path>) -> Option<PathBuf> {
     let title = match which {
-        Beside::Robot => "Which robot was measured",
-        Beside::Commands => "Where the robot was sent",
-        Beside::Reference => "Points known in the base frame",
-        Beside::Targets => "Reflectors in the tool frame",
+        Beside::Robot => say!("common-which-robot-was-measured"),
+        Beside::Commands => say!("dialog-where-the-robot-was-sent"),
+        Beside::Reference => say!("dialog-points-known-in-the-base"),
+        Beside::Targets => say!("dialog-reflectors-in-the-tool-frame"),
     };
     let (name, kinds) = if which == Beside::Robot {
-        ("Robots and sessions (*.json, *.urdf, *.xml)", ROBOTS)
+        (say!("dialog-robots-and-sessions-json-urdf"), ROBOTS)
     } else {
-        ("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)", TABLES)
+        (say!("dialog-tables-csv-txt-tsv-dat"), TABLES)
     };
     let dialog = dialog_beside(measured)
         .set_title(title)
         .add_filter(name, kinds)
-        .add_filter("All files", &["*"]);
+        .add_filter(say!("dialog-all-files"), &["*"]);
     dialog.pick_file()
 }
 
-const MEASUREMENTS: &str = "Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)";
+const MEASUREMENTS: &str = "dialog-measurements-csv-txt-tsv-dat";
 
 /// A dialog that begins in the folder of this file.
 fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
@@ -81,35 +84,35 @@ fn dialog_at(path: &Path) -> rfd::FileDialog {
 /// Asks the user where to save.
 pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path)
-        .set_title("Save session")
-        .add_filter("Session (*.json)", &["json"]);
+        .set_title(say!("common-save-session"))
+        .add_filter(say!("dialog-session-json"), &["json"]);
     dialog.save_file()
 }
 
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let title = match what {
-        What::Table => "Save table",
-        What::Model => "Save model",
-        What::Poses => "Save measuring list",
-        What::Report(_) => "Save report",
-        What::Picture(_) => "Save picture",
-        What::Targets => "Save corrected file",
+        What::Table => say!("common-save-table"),
+        What::Model => say!("common-save-model-2"),
+        What::Poses => say!("common-save-measuring-list"),
+        What::Report(_) => say!("common-save-report"),
+        What::Picture(_) => say!("common-save-picture"),
+        What::Targets => say!("common-save-corrected-file"),
     };
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
         What::Report(_) => dialog
-            .add_filter("HTML or PDF (*.html, *.pdf)", &["html", "pdf"])
-            .add_filter("PDF (*.pdf)", &["pdf"]),
-        What::Picture(_) => dialog.add_filter("SVG picture (*.svg)", &["svg"]),
-        What::Model => dialog.add_filter("Model (*.json)", &["json"]),
-        What::Poses => dialog.add_filter("CSV table (*.csv)", &["csv"]),
+            .add_filter(say!("dialog-html-or-pdf-html-pdf"), &["html", "pdf"])
+            .add_filter(say!("dialog-pdf"), &["pdf"]),
+        What::Picture(_) => dialog.add_filter(say!("dialog-svg-picture-svg"), &["svg"]),
+        What::Model => dialog.add_filter(say!("dialog-model-json"), &["json"]),
+        What::Poses => dialog.add_filter(say!("dialog-csv-table-csv"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {
                 let name = if what == What::Table {
-                    "Table"
+                    say!("common-table-2")
                 } else {
-                    "Targets"
+                    say!("dialog-targets")
                 };
                 dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
             }

@@ -1,5 +1,6 @@
 //! Opening the sessions that come with the program.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::core::examples::EXAMPLES;
@@ -27,8 +28,8 @@ pub(crate) fn first_example() -> Arc<Subject> {
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(example) = EXAMPLES.get(index) else {
         return Err(Message::wrong(
-            "There is no such example".to_owned(),
-            vec!["The examples are in the File menu".to_owned()],
+            say!("file-there-is-no-such-example").to_owned(),
+            vec![say!("file-the-examples-are").to_owned()],
         ));
     };
     let (document, samples) = example.files();
@@ -38,7 +39,7 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let subject = subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, nobody.whole())?));
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(example.name, "opened", &error))
+        .map_err(|error| not_read(example.name(), say!("file-opened"), &error))
 }
 
 #[cfg(test)]
@@ -48,7 +49,7 @@ mod tests {
     #[test]
     fn every_bundled_session_can_be_read() {
         for (index, example) in EXAMPLES.iter().enumerate() {
-            assert!(open_example(index).is_ok(), "{}", example.name);
+            assert!(open_example(index).is_ok(), "{}", example.name());
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Writing tables, models and lists, whole or not at all.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::{
@@ -34,7 +35,7 @@ pub(crate) fn export(
 
 fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
-    let name = name.ok_or("expected the name of a file, in UTF-8")?;
+    let name = name.ok_or(say!("file-expected-the-name"))?;
     let choice = wanted.choice;
     let answer = wanted.outcome.answer.as_ref().map_err(Clone::clone)?;
     if what == What::Model {
@@ -65,9 +66,9 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     let places = documents.iter().enumerate();
     let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
     if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
-        return Err(format!(
-            "{} exists already; allow replacing it, or choose another name",
-            there.display()
+        return Err(say!(
+            "file-exists-already-allow-replacing-it-or",
+            there = there.display()
         ));
     }
     // All of them are on the disk before the first has its name.
@@ -160,9 +161,7 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
     }
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
     match folder {
-        Some(folder) if !folder.is_dir() => {
-            Err("the folder is not there: choose another, or make it first".to_owned())
-        }
+        Some(folder) if !folder.is_dir() => Err(say!("file-the-folder-is-not-there").to_owned()),
         _ => Ok(()),
     }
 }
@@ -175,7 +174,7 @@ pub(crate) fn saved(path: &Path, details: Vec<String>) -> Message {
 /// Says that a file was not written.
 pub(crate) fn not_written(path: &Path, problem: String) -> Message {
     Message::wrong(
-        format!("{} was not written", path.display()),
-        vec![problem, "What was there before is there still".to_owned()],
+        say!("file-was-not-written", path = path.display()),
+        vec![problem, say!("file-what-was-there-before").to_owned()],
     )
 }

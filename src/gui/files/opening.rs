@@ -1,5 +1,6 @@
 //! Reading a session or a model, or making a session, with everything that follows from it.
 
+use crate::gui::language::say;
 use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use crate::gui::import_draft::Foreign;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
-use super::advice::CANCELLED;
+use super::advice::cancelled;
 
 #[derive(Debug)]
 pub(crate) enum Opened {
@@ -35,7 +36,11 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
     if is_model(path) {
         return match load_model(path) {
             Ok(calibration) => Ok(Opened::Model(Arc::new(Given::new(calibration, path)))),
-            Err(rejected) => Err(not_read(path.display(), "opened", &rejected.into())),
+            Err(rejected) => Err(not_read(
+                path.display(),
+                say!("file-opened"),
+                &rejected.into(),
+            )),
         };
     }
     let told = watch.told();
@@ -45,18 +50,21 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
         None => {}
         Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
-            return Err(not_read(path.display(), "read", &error));
+            return Err(not_read(path.display(), say!("file-read"), &error));
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
     let subject = loaded.and_then(|loaded| {
-        watch.doing(format!("checking {} samples", loaded.session.samples.len()));
+        watch.doing(say!(
+            "file-checking-samples",
+            samples = loaded.session.samples.len()
+        ));
         let origin = Origin::File(path.to_path_buf());
         Ok(looked_through(loaded, origin, whole.part(READING, 1.0))?)
     });
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(path.display(), "opened", &error))
+        .map_err(|error| not_read(path.display(), say!("file-opened"), &error))
 }
 
 /// Everything that follows from a session that was read.
@@ -84,10 +92,10 @@ pub(super) fn looked_through(
 /// Says that a file was not opened, or not read.
 pub(super) fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
     Message::wrong(
-        format!("{name} could not be {done}; nothing was changed"),
+        say!("file-could-not-be-nothing-was", name = name, done = done),
         match error {
             ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
-            ReadError::Cancelled(_) => vec![CANCELLED.to_owned()],
+            ReadError::Cancelled(_) => vec![cancelled()],
         },
     )
 }
@@ -104,7 +112,7 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
         .map(ToString::to_string)
         .collect();
     if findings.len() > MOST {
-        lines.push(format!("and {} more", findings.len() - MOST));
+        lines.push(say!("common-and-more", more = findings.len() - MOST));
     }
     lines
 }
@@ -118,7 +126,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
             Ok(Opened::Session(Arc::new(subject)))
         }
         Err(problems) => Err(Message::wrong(
-            "The simulation needs other numbers".to_owned(),
+            say!("common-the-simulation-needs-other-numbers").to_owned(),
             problems,
         )),
     }

@@ -1,5 +1,6 @@
 //! Files that other programs show: the system's own program for a file, or its folder.
 
+use crate::gui::language::say;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -38,7 +39,7 @@ pub(crate) fn open_outside(path: &Path, in_folder: bool) -> Result<(), String> {
     match quiet.stderr(Stdio::null()).status() {
         // The explorer answers 1 although it has opened.
         Ok(status) if status.success() || cfg!(target_os = "windows") => Ok(()),
-        Ok(_) => Err("the system has no program for it".to_owned()),
+        Ok(_) => Err(say!("file-the-system-has-no-program").to_owned()),
         Err(error) => Err(error.to_string()),
     }
 }

@@ -1,5 +1,6 @@
 //! Writing the picture of a plot, whole or not at all.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::gui::jobs::Watch;
@@ -19,7 +20,7 @@ pub(crate) fn write_picture(
 ) -> Message {
     let make = || {
         if ending(path).as_deref() != Some("svg") {
-            return Err("expected a file name that ends in .svg".to_owned());
+            return Err(say!("file-expected-a-file-name").to_owned());
         }
         can_be_written(path, replace, inputs)?;
         let (drawing, title) = draw()?;

@@ -1,6 +1,7 @@
 //! The calibration report, written in the background: of the session as a search sees it, or of the
 //! model at hand. The ending of the file's name says whether it is HTML or PDF.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -73,7 +74,7 @@ fn make(
                 // The tolerance may have been changed since: it decides nothing in a search.
                 found
             } else {
-                details.push("The diagnosis was run for it".to_owned());
+                details.push(say!("file-the-diagnosis-was-run").to_owned());
                 made = pipeline::diagnose(&session, &options, &search::told(watch))
                     .map_err(|e| e.to_string())?;
                 &made
@@ -87,7 +88,7 @@ fn make(
     let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
     if !written.unshown.is_empty() {
         let says = fonts::cannot_be_shown(&written.unshown);
-        details.push(format!("Some letters stand in it as codes: {says}"));
+        details.push(say!("file-some-letters-stand", says = says));
     }
     files::write_one(path, replace, &written.bytes, watch)
 }
@@ -99,10 +100,10 @@ fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTab
     for path in paths.iter().filter(|path| sidecar_of(path).exists()) {
         match ExportedTable::read(path) {
             Ok(table) => {
-                details.push(format!("Names the table {} with its hash", table.name));
+                details.push(say!("file-names-the-table-with-its", table = table.name));
                 tables.push(table);
             }
-            Err(because) => details.push(format!("A table is not named in it: {because}")),
+            Err(because) => details.push(say!("file-a-table-is-not-named", because = because)),
         }
     }
     tables

@@ -1,5 +1,6 @@
 //! Saving a session, whole or not at all.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -76,10 +77,10 @@ pub(crate) fn save(
         match pipeline::save_watched(&session, &path, replacing, watch.told()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
             Err(error) => Err(NotSaved::Because(Message::wrong(
-                format!("{} could not be saved", path.display()),
+                say!("file-could-not-be-saved", path = path.display()),
                 vec![
                     advice(&error),
-                    "What was there before is there still".to_owned(),
+                    say!("file-what-was-there-before").to_owned(),
                 ],
             ))),
         }

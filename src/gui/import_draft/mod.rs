@@ -10,6 +10,7 @@ mod neighbours;
 mod robot;
 mod trial;
 
+use crate::gui::language::{say, text};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -30,7 +31,7 @@ pub(crate) use trial::{Trial, in_the_sheets_words};
 const LONGEST: u64 = 1 << 30;
 
 /// What is said until the file was looked at with everything that was said.
-pub(crate) const LOOKING: &str = "Looking at the file…";
+pub(crate) const LOOKING: &str = "import-looking-at-the-file";
 
 /// What was seen with what was said.
 #[derive(Debug)]
@@ -82,7 +83,7 @@ impl Foreign {
         let length = std::fs::metadata(path).ok()?.len();
         if length > LONGEST {
             let found = format!("{} MB", length / 1_000_000);
-            let expected = "a table of at most 1000 MB: export fewer points, or cut it into parts";
+            let expected = say!("import-a-table-of-at-most");
             let place = Place::file(path);
             let refused = Rejected::because(Diagnostic::error(place, found, expected));
             return Some(Err(refused.into()));
@@ -183,34 +184,34 @@ impl Foreign {
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
         let so = |says: &'static str| Some((says, None));
         if !self.is_up_to_date() {
-            return so(LOOKING);
+            return so(text(LOOKING));
         }
         if !inspection.questions.is_empty() {
-            return so("Answer what is asked above first");
+            return so(say!("import-answer-what-is-asked-above"));
         }
         if let Some(wrong) = inspection.findings.iter().find(|finding| is_wrong(finding)) {
             let reason = in_the_sheets_words(&wrong.to_string());
-            return Some(("The file cannot be read like this", Some(reason)));
+            return Some((say!("import-the-file-cannot-be-read"), Some(reason)));
         }
         if self.asks_for_confirmation() {
-            return so("Look at the columns above, and confirm them");
+            return so(say!("import-look-at-the-columns-above"));
         }
         if self.said.name.trim().is_empty() {
-            return so("Give the session a name");
+            return so(say!("import-give-the-session-a-name"));
         }
         match (&self.said.robot, &self.seen.robot) {
-            (RobotFrom::Open, _) => return so("Say whose robot was measured"),
-            (_, None) => return so("Say which file the robot is in"),
+            (RobotFrom::Open, _) => return so(say!("import-say-whose-robot-was-measured")),
+            (_, None) => return so(say!("import-say-which-file-the-robot")),
             (_, Some(Err(because))) => {
                 let reason = because.first().cloned();
-                return Some(("The robot cannot be read like this", reason));
+                return Some((say!("import-the-robot-cannot-be-read"), reason));
             }
             (_, Some(Ok(_))) => {}
         }
         match &self.seen.trial {
             Some(Ok(_)) => None,
-            Some(Err(because)) => Some(("To fix", because.first().cloned())),
-            None => so(LOOKING),
+            Some(Err(because)) => Some((say!("import-to-fix"), because.first().cloned())),
+            None => so(text(LOOKING)),
         }
     }
 

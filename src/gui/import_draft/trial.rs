@@ -1,5 +1,6 @@
 //! An import that is tried: the session it makes, or why it is refused, in the sheet's words.
 
+use crate::gui::language::{say, text};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -98,32 +99,32 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
         .map(|finding| in_the_sheets_words(&finding.to_string()))
         .collect();
     if errors.len() > MOST {
-        lines.push(format!("and {} more", errors.len() - MOST));
+        lines.push(say!("import-and-more", more = errors.len() - MOST));
     }
     lines
 }
 
-/// What an option of the command line is called on the sheet.
+/// What an option of the command line is called on the sheet, by key.
 const OPTIONS: [(&str, &str); 19] = [
-    ("--clock-offset", "“Clocks apart by”"),
-    ("--match order or name", "“Matched” by order or by name"),
-    ("--match name or time", "“Matched” by name or by time"),
-    ("--match order", "“Matched” by order"),
-    ("--match", "“Matched”"),
-    ("--motion all", "“Samples are” all"),
-    ("--motion", "“Samples are”"),
-    ("--commands with", "a file of commands with"),
-    ("--commands", "a file of commands"),
-    ("--targets with", "a file of reflectors with"),
-    ("--reference", "a file of known points"),
-    ("--angle-unit", "“Angles in”"),
-    ("--separator", "“Separated by”"),
-    ("--decimal", "“Decimal sign”"),
-    ("--columns", "the columns above as"),
-    ("--z-up", "“y points up”"),
-    ("--scale", "“fit a scale”"),
-    ("--joint", "“Joint measured”"),
-    ("--unit", "“Lengths in”"),
+    ("--clock-offset", "import-clocks-apart-2"),
+    ("--match order or name", "import-matched-by-order-or"),
+    ("--match name or time", "import-matched-by-name-or"),
+    ("--match order", "import-matched-by-order"),
+    ("--match", "import-matched-2"),
+    ("--motion all", "import-samples-are-all"),
+    ("--motion", "import-samples-are-2"),
+    ("--commands with", "import-a-file-of-commands"),
+    ("--commands", "import-a-file-of-commands-2"),
+    ("--targets with", "import-a-file-of-reflectors"),
+    ("--reference", "import-a-file-of-known-points"),
+    ("--angle-unit", "import-angles-2"),
+    ("--separator", "import-separated-3"),
+    ("--decimal", "import-decimal-sign"),
+    ("--columns", "import-the-columns-above-as"),
+    ("--z-up", "import-y-points-up"),
+    ("--scale", "import-fit-a-scale"),
+    ("--joint", "import-joint-measured-2"),
+    ("--unit", "import-lengths"),
 ];
 
 /// The same sentence with the names that the sheet has for the command line's options.
@@ -131,7 +132,7 @@ pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
     let said = OPTIONS
         .iter()
         .fold(sentence.to_owned(), |said, (option, field)| {
-            said.replace(option, field)
+            said.replace(option, text(field))
         });
     // Options that one format has, the longer names first: one may begin like another.
     let own = IMPORTERS.iter().flat_map(|importer| importer.options);

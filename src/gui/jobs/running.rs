@@ -1,5 +1,6 @@
 //! A job that is under way: how far it is, and whether anybody still wants it.
 
+use crate::gui::language::say;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -91,7 +92,7 @@ impl Running {
     /// What it does now, as the status bar says it.
     pub(crate) fn says(&self) -> String {
         if self.watch.stopped() {
-            return "cancelling".to_owned();
+            return say!("running-cancelling").to_owned();
         }
         let doing = self.watch.doing.lock().ok();
         let doing = doing.and_then(|doing| doing.clone());

@@ -1,6 +1,7 @@
 //! How plots are looked at with the mouse, the same in all of them: the wheel goes closer about the
 //! pointer, as in drawing programs and on maps; dragging moves; a double click shows everything.
 
+use crate::gui::language::text;
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -13,13 +14,19 @@ use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(&str, &str); 7] = [
-    ("wheel, or pinch", "zoom at the pointer"),
-    ("Shift and wheel", "zoom along a chart's axis"),
-    ("drag", "move"),
-    ("drag with the right button", "show a part"),
-    ("drag in the 3-D view", "orbit"),
-    ("Shift or middle button and drag in the 3-D view", "move"),
-    ("double click, or Home", "fit the view"),
+    ("gestures-wheel-or-pinch", "gestures-zoom-at-the-pointer"),
+    (
+        "gestures-shift-and-wheel",
+        "gestures-zoom-along-a-charts-axis",
+    ),
+    ("gestures-drag", "gestures-move"),
+    (
+        "gestures-drag-with-the-right-button",
+        "gestures-show-a-part",
+    ),
+    ("gestures-drag-in-the-3-d", "gestures-orbit"),
+    ("gestures-shift-or-middle-button", "gestures-move"),
+    ("gestures-double-click-or-home", "gestures-fit-the-view"),
 ];
 
 /// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
@@ -107,7 +114,8 @@ pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<
         ui.set_max_width(320.0);
         ui.label(RichText::new(name).font(strong(size::BODY)));
         for (how, what) in GESTURES {
-            ui.label(RichText::new(format!("{how}: {what}")).size(size::SMALL));
+            let says = format!("{}: {}", text(how), text(what));
+            ui.label(RichText::new(says).size(size::SMALL));
         }
     });
     if response.clicked() {

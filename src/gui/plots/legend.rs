@@ -1,6 +1,7 @@
 //! The line between a chart's bar and the chart: what the marks are, and what has to be said. It
 //! stands beside the plot, not on it, so that it covers no sample.
 
+use crate::gui::language::say;
 use egui::{
     Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -60,7 +61,12 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let name = &entry.name;
     match shown {
         Some(shown) => response.widget_info(|| {
-            WidgetInfo::selected(Role::CheckBox, true, shown, format!("show {name}"))
+            WidgetInfo::selected(
+                Role::CheckBox,
+                true,
+                shown,
+                say!("legend-show", name = name),
+            )
         }),
         None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
     }
@@ -81,9 +87,9 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let clicked = response.clicked();
     if let Some(shown) = shown {
         response.on_hover_text(if shown {
-            "Leave it out, so that what is left can be seen"
+            say!("legend-leave-it-out-so")
         } else {
-            "Show it as well"
+            say!("legend-show-it-as-well")
         });
     }
     clicked

@@ -12,6 +12,7 @@ pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
 pub(crate) use marks::disc;
 
+use crate::gui::language::say;
 use egui::{Response, Role, Ui, WidgetInfo};
 
 use crate::gui::view::{Plot, What};
@@ -20,7 +21,7 @@ use crate::gui::workbench::Command;
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
-    let says = format!("Save picture of the {}…", plot.name());
+    let says = say!("plots-save-picture", plot = plot.said());
     if widgets::save_button(ui, &says).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
     }

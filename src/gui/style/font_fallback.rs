@@ -24,6 +24,8 @@ pub(crate) struct Letters {
     pub(crate) faces: Vec<SystemFace>,
     /// Characters that were looked for.
     asked: BTreeSet<char>,
+    /// Characters that no face has.
+    lacking: BTreeSet<char>,
     /// Characters that no face has, and of which nobody has read so yet.
     pub(crate) unshown: BTreeSet<char>,
 }
@@ -34,6 +36,7 @@ impl Default for Letters {
             library: Library::system(),
             faces: Vec::new(),
             asked: BTreeSet::new(),
+            lacking: BTreeSet::new(),
             unshown: BTreeSet::new(),
         }
     }
@@ -46,15 +49,34 @@ impl Letters {
         wanted.filter(|c| self.asked.insert(*c)).collect()
     }
 
+    /// Whether some of these were looked for, and no face has them.
+    pub(crate) fn lack(&self, text: &str) -> bool {
+        text.chars().any(|c| self.lacking.contains(&c))
+    }
+
+    /// Whether those of them that are no plain letters were looked for.
+    pub(crate) fn were_asked_for(&self, text: &str) -> bool {
+        text.chars()
+            .all(|c| c.is_ascii() || self.asked.contains(&c))
+    }
+
+    /// Whether there is a face for all of these, beside the bundled ones.
+    pub(crate) fn have(&self, text: &str) -> bool {
+        self.were_asked_for(text) && !self.faces.is_empty() && !self.lack(text)
+    }
+
     /// Takes what a search brought.
-    pub(crate) fn take(&mut self, found: Found) {
+    pub(crate) fn take(&mut self, found: Found, aloud: bool) {
         for face in found.faces {
             // Two searches at a time may find the same.
             if !self.faces.contains(&face) {
                 self.faces.push(face);
             }
         }
-        self.unshown.extend(found.unshown);
+        self.lacking.extend(&found.unshown);
+        if aloud {
+            self.unshown.extend(found.unshown);
+        }
     }
 }
 

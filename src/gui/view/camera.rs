@@ -12,6 +12,7 @@
 //! so that z never leans to the side. The view fits a sphere around everything that is drawn: the
 //! scale stays the same while the camera orbits.
 
+use crate::gui::language::say;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Axes of a view: orthogonal unit vectors, right-handed.
@@ -81,10 +82,10 @@ impl Standard {
 
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Isometric => "isometric",
-            Self::Top => "top",
-            Self::Front => "front",
-            Self::Side => "side",
+            Self::Isometric => say!("camera-isometric"),
+            Self::Top => say!("camera-top"),
+            Self::Front => say!("camera-front"),
+            Self::Side => say!("camera-side"),
         }
     }
 
@@ -282,11 +283,15 @@ impl Camera {
     /// In words: the view's name, or from which direction.
     pub(crate) fn says(&self) -> String {
         if let Some(view) = self.standard() {
-            return format!("{} view", view.name());
+            return say!("camera-view", view = view.name());
         }
         let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
             .map(|a| crate::gui::units::trimmed(a.to_degrees(), 0));
-        format!("seen from azimuth {azimuth}°, elevation {elevation}°")
+        say!(
+            "camera-seen-from-azimuth-elevation",
+            azimuth = azimuth,
+            elevation = elevation
+        )
     }
 }
 

@@ -1,6 +1,7 @@
 //! From where the workspace is looked at, and what its colours say.
 
 use super::camera::Facing;
+use crate::gui::language::say;
 
 /// The plane that the workspace is looked at in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -95,12 +96,12 @@ impl Colouring {
 
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::State => "before and after",
-            Self::Deviation => "deviation",
-            Self::Direction => "direction",
-            Self::Load => "load",
-            Self::Temperature => "temperature",
-            Self::Time => "time",
+            Self::State => say!("looking-before-and-after"),
+            Self::Deviation => say!("common-deviation"),
+            Self::Direction => say!("common-direction"),
+            Self::Load => say!("common-load"),
+            Self::Temperature => say!("common-temperature"),
+            Self::Time => say!("common-time"),
         }
     }
 

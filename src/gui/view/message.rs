@@ -1,6 +1,7 @@
 //! What the user has to know: what went wrong stands in a banner until it is dismissed, what was
 //! done in a toast that goes away by itself.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 /// See the module.
@@ -41,7 +42,10 @@ impl Message {
         let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
         Self {
             file: Some(whole),
-            ..Self::done(format!("Saved {}", name.to_string_lossy()), details)
+            ..Self::done(
+                say!("message-saved", name = name.to_string_lossy()),
+                details,
+            )
         }
     }
 }

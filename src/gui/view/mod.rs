@@ -13,6 +13,7 @@ pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
+use crate::gui::language::{Language, say};
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
@@ -49,11 +50,11 @@ impl Step {
 
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Session => "Session",
-            Self::Regions => "Regions",
-            Self::Identify => "Identify",
-            Self::Gap => "Diagnose",
-            Self::Export => "Export",
+            Self::Session => say!("common-session"),
+            Self::Regions => say!("view-regions"),
+            Self::Identify => say!("common-identify-2"),
+            Self::Gap => say!("view-diagnose"),
+            Self::Export => say!("common-export"),
         }
     }
 
@@ -100,6 +101,7 @@ pub(crate) struct OnDisk {
 #[derive(Clone, PartialEq)]
 pub(crate) struct Arrangement {
     pub(crate) view: (Step, Side, Part, Aspect, Option<bool>),
+    pub(crate) language: Option<Language>,
     pub(crate) chart: &'static str,
     pub(crate) sheet: Option<Discriminant<Sheet>>,
     pub(crate) message: Option<Message>,

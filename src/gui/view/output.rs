@@ -1,6 +1,7 @@
 //! What can be exported.
 
 use crate::gui::core::document::plain;
+use crate::gui::language::named;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {
@@ -48,6 +49,12 @@ impl Plot {
             Self::Space => "3-D view",
             Self::Polar => "polar",
         }
+    }
+
+    /// Its name in the language of the window.
+    pub(crate) fn said(self) -> &'static str {
+        let id = self.name().replace([' ', '\''], "-");
+        named("plot", &id, self.name())
     }
 
     /// What its file is called unless the user says otherwise.

@@ -1,9 +1,10 @@
 //! What stands below the workspace: a bar in which the chart is chosen, and the chart.
 
+use crate::gui::language::say;
 use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
 use egui::{Rect, pos2};
 
-use crate::gui::charts::{Bars, CHARTS, Kind, Pointed, Samples, Shown};
+use crate::gui::charts::{self, Bars, CHARTS, Kind, Pointed, Samples, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::{self, Canvas};
 use crate::gui::plots::{figure, gestures, legend, marks, picture};
@@ -28,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let kind = workbench.chart();
     bar(ui, workbench, kind, commands);
     let scene = workbench.scene_of(kind);
-    match kind.show(&scene) {
+    match charts::shown(kind, &scene) {
         Ok(shown) => plotted(ui, workbench, kind, &shown, commands),
         Err(missing) => legend::empty(ui, &missing.title, missing.why),
     }
@@ -193,8 +194,8 @@ fn charts(workbench: &Workbench, current: &dyn Kind) -> Choice<'static, &'static
     let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
     let offered = offered.map(|chart| chart.about());
     Choice {
-        of: "Chart",
-        offered: offered.map(|a| (a.id, a.short, a.name)).collect(),
+        of: say!("common-chart"),
+        offered: offered.map(|a| (a.id, a.short(), a.name())).collect(),
         current: current.about().id,
     }
 }
@@ -204,7 +205,7 @@ fn components(workbench: &Workbench) -> Choice<'static, Component> {
     let offered = Component::ALL.into_iter();
     let offered = offered.filter(|c| !(planar && c.out_of_plane()));
     Choice {
-        of: "Component",
+        of: say!("chart-component"),
         offered: offered.map(|c| (c, c.name(), c.name())).collect(),
         current: workbench.view().component,
     }
@@ -215,7 +216,7 @@ fn joints<'a>(workbench: &'a Workbench, chart: &dyn Kind) -> Option<Choice<'a, u
     let joints = &workbench.subject().session.robot.joints;
     let offered = joints.iter().enumerate();
     (chart.about().of_joint && joints.len() > 1).then(|| Choice {
-        of: "Joint of the chart",
+        of: say!("chart-joint-of-the-chart"),
         offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
         current: workbench.chart_joint(),
     })
@@ -249,8 +250,13 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn Kind, commands: &mut Vec<C
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = space::TIGHT;
             picture(ui, Plot::Chart(about.id), commands);
-            gestures::fit(ui, "Fit chart to view", Command::FitChart, commands);
-            copies::chart_button(ui, about.name, || kind.numbers(&workbench.scene_of(kind)));
+            gestures::fit(
+                ui,
+                say!("chart-fit-chart-to-view"),
+                Command::FitChart,
+                commands,
+            );
+            copies::chart_button(ui, about.name(), || kind.numbers(&workbench.scene_of(kind)));
             widgets::question(ui, about.word);
         });
     });

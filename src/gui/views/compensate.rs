@@ -1,18 +1,15 @@
 //! Targets and programs, in the Export step: what is corrected where the controller takes no table.
 
+use crate::gui::language::say;
 use egui::Ui;
 
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
-    widgets::section(ui, "Targets and programs");
-    if widgets::secondary(ui, "Compensate…").clicked() {
+    widgets::section(ui, say!("common-targets-and-programs"));
+    if widgets::secondary(ui, say!("compensate-compensate")).clicked() {
         commands.push(Command::ChooseTargets);
     }
-    widgets::hint(
-        ui,
-        "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, \
-         and what changes is shown before anything is saved",
-    );
+    widgets::hint(ui, say!("compensate-a-table-of-targets-csv"));
 }

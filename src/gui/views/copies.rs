@@ -1,6 +1,7 @@
 //! Tables as text for a spreadsheet: tabs between the columns, full digits, the decimal sign that
 //! the user chose.
 
+use crate::gui::language::say;
 use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
@@ -21,12 +22,20 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     let id = ui.scope_id().with(("copied", of));
     let copied = is_recent(ui, id);
     // Higher than the rows of a dense table: it is pressed, not read. As wide as its longest text.
-    let says = if copied { "Copied" } else { "Copy table" };
+    let says = if copied {
+        say!("copies-copied")
+    } else {
+        say!("common-copy-table")
+    };
     let button = Button::new(RichText::new(says).size(size::SMALL));
     let button = ui.add(button.min_size(vec2(78.0, 22.0)));
     ui.ctx().accesskit_node_builder(button.id, |node| {
-        let says = if copied { "Copied" } else { "Copy" };
-        node.set_label(format!("{says} table of {of}"));
+        let says = if copied {
+            say!("copies-copied")
+        } else {
+            say!("copies-copy")
+        };
+        node.set_label(say!("copies-table", says = says, of = of));
     });
     if button.clicked() {
         ui.copy_text(text());
@@ -58,7 +67,7 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 
 /// The mark in a chart's bar that copies its numbers.
 pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
-    let says = format!("Copy numbers: {}", of.to_lowercase());
+    let says = say!("copies-copy-numbers", of = of.to_lowercase());
     let id = ui.scope_id().with(("copied", of));
     let button = widgets::copy_button(ui, &says);
     if button.clicked() {
@@ -70,7 +79,7 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
         Popup::from_response(&button)
             .kind(PopupKind::Tooltip)
             .interactable(false)
-            .show(|ui| ui.label("Copied"));
+            .show(|ui| ui.label(say!("copies-copied")));
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
+use crate::gui::language::{say, text};
 use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
@@ -50,7 +51,8 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let subject = workbench.subject();
     widgets::card(ui, |ui| {
-        let name = ui.label(RichText::new("RMS error of the nominal robot").color(palette.muted));
+        let name =
+            ui.label(RichText::new(say!("coverage-rms-error-of-the-nominal")).color(palette.muted));
         widgets::explained(name, crate::gui::help::GAP);
         let rms = subject.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
@@ -60,24 +62,28 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
                 .color(palette.before),
         );
         if let Some(gap) = subject.gap_before {
-            widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
+            widgets::fact(
+                ui,
+                say!("coverage-largest-deviation"),
+                units.length(gap.max_mm),
+            );
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = subject.overview.lengths.within(tolerance_mm);
-            widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
+            widgets::fact(
+                ui,
+                say!("common-within-tolerance"),
+                say!("coverage-of", inside = inside, all = all),
+            );
         }
         if let Some(floor_mm) = subject.known.floor_mm {
-            let floor = format!("{}, instrument", units.length(floor_mm));
-            widgets::fact(ui, "noise floor", floor);
+            let floor = say!("coverage-instrument", floor = units.length(floor_mm));
+            widgets::fact(ui, say!("common-noise-floor"), floor);
         }
         if workbench.document().identified {
             return;
         }
-        widgets::hint(
-            ui,
-            "Not identified yet. The identified parameters will stand here, with the interval of \
-             every number",
-        );
+        widgets::hint(ui, say!("coverage-not-identified-yet-the-identified"));
     });
 }
 
@@ -96,36 +102,55 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     widgets::card(ui, |ui| {
-        title(ui, "What the samples cover");
+        title(ui, say!("coverage-what-the-samples-cover"));
         strip(ui, known);
         if let Some([from, to]) = known.measured {
-            widgets::fact(ui, "measured range", format!("{} … {}", at(from), at(to)));
+            widgets::fact(
+                ui,
+                say!("coverage-measured-range"),
+                format!("{} … {}", at(from), at(to)),
+            );
         }
         if let Some([from, to]) = known.hole {
-            widgets::fact(ui, "widest hole", format!("{} … {}", at(from), at(to)));
+            widgets::fact(
+                ui,
+                say!("coverage-widest-hole"),
+                format!("{} … {}", at(from), at(to)),
+            );
         }
         for (k, joint) in survey.joints.iter().enumerate() {
-            let of_joint = match survey.joints.len() {
-                1 => String::new(),
-                _ => format!(", joint {}", k + 1),
+            let [came_from, speed] = match survey.joints.len() {
+                1 => [say!("coverage-came-from"), say!("coverage-speed")].map(str::to_owned),
+                _ => [
+                    say!("coverage-came-from-joint", joint = k + 1),
+                    say!("coverage-speed-joint", joint = k + 1),
+                ],
             };
-            widgets::fact(ui, &format!("came from{of_joint}"), sides(joint));
-            widgets::fact(ui, &format!("speed{of_joint}"), speeds(joint));
+            widgets::fact(ui, &came_from, sides(joint));
+            widgets::fact(ui, &speed, speeds(joint));
         }
-        widgets::fact(ui, "load", range(known.load_kg, "kg", 2));
-        widgets::fact(ui, "temperature", range(known.temperature_c, "°C", 1));
+        widgets::fact(ui, say!("common-load"), range(known.load_kg, "kg", 2));
+        widgets::fact(
+            ui,
+            say!("common-temperature"),
+            range(known.temperature_c, "°C", 1),
+        );
         let time = survey
             .duration_s
-            .map_or_else(|| "not recorded".to_owned(), duration);
-        widgets::fact(ui, "took", time);
+            .map_or_else(|| say!("coverage-not-recorded").to_owned(), duration);
+        widgets::fact(ui, say!("coverage-took"), time);
     });
 }
 
 /// A range with its unit once.
 fn range(ends: Option<[f64; 2]>, unit: &str, decimals: usize) -> String {
     match ends {
-        None => "not recorded".to_owned(),
-        Some([from, to]) if from == to => format!("{} {unit} throughout", trimmed(from, decimals)),
+        None => say!("coverage-not-recorded").to_owned(),
+        Some([from, to]) if from == to => say!(
+            "coverage-throughout",
+            decimals = trimmed(from, decimals),
+            unit = unit
+        ),
         Some([from, to]) => {
             format!(
                 "{} … {} {unit}",
@@ -154,7 +179,7 @@ fn strip(ui: &mut Ui, known: &Known) {
     let palette = Palette::of(ui);
     let room = vec2(ui.available_width(), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    let says = "samples over the range of joint 1";
+    let says = say!("coverage-samples-over-the-range");
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
     let painter = ui.painter();
     painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
@@ -169,25 +194,29 @@ fn strip(ui: &mut Ui, known: &Known) {
         );
         painter.rect_filled(bar, 0.0, palette.accent);
     }
-    response.on_hover_text("Samples over the range of joint 1: where it is empty nothing is known");
+    response.on_hover_text(say!("coverage-samples-over-the-range-of-joint"));
 }
 
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    let name = |id: &str| crate::present::names::title(id).to_owned();
+    let name = |id: &str| crate::gui::language::names::title(id).to_owned();
     widgets::card(ui, |ui| {
-        title(ui, "Testable effects");
-        widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
-        folded(ui, &format!("{yes} can be tested"), |ui| {
+        title(ui, say!("coverage-testable-effects"));
+        widgets::fact(
+            ui,
+            say!("common-testable-effects"),
+            say!("common-of", yes = yes, no = yes + no),
+        );
+        folded(ui, &say!("coverage-can-be-tested", yes = yes), |ui| {
             let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
         if no == 0 {
             return;
         }
-        folded(ui, &format!("{no} cannot, and why"), |ui| {
+        folded(ui, &say!("coverage-cannot-and-why", no = no), |ui| {
             for one in &subject.not_testable {
                 ui.label(name(one.effect));
                 widgets::hint(ui, &one.because);
@@ -207,38 +236,25 @@ fn folded(ui: &mut Ui, text: &str, contents: impl FnOnce(&mut Ui)) {
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        title(ui, "No diagnosis yet");
-        widgets::hint(
-            ui,
-            "Effects that are found will be listed here with size, confidence and what to \
-             check on the machine. Where the samples cannot decide, both are listed, with \
-             the poses that would decide",
-        );
+        title(ui, say!("coverage-no-diagnosis-yet"));
+        widgets::hint(ui, say!("coverage-effects-that-are-found-will"));
         ui.add_space(space::TIGHT);
         for (k, stage) in STAGES.into_iter().enumerate() {
             ui.horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = size::HEADING;
                 widgets::caption(ui, &format!("{}", k + 1));
-                ui.label(stage);
+                ui.label(text(stage));
             });
         }
-        widgets::hint(
-            ui,
-            "It takes a moment, and some seconds with a million samples. The window stays free \
-             meanwhile, and the search can be stopped",
-        );
+        widgets::hint(ui, say!("coverage-it-takes-a-moment"));
     });
 }
 
 /// What can be written, before there is anything to write.
 fn formats(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
-        title(ui, "Nothing to export yet");
-        widgets::hint(
-            ui,
-            "The table comes from the identified robot. It will stand here as text, with its sign \
-             convention in words, the RMS error that it leaves, and what joint commands cannot correct",
-        );
+        title(ui, say!("coverage-nothing-to-export-yet"));
+        widgets::hint(ui, say!("coverage-the-table-comes"));
         ui.add_space(space::TIGHT);
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
@@ -250,10 +266,10 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
 /// From which sides a joint was approached, and how often.
 fn sides(joint: &JointSurvey) -> String {
     match joint.from_sides {
-        [0, 0] => "not recorded".to_owned(),
-        [0, up] => format!("{up} below, none above"),
-        [down, 0] => format!("none below, {down} above"),
-        [down, up] => format!("{up} below, {down} above"),
+        [0, 0] => say!("coverage-not-recorded").to_owned(),
+        [0, up] => say!("coverage-below-none-above", up = up),
+        [down, 0] => say!("coverage-none-below-above", down = down),
+        [down, up] => say!("coverage-below-above", up = up, down = down),
     }
 }
 
@@ -264,10 +280,10 @@ fn speeds(joint: &JointSurvey) -> String {
         JointKind::Prismatic => format!("{} mm/s", trimmed(joint.largest_speed, 1)),
     };
     match joint.speeds {
-        0 => "not recorded".to_owned(),
-        1 if joint.largest_speed == 0.0 => "standstill".to_owned(),
-        1 => format!("{speed} throughout"),
-        _ => format!("up to {speed}"),
+        0 => say!("coverage-not-recorded").to_owned(),
+        1 if joint.largest_speed == 0.0 => say!("coverage-standstill").to_owned(),
+        1 => say!("coverage-throughout-2", speed = speed),
+        _ => say!("coverage-up", speed = speed),
     }
 }
 

@@ -1,5 +1,6 @@
 //! An open file that is not what it was: said above the plots until somebody decides.
 
+use crate::gui::language::say;
 use std::path::Path;
 
 use egui::{Align, Frame, Label, Layout, Margin, RichText, Ui};
@@ -18,23 +19,23 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let name = name.to_string_lossy();
     let (title, says) = match on_disk.fate {
         Fate::Changed => (
-            format!("{name} was changed by another program"),
-            "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting",
+            say!("disk-was-changed-by-another-program", name = name),
+            say!("disk-reload-reads-it-again-undo"),
         ),
         Fate::Vanished => (
-            format!("{name} is not there any more"),
-            "What was read is here still: saving writes it again, or put the file back",
+            say!("common-is-not-there-any-more", name = name),
+            say!("disk-what-was-read-is-here"),
         ),
     };
     let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button("Keep this").clicked() {
+                if ui.button(say!("disk-keep-this")).clicked() {
                     commands.push(Command::KeepMine);
                 }
                 match on_disk.fate {
-                    Fate::Changed if ui.button("Reload").clicked() => {
+                    Fate::Changed if ui.button(say!("disk-reload")).clicked() => {
                         commands.push(Command::Reload);
                     }
                     Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
@@ -55,9 +56,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// where it is the document somebody has to.
 fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
     let (says, command) = if workbench.samples_file() == Some(gone) {
-        ("Save it again", Command::Save)
+        (say!("disk-save-it-again"), Command::Save)
     } else {
-        ("Save it again…", Command::ChooseWhereToSave)
+        (say!("disk-save-it-again-2"), Command::ChooseWhereToSave)
     };
     if ui.button(says).clicked() {
         commands.push(command);

@@ -1,5 +1,6 @@
 //! Files that are dropped on the window.
 
+use crate::gui::language::say;
 use egui::{Align2, Id, LayerId, Order, Ui};
 
 use crate::gui::style::tokens::{Palette, size, strong};
@@ -26,7 +27,7 @@ pub(crate) fn show(ui: &Ui, commands: &mut Vec<Command>) {
         painter.text(
             card.center(),
             Align2::CENTER_CENTER,
-            "Drop the file to open it",
+            say!("dropped-drop-the-file-to-open"),
             strong(size::HEADING),
             palette.accent,
         );

@@ -1,5 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
+use crate::gui::language::{names, say};
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::export::{EXPORTERS, find};
@@ -27,16 +28,13 @@ pub(super) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     match workbench.exported().and_then(|path| path.file_name()) {
         Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
-        None => ("not yet".to_owned(), Progress::Open),
+        None => (say!("common-not-yet").to_owned(), Progress::Open),
     }
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
-        widgets::hint(
-            ui,
-            "There is nothing to export yet: the table comes from the identified robot",
-        );
+        widgets::hint(ui, say!("export-there-is-nothing-to-export"));
     } else {
         not_added(ui, workbench, commands);
         export(ui, workbench, commands);
@@ -51,9 +49,11 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if missing.is_empty() {
         return;
     }
-    let names = missing.iter().map(|term| term.effect.about().title);
+    let names = missing
+        .iter()
+        .map(|term| names::title(term.effect.about().id));
     let names = names.collect::<Vec<_>>().join(", ");
-    let says = format!("Found, but not in the model, so not corrected: {names}");
+    let says = say!("export-found-but-not", names = names);
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
     if widgets::secondary(ui, &add_all(missing.len())).clicked() {
         commands.push(Command::Edit(Edit::Add(missing)));
@@ -63,8 +63,8 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the button says that adds every found effect.
 pub(super) fn add_all(n: usize) -> String {
     match n {
-        1 => "Add it to the model".to_owned(),
-        n => format!("Add all {n} to the model"),
+        1 => say!("export-add-it-to-the-model").to_owned(),
+        n => say!("export-add-all-to-the-model", n = n),
     }
 }
 
@@ -75,26 +75,26 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if !measured && !identified {
         return;
     }
-    widgets::section(ui, "Report");
+    widgets::section(ui, say!("export-report"));
     let mut offer = |ui: &mut Ui, text: &str, about: About| {
         if widgets::secondary(ui, text).clicked() {
             commands.push(Command::ChooseWhereToExport(What::Report(about)));
         }
     };
     if measured {
-        offer(ui, "Report…", About::Session);
+        offer(ui, say!("common-report"), About::Session);
         let says = if workbench.diagnosis().is_some() {
-            "HTML or PDF: what was measured, what the search found, what stays open"
+            say!("export-html-or-pdf-what-was")
         } else {
-            "HTML or PDF: the session is searched for it first, which takes a while"
+            say!("export-html-or-pdf-the-session")
         };
         widgets::hint(ui, says);
     }
     if identified {
         let text = if measured {
-            "Report of the model…"
+            say!("export-report-of-the-model")
         } else {
-            "Report…"
+            say!("common-report")
         };
         offer(ui, text, About::Model);
     }
@@ -102,7 +102,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
-    widgets::section(ui, "Format");
+    widgets::section(ui, say!("export-format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let robot = &workbench.subject().session.robot;
@@ -118,11 +118,11 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
-        widgets::section(ui, "Table");
+        widgets::section(ui, say!("common-table-2"));
         joint_and_step(ui, workbench, choice, commands);
     }
     match workbench.export() {
-        None => widgets::hint(ui, "The table is being prepared"),
+        None => widgets::hint(ui, say!("export-the-table-is-being-prepared")),
         Some(Err(because)) => {
             let color = Palette::of(ui).outside;
             ui.label(RichText::new(because).color(color));
@@ -130,18 +130,18 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                widgets::fact(ui, "entries", entries.to_string());
+                widgets::fact(ui, say!("export-entries"), entries.to_string());
             }
-            widgets::section(ui, "Also");
+            widgets::section(ui, say!("export-also"));
             let what = if made.export.reads_as.is_some() {
-                "Copy table"
+                say!("common-copy-table")
             } else {
-                "Copy text"
+                say!("export-copy-text")
             };
             if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
-            if widgets::secondary(ui, "Save model…").clicked() {
+            if widgets::secondary(ui, say!("common-save-model")).clicked() {
                 commands.push(Command::ChooseWhereToExport(What::Model));
             }
         }
@@ -160,7 +160,7 @@ fn joint_and_step(
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        let response = widgets::number(ui, "joint", "", field);
+        let response = widgets::number(ui, say!("common-joint"), "", field);
         next.joint = joint - 1;
         dragged |= response.dragged();
         if response.drag_stopped() {
@@ -172,7 +172,7 @@ fn joint_and_step(
         JointKind::Prismatic => " mm",
     };
     let mut own = choice.step.is_some();
-    if ui.checkbox(&mut own, "Custom step").changed() {
+    if ui.checkbox(&mut own, say!("export-custom-step")).changed() {
         next.step = own.then_some(FIRST_STEP);
     }
     let mut let_go = false;
@@ -182,7 +182,7 @@ fn joint_and_step(
             .speed(0.02)
             .max_decimals(4)
             .suffix(unit);
-        let response = widgets::number(ui, "step", unit.trim(), field);
+        let response = widgets::number(ui, say!("common-step"), unit.trim(), field);
         dragged |= response.dragged();
         let_go = response.drag_stopped();
     }
@@ -213,7 +213,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         Some(Err(because)) => widgets::hint(ui, because),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
-        None => widgets::hint(ui, "The table is being prepared"),
+        None => widgets::hint(ui, say!("export-the-table-is-being-prepared")),
     }
     super::standards::show(ui, workbench);
 }
@@ -228,12 +228,16 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
-            Some(gap) if made.export.robot.is_some() => {
-                ("RMS error to this robot", units.length(gap.rms_mm))
-            }
-            Some(gap) => ("RMS error left by the table", units.length(gap.rms_mm)),
+            Some(gap) if made.export.robot.is_some() => (
+                say!("export-rms-error-to-this-robot"),
+                units.length(gap.rms_mm),
+            ),
+            Some(gap) => (say!("export-rms-error-left"), units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
-            None => ("Not correctable by joint commands", stays.clone()),
+            None => (
+                say!("export-not-correctable-by-joint-commands"),
+                stays.clone(),
+            ),
         };
         ui.label(RichText::new(says).color(palette.muted));
         ui.label(
@@ -242,24 +246,27 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
                 .color(palette.after),
         );
         if made.gap.is_some() {
-            let says = "Over the samples: noise, and loads and warmth that no table knows, are in it; \
-                        what the model by itself promises stands below";
+            let says = say!("export-over-the-samples-noise");
             widgets::hint(ui, says);
         }
         if let Some(before) = workbench.subject().gap_before {
-            widgets::fact(ui, "without it", units.length(before.rms_mm));
+            widgets::fact(ui, say!("common-without"), units.length(before.rms_mm));
         }
         if let Some(answer) = workbench.answer().filter(|_| measured) {
             let after = answer.identification.gap.after.rms_mm;
-            widgets::fact(ui, "model and measurement", units.length(after));
+            widgets::fact(
+                ui,
+                say!("export-model-and-measurement"),
+                units.length(after),
+            );
         }
         if made.gap.is_some() {
-            widgets::fact(ui, "not correctable by joint commands", stays);
+            widgets::fact(ui, say!("common-not-correctable-by-joint-commands"), stays);
             if made
                 .gap
                 .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)
             {
-                let says = "The model says that more stays than was measured: it is not the robot";
+                let says = say!("export-the-model-says-that-more");
                 widgets::hint(ui, says);
             }
         }
@@ -268,7 +275,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         }
     });
     widgets::card(ui, |ui| {
-        title(ui, "What the numbers mean");
+        title(ui, say!("export-what-the-numbers-mean"));
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
         for line in said.chain(&made.said) {
@@ -304,27 +311,27 @@ fn text(ui: &mut Ui, text: &str) {
     let more = text.lines().count().saturating_sub(lines.len());
     if more > 0 {
         ui.add_space(space::TIGHT);
-        widgets::hint(ui, format!("and {more} more lines"));
+        widgets::hint(ui, say!("export-and-more-lines", more = more));
     }
 }
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
-        if widgets::primary(ui, "Go to identify").clicked() {
+        if widgets::primary(ui, say!("export-go-to-identify")).clicked() {
             commands.push(Command::GoTo(Step::Identify));
         }
         return;
     }
     let format = find(workbench.document().export.format);
-    let title = format.map_or("table", |f| f.extension);
+    let title = format.map_or(say!("common-table"), |f| f.extension);
     let what = if format.is_some_and(|f| f.rules.is_none()) {
-        "robot"
+        say!("common-robot")
     } else {
-        "table"
+        say!("common-table")
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(ui, &format!("Save {what} as .{title}…"))
+        widgets::primary(ui, &say!("export-save-as", what = what, title = title))
     });
     if save.inner.clicked() {
         commands.push(Command::ChooseWhereToExport(What::Table));

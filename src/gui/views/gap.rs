@@ -1,5 +1,6 @@
 //! Step 4: search for what is missing.
 
+use crate::gui::language::{names, say, text, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;
@@ -21,14 +22,10 @@ pub(super) const STEP: StepView = StepView {
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.subject().is_empty() {
-        widgets::hint(ui, "Open a session that was measured on this robot first");
+        widgets::hint(ui, say!("diagnose-open-a-session-that-was"));
         return;
     }
-    widgets::hint(
-        ui,
-        "Looks for the physical effect that the model lacks, and proves each name on samples that \
-         the search has not seen",
-    );
+    widgets::hint(ui, say!("diagnose-looks-for-the-physical-effect"));
     if workbench.searching().is_some() {
         stages(ui, workbench);
         return;
@@ -39,13 +36,25 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return switches(ui, workbench, commands);
     };
     let units = workbench.units();
-    widgets::section(ui, "RMS error");
-    widgets::fact(ui, "nominal robot", units.length(diagnosis.gap.start_mm));
-    widgets::fact(ui, "identified", units.length(diagnosis.gap.identified_mm));
+    widgets::section(ui, say!("common-rms-error"));
+    widgets::fact(
+        ui,
+        say!("diagnose-nominal-robot"),
+        units.length(diagnosis.gap.start_mm),
+    );
+    widgets::fact(
+        ui,
+        say!("common-identified"),
+        units.length(diagnosis.gap.identified_mm),
+    );
     let end = units.length(diagnosis.gap.end_mm);
-    widgets::fact(ui, "with found effects", end);
-    widgets::fact(ui, "noise floor", units.length(diagnosis.floor.mm));
-    if widgets::secondary(ui, "Run diagnosis again").clicked() {
+    widgets::fact(ui, say!("diagnose-with-found-effects"), end);
+    widgets::fact(
+        ui,
+        say!("common-noise-floor"),
+        units.length(diagnosis.floor.mm),
+    );
+    if widgets::secondary(ui, say!("diagnose-run-diagnosis-again")).clicked() {
         commands.push(Command::Search);
     }
     switches(ui, workbench, commands);
@@ -55,43 +64,43 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn before(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let units = workbench.units();
-    widgets::section(ui, "RMS error so far");
+    widgets::section(ui, say!("diagnose-rms-error-so-far"));
     if let Some(gap) = subject.gap_before {
-        widgets::fact(ui, "nominal robot", units.length(gap.rms_mm));
+        widgets::fact(ui, say!("diagnose-nominal-robot"), units.length(gap.rms_mm));
     }
     let answer = workbench.answer();
     let left = answer.map(|a| a.identification.gap.after.rms_mm);
     if let Some(left) = left {
-        widgets::fact(ui, "identified", units.length(left));
+        widgets::fact(ui, say!("common-identified"), units.length(left));
     }
     let floor = subject.known.floor_mm;
     if let Some(floor) = floor {
-        widgets::fact(ui, "noise floor", units.length(floor));
+        widgets::fact(ui, say!("common-noise-floor"), units.length(floor));
     }
     let says = match (left, floor) {
-        (None, _) => "The diagnosis identifies by itself: Identify need not come first",
+        (None, _) => say!("diagnose-the-diagnosis-identifies-by-itself"),
         (Some(left), Some(floor)) if left < 1.2 * floor => {
-            "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
+            say!("diagnose-little-error-is-left-above")
         }
         (Some(_), _) => {
-            "More error is left than noise explains, or no noise is stated: the diagnosis will tell which"
+            say!("diagnose-more-error-is-left-than")
         }
     };
     widgets::hint(ui, says);
     let document = workbench.document();
     if document.given.is_some() || document.identified && document.method == Method::Regional {
-        let says = "The diagnosis starts from the full model, which takes the place of what is \
-                    identified now. Undo brings that back";
+        let says = say!("diagnose-the-diagnosis-starts");
         widgets::hint(ui, says);
     }
-    widgets::section(ui, "What it can find");
+    widgets::section(ui, say!("diagnose-what-it-can-find"));
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
+    widgets::fact(
+        ui,
+        say!("common-testable-effects"),
+        say!("common-of", yes = yes, no = yes + no),
+    );
     if no > 0 {
-        widgets::hint(
-            ui,
-            "Why the others are not testable is listed at the right, with what to measure for them",
-        );
+        widgets::hint(ui, say!("diagnose-why-the-others-are-not"));
     }
 }
 
@@ -101,10 +110,10 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     let palette = Palette::of(ui);
-    widgets::section(ui, "Diagnosing");
+    widgets::section(ui, say!("diagnose-diagnosing"));
     let (reached, found) = (running.stage(), running.found());
     for (k, stage) in STAGES.into_iter().enumerate() {
-        let text = RichText::new(stage);
+        let text = RichText::new(text(stage));
         ui.label(match k.cmp(&reached) {
             std::cmp::Ordering::Less => text.color(palette.within),
             std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
@@ -124,11 +133,11 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 /// What was found so far; a later step may exchange it for something likelier.
 fn names_so_far(ui: &mut Ui, found: &[String]) {
     for name in found {
-        let title = crate::present::names::title_of(name);
-        ui.indent(("found so far", name), |ui| ui.label(title));
+        let title = crate::gui::language::names::title_of(name);
+        ui.indent((say!("diagnose-found-so-far"), name), |ui| ui.label(title));
     }
     if !found.is_empty() {
-        widgets::hint(ui, "so far; a likelier name may take the place of one");
+        widgets::hint(ui, say!("diagnose-so-far-a-likelier-name"));
     }
 }
 
@@ -138,10 +147,13 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if added.is_empty() {
         return;
     }
-    widgets::section(ui, "In the model");
+    widgets::section(ui, say!("diagnose-in-the-model"));
     for (index, one) in added.iter().enumerate() {
         let mut on = one.on;
-        let name = format!("use {}", one.term.effect.about().title.to_lowercase());
+        let name = say!(
+            "diagnose-use",
+            effect = within(names::title(one.term.effect.about().id))
+        );
         if ui.checkbox(&mut on, name).changed() {
             commands.push(Command::Edit(Edit::Switch(index, on)));
         }
@@ -151,18 +163,18 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the step has to show for itself.
 fn state(workbench: &Workbench) -> (String, Progress) {
     if workbench.searching().is_some() {
-        return ("searching".to_owned(), Progress::Open);
+        return (say!("common-searching").to_owned(), Progress::Open);
     }
     let on = workbench.document().in_the_model().count();
     let caption = match (workbench.diagnosis(), on) {
-        (_, 1) => "one effect in the model".to_owned(),
-        (_, 2..) => format!("{on} effects in the model"),
-        (None, _) => return ("not yet".to_owned(), Progress::Open),
+        (_, 1) => say!("diagnose-one-effect-in-the-model").to_owned(),
+        (_, 2..) => say!("diagnose-effects-in-the-model", on = on),
+        (None, _) => return (say!("common-not-yet").to_owned(), Progress::Open),
         (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
-            (Verdict::Noise, _) => "nothing is missing".to_owned(),
-            (Verdict::Unexplained, _) => "something unexplained".to_owned(),
-            (_, 1) => "one effect found".to_owned(),
-            (_, n) => format!("{n} effects found"),
+            (Verdict::Noise, _) => say!("diagnose-nothing-is-missing").to_owned(),
+            (Verdict::Unexplained, _) => say!("diagnose-something-unexplained").to_owned(),
+            (_, 1) => say!("diagnose-one-effect-found").to_owned(),
+            (_, n) => say!("diagnose-effects-found", n = n),
         },
     };
     (caption, Progress::Done)
@@ -170,7 +182,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
-        if widgets::secondary(ui, "Stop the search").clicked() {
+        if widgets::secondary(ui, say!("diagnose-stop-the-search")).clicked() {
             commands.push(Command::StopSearch);
         }
         return;
@@ -178,7 +190,9 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
         let measured = !workbench.subject().is_empty();
-        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Run diagnosis"));
+        let button = ui.add_enabled_ui(measured, |ui| {
+            widgets::primary(ui, say!("common-run-diagnosis"))
+        });
         if button.inner.clicked() {
             commands.push(Command::Search);
         }
@@ -187,7 +201,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if widgets::primary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Add(missing)));
         }
-    } else if widgets::primary(ui, "Continue to export").clicked() {
+    } else if widgets::primary(ui, say!("common-continue-to-export")).clicked() {
         commands.push(Command::GoTo(Step::Export));
     }
 }

@@ -1,5 +1,6 @@
 //! What the sides of the window are pulled by.
 
+use crate::gui::language::say;
 use egui::{Rect, Ui};
 
 use crate::gui::preferences::{Preferences, Sizes};
@@ -33,12 +34,12 @@ pub(crate) fn show(
             ..preferences
         }));
     };
-    let left = widgets::grip(ui, "steps", middle, middle.left());
+    let left = widgets::grip(ui, say!("grips-steps"), middle, middle.left());
     pulled(left, &|sizes, x| sizes.left = x);
     if let Some(width) = room.right {
         // The samples, where they stand beside the results, keep their width.
         let end = middle.right() + width;
-        let right = widgets::grip(ui, "results", middle, middle.right());
+        let right = widgets::grip(ui, say!("grips-results"), middle, middle.right());
         pulled(right, &|sizes, x| sizes.right = x.map(|x| end - x));
     }
 }

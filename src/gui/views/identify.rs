@@ -1,5 +1,6 @@
 //! Step 3: how the robot is identified.
 
+use crate::gui::language::say;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;
@@ -21,13 +22,17 @@ pub(super) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     let caption = match (document.identified, document.method) {
-        _ if document.given.is_some() => "model from a file".to_owned(),
-        (false, _) => "not yet".to_owned(),
-        (true, Method::Regional) => "by region".to_owned(),
+        _ if document.given.is_some() => say!("identify-model-from-a-file").to_owned(),
+        (false, _) => say!("common-not-yet").to_owned(),
+        (true, Method::Regional) => say!("identify-by-region").to_owned(),
         (true, Method::Exact) => {
             let n = document.effects.len();
-            let effects = if n == 1 { "effect" } else { "effects" };
-            format!("exact, {n} {effects}")
+            let effects = if n == 1 {
+                say!("common-effect")
+            } else {
+                say!("identify-effects")
+            };
+            say!("identify-exact", count = n, effects = effects)
         }
     };
     (caption, Progress::of(workbench.answer().is_some()))
@@ -38,27 +43,21 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if let Some(given) = &document.given {
         widgets::hint(
             ui,
-            format!(
-                "The model in {} takes the place of an identification",
-                given.file_name()
-            ),
+            say!("identify-the-model-in-takes", given = given.file_name()),
         );
         if workbench.subject().is_empty() {
-            widgets::hint(
-                ui,
-                "To identify the robot anew, open a session that was measured on it",
-            );
+            widgets::hint(ui, say!("identify-to-identify-the-robot-anew"));
             return;
         }
-        if widgets::secondary(ui, "Identify from this session").clicked() {
+        if widgets::secondary(ui, say!("identify-identify-from-this-session")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
         return;
     }
-    widgets::section(ui, "Method");
+    widgets::section(ui, say!("identify-method"));
     let methods = [
-        (Method::Exact, "Full model"),
-        (Method::Regional, "By region"),
+        (Method::Exact, say!("identify-full-model")),
+        (Method::Regional, say!("identify-by-region-2")),
     ];
     let offered = if workbench.subject().single_revolute() {
         &methods[..]
@@ -70,23 +69,14 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     match document.method {
         Method::Exact => {
-            widgets::hint(
-                ui,
-                "One model for the whole range, fitted in the measuring frame, with an interval \
-                 for every number",
-            );
+            widgets::hint(ui, say!("identify-one-model-for-the-whole"));
             effects(ui, workbench, commands);
         }
         Method::Regional => {
-            widgets::hint(
-                ui,
-                "The source paper's method: a constant correction of angle and radius for each \
-                 region. It leaves out the rotation between lamp and base, so that one constant \
-                 error looks different in every region; use it to compare with earlier reports",
-            );
+            widgets::hint(ui, say!("identify-the-source-papers-method"));
             let n = document.regions.len();
-            widgets::fact(ui, "regions", n.to_string());
-            if ui.link("Change the regions").clicked() {
+            widgets::fact(ui, say!("common-regions"), n.to_string());
+            if ui.link(say!("identify-change-the-regions")).clicked() {
                 commands.push(Command::GoTo(Step::Regions));
             }
         }
@@ -96,14 +86,17 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let subject = workbench.subject();
-    widgets::section(ui, "Effects to fit");
+    widgets::section(ui, say!("identify-effects-to-fit"));
     ui.spacing_mut().item_spacing.y = 4.0;
     for id in &subject.testable {
         let Some(about) = find(id).map(crate::effects::Effect::about) else {
             continue;
         };
         let mut on = document.effects.contains(id);
-        let response = ui.add(Checkbox::new(&mut on, about.title));
+        let response = ui.add(Checkbox::new(
+            &mut on,
+            crate::gui::language::names::title(about.id),
+        ));
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
             ui.label(RichText::new(about.id).monospace());
@@ -117,9 +110,9 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if subject.not_testable.is_empty() {
         return;
     }
-    let title = format!(
-        "{} that this session cannot show",
-        subject.not_testable.len()
+    let title = say!(
+        "identify-that-this-session-cannot-show",
+        not_testable = subject.not_testable.len()
     );
     let palette = Palette::of(ui);
     let title = RichText::new(title).size(size::SMALL).color(palette.muted);
@@ -127,7 +120,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .id_salt("not testable")
         .show(ui, |ui| {
             for one in &subject.not_testable {
-                ui.label(crate::present::names::title(one.effect));
+                ui.label(crate::gui::language::names::title(one.effect));
                 widgets::hint(ui, &one.because);
             }
         });
@@ -136,15 +129,15 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if !document.identified {
-        if widgets::primary(ui, "Identify").clicked() {
+        if widgets::primary(ui, say!("common-identify-2")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
         return;
     }
     if document.given.is_none() {
-        widgets::hint(ui, "Identified; the result follows every change");
+        widgets::hint(ui, say!("identify-identified-the-result-follows-every"));
     }
-    if widgets::primary(ui, "Continue to diagnose").clicked() {
+    if widgets::primary(ui, say!("identify-continue-to-diagnose")).clicked() {
         commands.push(Command::GoTo(Step::Gap));
     }
 }

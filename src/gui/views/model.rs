@@ -1,5 +1,6 @@
 //! A model that was read from a file: where it came from, and what it does on the session.
 
+use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::compensation::Verification;
@@ -15,10 +16,10 @@ use crate::units::deg_from_rad;
 pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
-        title(ui, "Model from a file");
-        widgets::fact(ui, "file", &loaded.file);
-        widgets::fact(ui, "robot", &calibration.model.robot.name);
-        widgets::fact(ui, "identified from", &calibration.session);
+        title(ui, say!("model-model-from-a-file"));
+        widgets::fact(ui, say!("model-file"), &loaded.file);
+        widgets::fact(ui, say!("common-robot"), &calibration.model.robot.name);
+        widgets::fact(ui, say!("model-identified"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
             let (from, to, unit) = match joint.kind {
@@ -27,17 +28,13 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
             };
             let measured = format!("{}{unit} … {}{unit}", trimmed(from, 2), trimmed(to, 2));
             let name = match joints.len() {
-                1 => "measured".to_owned(),
-                _ => format!("measured, {}", joint.name),
+                1 => say!("common-measured").to_owned(),
+                _ => say!("model-measured", joint = joint.name),
             };
             widgets::fact(ui, &name, measured);
         }
         if workbench.subject().is_empty() {
-            widgets::hint(
-                ui,
-                "Nothing was measured yet. Open a session that was measured on this robot, and \
-                 what the model does there will stand here",
-            );
+            widgets::hint(ui, say!("model-nothing-was-measured-yet-open"));
         }
     });
     if !calibration.history.is_empty() {
@@ -47,11 +44,15 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
 
 /// How the gap shrank while the model was made.
 fn history(ui: &mut Ui, units: Units, answer: &Answer) {
-    title(ui, "How it came about");
+    title(ui, say!("model-how-it-came-about"));
     for step in &answer.calibration.history {
         let gap = units.length(step.gap_mm);
         let gap = match step.held_out_mm {
-            Some(held_out) => format!("{gap}, held out {}", units.length(held_out)),
+            Some(held_out) => say!(
+                "model-held-out",
+                gap = gap,
+                held_out = units.length(held_out)
+            ),
             None => gap,
         };
         widgets::fact(ui, &step.what, gap);
@@ -62,21 +63,21 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
 pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
-        title(ui, "Held against this session");
-        widgets::fact(ui, "samples", verification.samples.to_string());
+        title(ui, say!("model-held-against-this-session"));
+        widgets::fact(ui, say!("common-samples"), verification.samples.to_string());
         let model = units.length(verification.model.rms_mm);
-        widgets::fact(ui, "measured and model", model);
+        widgets::fact(ui, say!("model-measured-and-model"), model);
         if let Some(compensated) = verification.compensated {
             let unit = units.length_name();
             let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
-            widgets::fact(ui, "with corrected commands", gap);
+            widgets::fact(ui, say!("model-with-corrected-commands"), gap);
             let largest = format!("{} {unit}", number(compensated.gap.max_mm));
-            widgets::fact(ui, "largest then", largest);
+            widgets::fact(ui, say!("model-largest-then"), largest);
             let stays = format!(
                 "{} {unit}",
                 number(compensated.cannot_be_removed_by_joints_mm)
             );
-            widgets::fact(ui, "not correctable by joint commands", stays);
+            widgets::fact(ui, say!("common-not-correctable-by-joint-commands"), stays);
         }
     });
 }

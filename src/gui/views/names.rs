@@ -1,13 +1,15 @@
 //! How panels name effects and parameters, and the few cards that several of them show.
 
+use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
 use crate::gui::charts::effect;
+use crate::gui::language::names::{title_of, title_on};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{parameter, title_of, title_on, usual_size};
+use crate::present::names::{parameter, usual_size};
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
@@ -25,7 +27,7 @@ pub(in crate::gui::views) fn in_words(
 /// Names in words; one with its joint is `id joint`.
 pub(in crate::gui::views) fn titles(names: &[String]) -> String {
     let all = names.iter().map(|name| title_of(name).to_lowercase());
-    all.collect::<Vec<_>>().join(" and ")
+    all.collect::<Vec<_>>().join(say!("names-and"))
 }
 
 /// Says which sizes no machine has.
@@ -47,7 +49,7 @@ pub(in crate::gui::views) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiabl
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, "Not identifiable");
+        title(ui, say!("names-not-identifiable"));
         for one in all {
             ui.label(&one.combination);
             widgets::hint(ui, &one.because);
@@ -64,7 +66,9 @@ pub(in crate::gui::views) fn curve_link(
 ) {
     let view = workbench.view();
     let shown = workbench.chart().about().id == effect::ID && view.effect == index;
-    let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, "Show its curve"));
+    let button = ui.add_enabled_ui(!shown, |ui| {
+        widgets::secondary(ui, say!("names-show-its-curve"))
+    });
     if button.inner.clicked() {
         commands.push(Command::ShowEffect(index));
     }

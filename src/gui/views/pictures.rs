@@ -1,10 +1,11 @@
 //! Plots as SVG files: the drawings of the report, of the samples as they are shown now, and the
 //! charts as they are on the screen.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::cache::identified::Outcome;
-use crate::gui::charts::{Pointed, find};
+use crate::gui::charts::{self, Pointed, find};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::view::Plot;
@@ -55,9 +56,9 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
 
 /// A chart as it is shown, of many samples with what is seen of them on paper.
 fn chart(workbench: &Workbench, name: &str) -> Result<Chart, String> {
-    let kind = find(name).ok_or("there is no such chart")?;
+    let kind = find(name).ok_or(say!("pictures-there-is-no-such-chart"))?;
     let scene = workbench.scene_of(kind);
-    let shown = kind.show(&scene).map_err(|missing| missing.title)?;
+    let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
     let mut chart = shown.chart;
     if let Pointed::Samples(samples) = &shown.pointed {
         let [[from, _], [to, _]] = chart.bounds;
@@ -83,13 +84,13 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
         None => None,
     };
     if session.samples.is_empty() {
-        return Err("there are no samples to draw".to_owned());
+        return Err(say!("common-there-are-no-samples").to_owned());
     }
     if wanted.plot == Plot::Polar {
         let (subject, tolerance) = (&wanted.document.subject, wanted.document.tolerance_mm);
         let (component, only_after) = wanted.component;
         let drawing = polar_sheet(subject, answer, component, only_after, tolerance)?;
-        return Ok((drawing, of("the deviation around the angle")));
+        return Ok((drawing, of(say!("pictures-the-deviation-around-the-angle"))));
     }
     let stages = match answer {
         None => as_measured(&session, wanted.floor_mm),
@@ -101,8 +102,9 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
         }
     };
     let (mut drawing, magnification) = workspace(&stages);
-    let says = of(&format!(
-        "measured points, deviations magnified {magnification} times"
+    let says = of(&say!(
+        "pictures-measured-points-deviations-magnified-times",
+        magnification = magnification
     ));
     drawing.height += CAPTION;
     drawing.text(Label::new(

@@ -1,5 +1,6 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
+use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::fit::noise::StatedNoise;
@@ -7,13 +8,14 @@ use crate::fit::problem::Unusable;
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
+use crate::gui::language::names::title_on;
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, grouped, number_of, trimmed};
+use crate::gui::units::{Units, grouped, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{parameter, title_on};
+use crate::present::names::parameter;
 use crate::units::deg_from_rad;
 
 use super::names::{implausible, not_identifiable, title};
@@ -28,7 +30,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
         Side::Results
     };
     if workbench.view().step == Step::Export {
-        widgets::heading(ui, "Export");
+        widgets::heading(ui, say!("common-export"));
         ui.add_space(space::TIGHT);
         widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
         return;
@@ -37,12 +39,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
         return super::findings::show(ui, workbench, commands);
     }
     widgets::row(ui, |ui| {
-        widgets::heading(ui, "Results");
+        widgets::heading(ui, say!("common-results"));
         if !alone {
             return;
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let sides = [(Side::Results, "Summary"), (Side::Samples, "Samples")];
+            let sides = [
+                (Side::Results, say!("results-summary")),
+                (Side::Samples, say!("results-samples")),
+            ];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
                 commands.push(Command::Side(side));
             }
@@ -59,7 +64,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
 
 /// Shows the samples, where they have a place of their own.
 pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::heading(ui, "Samples");
+    widgets::heading(ui, say!("results-samples"));
     ui.add_space(space::TIGHT);
     samples::show(ui, workbench, commands);
 }
@@ -70,7 +75,7 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
         None => super::coverage::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
-            let title = RichText::new("This could not be identified");
+            let title = RichText::new(say!("results-this-could-not-be-identified"));
             ui.label(title.font(strong(size::BODY)).color(color));
             ui.label(because);
         }),
@@ -121,9 +126,9 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
-            "regional" => "RMS error, by region",
-            loaded::METHOD => "RMS error, model from a file",
-            _ => "RMS error, full model",
+            "regional" => say!("results-rms-error-by-region"),
+            loaded::METHOD => say!("results-rms-error-model"),
+            _ => say!("results-rms-error-full-model"),
         };
         ui.label(RichText::new(method).color(palette.muted));
         ui.horizontal(|ui| {
@@ -144,18 +149,18 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             )
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        widgets::fact(ui, "largest", from_to(&found.gap, largest));
+        widgets::fact(ui, say!("results-largest"), from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            widgets::fact(ui, "held out", from_to(held_out, rms));
+            widgets::fact(ui, say!("common-held-out"), from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
             widgets::fact(
                 ui,
-                "within tolerance",
-                format!("{before} → {after} of {all}"),
+                say!("common-within-tolerance"),
+                say!("results-of", before = before, after = after, all = all),
             );
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);
@@ -165,7 +170,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 
 fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
     let palette = Palette::of(ui);
-    title(ui, "Identified parameters");
+    title(ui, say!("results-identified-parameters"));
     dense(ui);
     let mut last = None;
     for one in estimates {
@@ -182,8 +187,10 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
         estimate(ui, &name, &value, &format!("{half} {unit}"));
     }
     implausible(ui, estimates);
-    widgets::hint(ui, "± half the 95 % interval");
-    copies::button(ui, "parameters", || copies::parameters(estimates));
+    widgets::hint(ui, say!("results-half-the-95-interval"));
+    copies::button(ui, say!("results-parameters"), || {
+        copies::parameters(estimates)
+    });
 }
 
 /// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
@@ -234,7 +241,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let is_given = workbench.document().given.is_some();
-    title(ui, "Correction of each region");
+    title(ui, say!("results-correction-of-each-region"));
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     // The numbers keep their places, however long a name is.
     let longest = (ui.available_width() - NUMBERS).max(44.0);
@@ -249,7 +256,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 "region".to_owned(),
                 of("Δθ", angle),
                 of("Δl1", length),
-                of("RMS error", length),
+                of(say!("common-rms-error"), length),
             ] {
                 ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
             }
@@ -261,7 +268,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                     correction.name,
                     trimmed(deg_from_rad(correction.from_rad), 2),
                     trimmed(deg_from_rad(correction.to_rad), 2),
-                    number_of(correction.samples, "sample")
+                    say!("samples", count = grouped(correction.samples))
                 );
                 let color = palette.text;
                 let font = strong(size::BODY);
@@ -286,7 +293,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.y = 0.0;
                     ui.label(mm(result.rms_after_mm));
-                    let before = format!("was {}", mm(result.rms_before_mm));
+                    let before = say!("results-was", rms_before = mm(result.rms_before_mm));
                     ui.label(RichText::new(before).size(size::SMALL).color(palette.muted));
                 });
                 ui.end_row();
@@ -295,12 +302,12 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     widgets::hint(
         ui,
         if is_given {
-            "What to add"
+            say!("results-what-to-add")
         } else {
-            "What to add, ± half the 95 % interval"
+            say!("results-what-to-add-half")
         },
     );
-    copies::button(ui, "regions", || copies::regions(results));
+    copies::button(ui, say!("common-regions"), || copies::regions(results));
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -310,23 +317,27 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let mut lines: Vec<String> = found.notes.clone();
     if !found.quality.converged {
         let stopped = found.quality.stopped;
-        lines.push(format!("the fit did not converge: {stopped}"));
+        lines.push(say!("common-the-fit-did-not-converge", stopped = stopped));
     }
     if let Some(noise) = &found.noise {
         let stated = noise.against_stated(&workbench.subject().session);
         let differs = stated.filter(StatedNoise::differs);
-        lines.extend(differs.map(|n| format!("measurement noise: {}", n.says())));
+        lines.extend(differs.map(|n| say!("results-measurement-noise", noise = n.says())));
         lines.extend(noise.slow.map(|slow| slow.says_of_remaining_error()));
     }
     if !found.outliers.is_empty() {
         let (excluded, all) = (found.outliers.len(), grouped(found.samples));
-        lines.push(format!("excluded outliers: {excluded} of {all} samples"));
+        lines.push(say!(
+            "results-excluded-outliers-of-samples",
+            excluded = excluded,
+            all = all
+        ));
     }
     for outlier in found.outliers.iter().take(MOST) {
-        lines.push(format!(
-            "sample {} is an outlier: {} from the model",
-            outlier.sample + 1,
-            units.length(outlier.deviation_mm)
+        lines.push(say!(
+            "results-sample-is-an-outlier",
+            sample = outlier.sample + 1,
+            deviation = units.length(outlier.deviation_mm)
         ));
     }
     lines.extend(found.excluded_in_words());
@@ -335,21 +346,21 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         .iter()
         .filter(|l| l.because != Unusable::Excluded);
     for left_out in lost.clone().take(MOST) {
-        lines.push(format!(
-            "sample {} is excluded: {}",
-            left_out.sample + 1,
-            left_out.because.says()
+        lines.push(say!(
+            "results-sample-is-excluded",
+            sample = left_out.sample + 1,
+            because = left_out.because.says()
         ));
     }
     let more = found.outliers.len().saturating_sub(MOST) + lost.count().saturating_sub(MOST);
     if more > 0 {
-        lines.push(format!("and {more} more"));
+        lines.push(say!("results-and-more", more = more));
     }
     if lines.is_empty() {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, "Notes");
+        title(ui, say!("results-notes"));
         for line in &lines {
             widgets::hint(ui, line);
         }

@@ -1,5 +1,6 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
+use crate::gui::language::say;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
@@ -7,10 +8,10 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{grouped, number_of};
+use crate::gui::units::grouped;
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
-use crate::gui::widgets::{self, OR_NONE, Progress};
+use crate::gui::widgets::{self, Progress, or_none};
 use crate::gui::workbench::{Command, Workbench};
 
 use super::setup;
@@ -26,25 +27,25 @@ pub(super) const STEP: StepView = StepView {
 
 fn state(workbench: &Workbench) -> (String, Progress) {
     let says = if workbench.subject().is_empty() {
-        "a model, nothing measured".to_owned()
+        say!("session-a-model-nothing-measured").to_owned()
     } else {
-        number_of(workbench.subject().len(), "sample")
+        say!("samples", count = grouped(workbench.subject().len()))
     };
     (says, Progress::Done)
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::section(ui, "Measured");
+    widgets::section(ui, say!("session-measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
     follow(ui, workbench, commands);
     findings(ui, workbench, commands);
-    widgets::section(ui, "Another session or model");
-    if widgets::secondary(ui, "Open…").clicked() {
+    widgets::section(ui, say!("session-another-session-or-model"));
+    if widgets::secondary(ui, say!("common-open")).clicked() {
         commands.push(Command::ChooseFile);
     }
     path_field(ui, commands);
-    if widgets::secondary(ui, "New by simulation…").clicked() {
+    if widgets::secondary(ui, say!("common-new-by-simulation")).clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
     recent(ui, workbench, commands);
@@ -59,7 +60,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     let palette = Palette::of(ui);
-    widgets::section(ui, "Recent files");
+    widgets::section(ui, say!("common-recent-files"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for (path, there) in recent {
         let name = path.file_name().unwrap_or(path.as_os_str());
@@ -72,11 +73,11 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             continue;
         }
-        let says = format!("{name} is not there any more");
+        let says = say!("common-is-not-there-any-more", name = name);
         let says = RichText::new(says).size(size::NOTE);
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
-        if ui.link(format!("Forget {name}")).clicked() {
+        if ui.link(say!("common-forget", name = name)).clicked() {
             commands.push(Command::Forget(path.to_path_buf()));
         }
     }
@@ -86,25 +87,29 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let session = &subject.session;
     let units = workbench.units();
-    widgets::fact(ui, "robot", &session.robot.name);
+    widgets::fact(ui, say!("common-robot"), &session.robot.name);
     if let [joint] = session.robot.joints.as_slice() {
         let (from, to) = subject.travel();
         let range = match joint.kind {
             JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
             JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
         };
-        widgets::fact(ui, "joint", format!("{}, {range}", joint.name));
+        widgets::fact(ui, say!("common-joint"), format!("{}, {range}", joint.name));
     } else {
-        widgets::fact(ui, "joints", session.robot.joints.len().to_string());
+        widgets::fact(
+            ui,
+            say!("common-joints"),
+            session.robot.joints.len().to_string(),
+        );
     }
     if subject.is_empty() {
-        widgets::fact(ui, "samples", "none: this is a model");
+        widgets::fact(ui, "samples", say!("session-none-this-is-a-model"));
         return;
     }
     let mut samples = grouped(subject.len());
     for (n, what) in [
-        (subject.overview.held_out, "held out"),
-        (subject.overview.excluded, "excluded"),
+        (subject.overview.held_out, say!("common-held-out")),
+        (subject.overview.excluded, say!("common-excluded")),
     ] {
         if n > 0 {
             samples += &format!(", {} {what}", grouped(n));
@@ -112,25 +117,37 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     }
     widgets::fact(ui, "samples", samples);
     if let Some(kinds) = &subject.overview.kinds {
-        widgets::fact(ui, "measured", kinds);
+        widgets::fact(ui, say!("common-measured"), kinds);
     }
     if session.targets.len() > 1 {
-        widgets::fact(ui, "reflectors", session.targets.len().to_string());
+        widgets::fact(
+            ui,
+            say!("session-reflectors"),
+            session.targets.len().to_string(),
+        );
     }
     if !session.instrument.name.is_empty() {
-        widgets::fact(ui, "instrument", &session.instrument.name);
+        widgets::fact(ui, say!("common-instrument-2"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
-        None => "not given".to_owned(),
+        None => say!("session-not-given").to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    widgets::fact(ui, "noise, one σ", sigma);
+    widgets::fact(ui, say!("session-noise-one"), sigma);
     if session.samples.z_mm.is_none() {
-        widgets::fact(ui, "coordinates", "x and y; z was not measured");
+        widgets::fact(
+            ui,
+            say!("session-coordinates"),
+            say!("session-x-and-y-z-was"),
+        );
     }
     if session.compensated_by.is_some() {
-        widgets::fact(ui, "compensated", "yes: this shows what is left");
+        widgets::fact(
+            ui,
+            say!("session-compensated"),
+            say!("session-yes-this-shows-what"),
+        );
     }
 }
 
@@ -147,11 +164,16 @@ fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             if value > 0.0 {
                 egui::emath::format_with_decimals_in_range(value, decimals)
             } else {
-                "none".to_owned()
+                say!("common-none").to_owned()
             }
         })
         .suffix(if now > 0.0 { " mm" } else { "" });
-    let response = widgets::number(ui, "tolerance", &format!("mm{OR_NONE}"), field);
+    let response = widgets::number(
+        ui,
+        say!("common-tolerance"),
+        &format!("mm{}", or_none()),
+        field,
+    );
     if tolerance != now {
         let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
         commands.push(if response.dragged() {
@@ -172,14 +194,19 @@ fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let following = workbench.following();
     let mut on = following.is_some();
-    let says = "New lines are read as they are written, and the answer follows";
-    let response = ui.checkbox(&mut on, "Follow the file as it grows");
+    let says = say!("session-new-lines-are-read-as");
+    let response = ui.checkbox(&mut on, say!("common-follow-the-file-as"));
     if response.on_hover_text(says).changed() {
         commands.push(Command::Follow(on));
     }
     if let Some(came) = following {
-        let samples = if came == 1 { "sample" } else { "samples" };
-        widgets::hint(ui, format!("{came} {samples} came since"));
+        widgets::hint(
+            ui,
+            say!(
+                "session-came-since",
+                samples = say!("samples", count = came)
+            ),
+        );
     }
 }
 
@@ -189,7 +216,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if findings.is_empty() {
         return;
     }
-    widgets::section(ui, &format!("Import log: {}", findings.len()));
+    widgets::section(ui, &say!("session-import-log", count = findings.len()));
     ui.scope(|ui| {
         // Rows are as high as their text, the first of a finding too.
         ui.spacing_mut().interact_size.y = 0.0;
@@ -201,16 +228,16 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     if findings.len() > MOST {
-        widgets::hint(ui, format!("and {} more", findings.len() - MOST));
+        widgets::hint(ui, say!("common-and-more", more = findings.len() - MOST));
     }
 }
 
 fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let (mark, color) = match finding.severity {
-        Severity::Note => ("note", palette.muted),
-        Severity::Warning => ("warning", palette.warning),
-        Severity::Error => ("error", palette.outside),
+        Severity::Note => (say!("session-note"), palette.muted),
+        Severity::Warning => (say!("session-warning"), palette.warning),
+        Severity::Error => (say!("session-error"), palette.outside),
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
@@ -218,7 +245,11 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
         let text = RichText::new(text).size(size::SMALL);
         if finding.samples.is_empty() {
             ui.label(text);
-        } else if ui.link(text).on_hover_text("Show these samples").clicked() {
+        } else if ui
+            .link(text)
+            .on_hover_text(say!("common-show-these-samples"))
+            .clicked()
+        {
             commands.push(Command::Mark(finding.samples.clone()));
         }
     });
@@ -231,17 +262,17 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let width = ui.available_width() - 64.0;
         let field = TextEdit::singleline(&mut typed)
-            .hint_text("type a path, or drop a file")
+            .hint_text(say!("session-type-a-path-or-drop"))
             .desired_width(width)
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add(field);
         ui.ctx().accesskit_node_builder(field.id, |node| {
-            node.set_label("Path of a session or model");
+            node.set_label(say!("session-path-of-a-session-or"));
         });
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
-        let button = ui.add_enabled(!path.is_empty(), egui::Button::new("Open"));
+        let button = ui.add_enabled(!path.is_empty(), egui::Button::new(say!("common-open-2")));
         if (entered || button.clicked()) && !path.is_empty() {
             commands.push(Command::OpenFile(path.into()));
         }
@@ -252,14 +283,14 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.origin == Origin::Bundled {
-        widgets::hint(ui, "This is an example that comes with the program");
+        widgets::hint(ui, say!("session-this-is-an-example"));
     }
     let (step, text) = if workbench.document().given.is_some() {
-        (Step::Export, "Continue to export")
+        (Step::Export, say!("common-continue-to-export"))
     } else if subject.single_revolute() {
-        (Step::Regions, "Continue to regions")
+        (Step::Regions, say!("session-continue-to-regions"))
     } else {
-        (Step::Identify, "Continue to identify")
+        (Step::Identify, say!("common-continue-to-identify"))
     };
     if widgets::primary(ui, text).clicked() {
         commands.push(Command::GoTo(step));

@@ -1,6 +1,7 @@
 //! Robot, reflectors and instrument, to be edited: checked as they are typed, with the message at
 //! the field, and in the plots at once.
 
+use crate::gui::language::say;
 use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;
@@ -37,30 +38,30 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     let mut form = now.clone();
     let mut touched = Touched::default();
-    widgets::section(ui, "Robot and instrument");
+    widgets::section(ui, say!("setup-robot-and-instrument"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for k in 0..form.joints.len() {
-        let title = format!("Joint {}, {}", k + 1, now.joints[k].name);
+        let title = say!("setup-joint", k = k + 1, joints = now.joints[k].name);
         let wrong = |f: Field| matches!(f, Field::JointName(j) | Field::Axis(j) | Field::Limits(j) | Field::Mass(j) if j == k);
         let open = problems
             .iter()
             .any(|(f, _)| wrong(*f) || *f == Field::Joints);
-        folded(ui, &title, ("joint", k), open, |ui| {
+        folded(ui, &title, (say!("common-joint"), k), open, |ui| {
             joint(ui, &mut form.joints[k], k, &problems, &mut touched);
         });
     }
     let open = problems.iter().any(|(f, _)| *f == Field::Tool);
-    folded(ui, "Tool and gravity", "tool", open, |ui| {
+    folded(ui, say!("setup-tool-and-gravity"), "tool", open, |ui| {
         tool(ui, &mut form, &problems, &mut touched);
     });
     let open = problems.iter().any(|(f, _)| matches!(f, Field::Target(_)));
-    folded(ui, "Reflectors", "targets", open, |ui| {
+    folded(ui, say!("setup-reflectors"), "targets", open, |ui| {
         let free = now.last_target_is_free(session);
         targets(ui, &mut form, free, &problems, &mut touched);
     });
     if !workbench.subject().is_empty() {
         let open = problems.iter().any(|(f, _)| *f == Field::Sigma);
-        folded(ui, "Instrument", "instrument", open, |ui| {
+        folded(ui, say!("common-instrument"), "instrument", open, |ui| {
             instrument(ui, &mut form, &problems, &mut touched);
         });
     }
@@ -68,8 +69,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         if let Some((_, says)) = problems.iter().find(|(f, _)| *f == Field::Joints) {
             widgets::wrong(ui, says);
         }
-        widgets::hint(ui, "Not taken over while something is wrong");
-        if ui.link("Back to what was there").clicked() {
+        widgets::hint(ui, say!("setup-not-taken-over-while-something"));
+        if ui.link(say!("setup-back-to-what-was-there")).clicked() {
             commands.push(Command::Draft(None));
             return;
         }
@@ -170,32 +171,32 @@ fn joint(
     touched: &mut Touched,
 ) {
     let n = k + 1;
-    text(ui, &format!("Name of joint {n}"), &mut joint.name);
+    text(ui, &say!("setup-name-of-joint", n = n), &mut joint.name);
     message(ui, problems, Field::JointName(k));
     let kinds = [
-        (JointKind::Revolute, "turns"),
-        (JointKind::Prismatic, "slides"),
+        (JointKind::Revolute, say!("setup-turns")),
+        (JointKind::Prismatic, say!("setup-slides")),
     ];
     if let Some(kind) = widgets::segmented(ui, &kinds, joint.kind) {
         joint.kind = kind;
     }
     ui.horizontal(|ui| {
-        caption(ui, "axis, direction at home");
+        caption(ui, say!("setup-axis-direction-at-home"));
         widgets::question(ui, help::AXIS);
     });
     numbers(
         ui,
-        (&format!("Axis {n}"), ""),
+        (&say!("setup-axis", n = n), ""),
         &XYZ,
         &mut joint.axis,
         0.01,
         touched,
     );
     message(ui, problems, Field::Axis(k));
-    caption(ui, "a point on it, mm");
+    caption(ui, say!("setup-a-point-on-it-mm"));
     numbers(
         ui,
-        (&format!("Point {n}"), "mm"),
+        (&say!("setup-point", n = n), "mm"),
         &XYZ,
         &mut joint.point_mm,
         0.1,
@@ -207,7 +208,10 @@ fn joint(
     };
     let mut limited = joint.limits.is_some();
     if ui
-        .checkbox(&mut limited, format!("limits of joint {n}, {unit}"))
+        .checkbox(
+            &mut limited,
+            say!("setup-limits-of-joint", n = n, unit = unit),
+        )
         .changed()
     {
         joint.limits = limited.then_some([-90.0, 90.0]);
@@ -215,8 +219,8 @@ fn joint(
     if let Some(limits) = &mut joint.limits {
         numbers(
             ui,
-            (&format!("Limit {n}"), unit),
-            &["from", "to"],
+            (&say!("setup-limit", n = n), unit),
+            &[say!("common-from"), say!("common-to")],
             limits,
             0.5,
             touched,
@@ -225,19 +229,26 @@ fn joint(
     }
     let mut heavy = joint.link.is_some();
     if ui
-        .checkbox(&mut heavy, format!("mass of link {n}, kg"))
+        .checkbox(&mut heavy, say!("setup-mass-of-link-kg", n = n))
         .changed()
     {
         joint.link = heavy.then_some((1.0, joint.point_mm));
     }
     if let Some((mass, centre_mm)) = &mut joint.link {
         let mass = std::slice::from_mut(mass);
-        numbers(ui, (&format!("Mass {n}"), "kg"), &[""], mass, 0.05, touched);
-        message(ui, problems, Field::Mass(k));
-        caption(ui, "its centre at home, mm");
         numbers(
             ui,
-            (&format!("Centre {n}"), "mm"),
+            (&say!("setup-mass", n = n), "kg"),
+            &[""],
+            mass,
+            0.05,
+            touched,
+        );
+        message(ui, problems, Field::Mass(k));
+        caption(ui, say!("setup-its-centre-at-home-mm"));
+        numbers(
+            ui,
+            (&say!("setup-centre", n = n), "mm"),
             &XYZ,
             centre_mm,
             0.5,
@@ -248,15 +259,22 @@ fn joint(
 
 fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
     ui.horizontal(|ui| {
-        caption(ui, "tool at home, mm");
+        caption(ui, say!("setup-tool-at-home-mm"));
         widgets::question(ui, help::TOOL);
     });
-    numbers(ui, ("Tool", "mm"), &XYZ, &mut form.tool_mm, 0.1, touched);
-    caption(ui, "orientation, quaternion w x y z");
+    numbers(
+        ui,
+        (say!("common-tool"), "mm"),
+        &XYZ,
+        &mut form.tool_mm,
+        0.1,
+        touched,
+    );
+    caption(ui, say!("setup-orientation-quaternion-w-x-y"));
     let wxyz = ["w", "x", "y", "z"];
     numbers(
         ui,
-        ("Orientation", ""),
+        (say!("setup-orientation"), ""),
         &wxyz,
         &mut form.tool_wxyz,
         0.005,
@@ -264,11 +282,21 @@ fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut T
     );
     message(ui, problems, Field::Tool);
     let mut known = form.gravity.is_some();
-    if ui.checkbox(&mut known, "gravity is known, m/s²").changed() {
+    if ui
+        .checkbox(&mut known, say!("setup-gravity-is-known-m-s"))
+        .changed()
+    {
         form.gravity = known.then_some([0.0, 0.0, -9.81]);
     }
     if let Some(gravity) = &mut form.gravity {
-        numbers(ui, ("Gravity", ""), &XYZ, gravity, 0.01, touched);
+        numbers(
+            ui,
+            (say!("setup-gravity"), ""),
+            &XYZ,
+            gravity,
+            0.01,
+            touched,
+        );
     }
 }
 
@@ -279,13 +307,17 @@ fn targets(
     problems: &[Problem],
     touched: &mut Touched,
 ) {
-    caption(ui, "in the tool frame, mm");
+    caption(ui, say!("setup-in-the-tool-frame-mm"));
     let mut gone = false;
     let count = form.targets.len();
     for (k, target) in form.targets.iter_mut().enumerate() {
         let n = k + 1;
-        text(ui, &format!("Name of reflector {n}"), &mut target.name);
-        let label = format!("Reflector {n}");
+        text(
+            ui,
+            &say!("setup-name-of-reflector", n = n),
+            &mut target.name,
+        );
+        let label = say!("setup-reflector", n = n);
         numbers(
             ui,
             (&label, "mm"),
@@ -296,12 +328,12 @@ fn targets(
         );
         message(ui, problems, Field::Target(k));
         if n == count && last_is_free {
-            gone = ui.link("Remove this reflector").clicked();
+            gone = ui.link(say!("setup-remove-this-reflector")).clicked();
         }
     }
     if gone {
         form.targets.pop();
-    } else if ui.link("Add a reflector").clicked() {
+    } else if ui.link(say!("setup-add-a-reflector")).clicked() {
         form.targets.push(TargetForm {
             name: format!("T{}", count + 1),
             position_mm: [0.0; 3],
@@ -310,9 +342,13 @@ fn targets(
 }
 
 fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
-    text(ui, "Name of the instrument", &mut form.instrument);
+    text(
+        ui,
+        say!("setup-name-of-the-instrument"),
+        &mut form.instrument,
+    );
     ui.horizontal(|ui| {
-        caption(ui, "noise, one σ, mm");
+        caption(ui, say!("setup-noise-one-mm"));
         widgets::question(ui, help::NOISE);
     });
     let kind = match form.sigma {
@@ -320,7 +356,11 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: 
         SigmaForm::One(_) => 1,
         SigmaForm::Three(_) => 3,
     };
-    let kinds = [(0, "unknown"), (1, "one number"), (3, "x, y, z")];
+    let kinds = [
+        (0, say!("setup-unknown")),
+        (1, say!("setup-one-number")),
+        (3, "x, y, z"),
+    ];
     if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
         let size = match form.sigma {
             SigmaForm::Unknown => 0.03,
@@ -337,9 +377,18 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: 
         SigmaForm::Unknown => {}
         SigmaForm::One(sigma) => {
             let sigma = std::slice::from_mut(sigma);
-            numbers(ui, ("Noise", "mm"), &[""], sigma, 0.001, touched);
+            numbers(
+                ui,
+                (say!("setup-noise"), "mm"),
+                &[""],
+                sigma,
+                0.001,
+                touched,
+            );
         }
-        SigmaForm::Three(sigma) => numbers(ui, ("Noise", "mm"), &XYZ, sigma, 0.001, touched),
+        SigmaForm::Three(sigma) => {
+            numbers(ui, (say!("setup-noise"), "mm"), &XYZ, sigma, 0.001, touched)
+        }
     }
     message(ui, problems, Field::Sigma);
 }

@@ -1,6 +1,7 @@
 //! The middle: what the user has to know, the workspace, and the chart below it. Where there is no
 //! room for both, one of them, and a switch between them.
 
+use crate::gui::language::say;
 use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea, Ui};
 
 use crate::gui::preferences::Preferences;
@@ -65,7 +66,10 @@ fn one(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let parts = [(Part::Workspace, "Workspace"), (Part::Chart, "Chart")];
+    let parts = [
+        (Part::Workspace, say!("common-workspace")),
+        (Part::Chart, say!("common-chart")),
+    ];
     if let Some(part) = widgets::segmented(ui, &parts, workbench.view().part) {
         commands.push(Command::Part(part));
     }
@@ -151,7 +155,7 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button("Dismiss").clicked() {
+                if ui.button(say!("common-dismiss")).clicked() {
                     commands.push(Command::Dismiss);
                 }
                 ui.with_layout(Layout::top_down(Align::Min), |ui| {

@@ -1,5 +1,6 @@
 //! Accuracy and repeatability as the standards state them, before and after.
 
+use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{Made, as_text};
@@ -16,9 +17,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     widgets::card(ui, |ui| {
-        ui.label(RichText::new("Accuracy and repeatability").font(strong(size::BODY)));
+        ui.label(
+            RichText::new(say!("standards-accuracy-and-repeatability")).font(strong(size::BODY)),
+        );
         match &figures.made {
-            None => widgets::hint(ui, "The figures are being worked out"),
+            None => widgets::hint(ui, say!("standards-the-figures-are-being-worked")),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(made)) => tables(ui, made),
         }
@@ -27,7 +30,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
 
 fn tables(ui: &mut Ui, made: &Made) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
-        copies::button(ui, "figures", || as_text(made));
+        copies::button(ui, say!("standards-figures"), || as_text(made));
     }
     let mut explained = "";
     for group in &made.groups {
@@ -43,7 +46,7 @@ fn tables(ui: &mut Ui, made: &Made) {
             }
         }
         for line in &group.missing {
-            widgets::hint(ui, format!("missing: {line}"));
+            widgets::hint(ui, say!("standards-missing", line = line));
         }
     }
     for line in &made.notes {
@@ -59,7 +62,7 @@ fn legend(group: &Group) -> String {
         .map(|row| format!("{} {}", row.symbol, row.name))
         .collect();
     if group.rows.iter().any(|row| sides(row.symbol)) {
-        names.push("↑ from below, ↓ from above".to_owned());
+        names.push(say!("standards-from-below-from-above").to_owned());
     }
     names.join(" · ")
 }
@@ -71,8 +74,8 @@ fn table(ui: &mut Ui, group: &Group) {
         .num_columns(3)
         .spacing([20.0, 3.0])
         .show(ui, |ui| {
-            let measured = format!("measured, {}", group.unit);
-            for head in ["", &measured, "corrected"] {
+            let measured = say!("standards-measured", group = group.unit);
+            for head in ["", &measured, say!("common-corrected")] {
                 let head = RichText::new(head).size(size::SMALL).color(palette.muted);
                 widgets::cell_right(ui, head);
             }

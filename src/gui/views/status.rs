@@ -1,12 +1,13 @@
 //! The bar at the bottom: where the work stands, and what runs in the background.
 
+use crate::gui::language::say;
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
 use crate::diagnosis::FloorFrom;
 use crate::fonts;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::number_of;
+use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
@@ -14,13 +15,13 @@ use crate::gui::workbench::{Command, Workbench};
 pub(crate) fn line(workbench: &Workbench) -> String {
     let subject = workbench.subject();
     if subject.is_empty() {
-        return format!(
-            "model of {} · open a session measured on this robot to see what the model does",
-            subject.session.robot.name
+        return say!(
+            "status-model-of-open-a-session",
+            robot = subject.session.robot.name
         );
     }
     let units = workbench.units();
-    let samples = number_of(subject.len(), "sample");
+    let samples = say!("samples", count = grouped(subject.len()));
     let unit = units.length_name();
     let mm = |mm: f64| units.length_number(mm);
     let gap = match (workbench.answer(), &subject.gap_before) {
@@ -37,18 +38,23 @@ pub(crate) fn line(workbench: &Workbench) -> String {
             );
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
-            format!("RMS error {} {unit}", gaps.join(" → "))
+            say!("status-rms-error", gaps = gaps.join(" → "), unit = unit)
         }
-        (None, Some(gap)) => format!("RMS error {} {unit}", mm(gap.rms_mm)),
-        (None, None) => "no sample can be used".to_owned(),
+        (None, Some(gap)) => say!("status-rms-error-2", rms = mm(gap.rms_mm), unit = unit),
+        (None, None) => say!("status-no-sample-can-be-used").to_owned(),
     };
     let floor = match (workbench.diagnosis(), subject.known.floor_mm) {
         (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
-        (None, Some(mm)) => Some((mm, "instrument")),
+        (None, Some(mm)) => Some((mm, say!("common-instrument-2"))),
         (None, None) => None,
     };
     let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
-        format!(" · floor {} {unit} ({from})", mm(floor_mm))
+        say!(
+            "status-floor",
+            floor = mm(floor_mm),
+            unit = unit,
+            from = from
+        )
     });
     format!("{samples} · {gap}{floor}")
 }
@@ -56,9 +62,9 @@ pub(crate) fn line(workbench: &Workbench) -> String {
 /// Where a noise floor comes from, in a word.
 fn floor_from(from: FloorFrom) -> &'static str {
     match from {
-        FloorFrom::Repeats => "repeats",
-        FloorFrom::Instrument => "instrument",
-        FloorFrom::Estimated => "estimated",
+        FloorFrom::Repeats => say!("status-repeats"),
+        FloorFrom::Instrument => say!("common-instrument-2"),
+        FloorFrom::Estimated => say!("common-estimated"),
     }
 }
 
@@ -67,18 +73,21 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
-        if ui.small_button("Identify again").clicked() {
+        if ui.small_button(say!("status-identify-again")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
-        ui.label(small("the identification was cancelled".to_owned()).color(palette.warning));
+        ui.label(
+            small(say!("status-the-identification-was-cancelled").to_owned())
+                .color(palette.warning),
+        );
     } else if let Some(came) = workbench.following() {
-        if ui.small_button("Stop following").clicked() {
+        if ui.small_button(say!("status-stop-following")).clicked() {
             commands.push(Command::Follow(false));
         }
-        let says = format!("following the file · {came} new");
+        let says = say!("status-following-the-file-new", came = came);
         ui.label(small(says).color(palette.accent));
     } else if !workbench.letters().unshown.is_empty() {
-        if ui.small_button("Understood").clicked() {
+        if ui.small_button(say!("status-understood")).clicked() {
             commands.push(Command::DismissLetters);
         }
         let says = fonts::cannot_be_shown(&workbench.letters().unshown);
@@ -105,7 +114,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let Some(task) = workbench.jobs().newest() else {
                 return idle(ui, workbench, commands);
             };
-            if ui.small_button("Cancel").clicked() {
+            if ui.small_button(say!("common-cancel")).clicked() {
                 commands.push(Command::Cancel);
             }
             let what = RichText::new(task.says());

@@ -1,5 +1,6 @@
 //! What was done: it stands over the plots for a while and takes no room from them.
 
+use crate::gui::language::say;
 use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, Ui};
 use egui::{WidgetInfo, vec2};
 
@@ -70,7 +71,10 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
     if let Some(file) = &message.file {
         let name = file.file_name().unwrap_or(file.as_os_str());
         let name = name.to_string_lossy();
-        for (text, in_folder) in [("Open", false), ("Show in folder", true)] {
+        for (text, in_folder) in [
+            (say!("common-open-2"), false),
+            (say!("toast-show-in-folder"), true),
+        ] {
             let button = ui.add(Button::new(text));
             let says = format!("{text}: {name}");
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
@@ -80,7 +84,7 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
             }
         }
     }
-    if ui.button("Dismiss").clicked() {
+    if ui.button(say!("common-dismiss")).clicked() {
         commands.push(Command::Dismiss);
     }
 }

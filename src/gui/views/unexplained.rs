@@ -1,5 +1,6 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
+use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};
@@ -23,21 +24,31 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
     }
     let warning = Palette::of(ui).warning;
     widgets::card(ui, |ui| {
-        let text = RichText::new("Unexplained").font(strong(size::HEADING));
+        let text = RichText::new(say!("unexplained-unexplained")).font(strong(size::HEADING));
         ui.label(text.color(warning));
-        widgets::fact(ui, "what is left", workbench.units().length(left.rms_mm));
+        widgets::fact(
+            ui,
+            say!("unexplained-what-is-left"),
+            workbench.units().length(left.rms_mm),
+        );
         if let Some(place) = &left.place {
-            widgets::fact(ui, "where", place.says());
+            widgets::fact(ui, say!("unexplained-where"), place.says());
         }
         widgets::hint(ui, &left.says);
         if !left.resembles.is_empty() {
             let resembles = titles(&left.resembles);
-            widgets::hint(ui, format!("A part of it looks like {resembles}"));
+            widgets::hint(
+                ui,
+                say!("unexplained-a-part-of-it-looks", resembles = resembles),
+            );
         }
         match &left.correction {
             None => {}
             Some(Err(because)) => {
-                widgets::hint(ui, format!("It cannot be corrected: {because}"));
+                widgets::hint(
+                    ui,
+                    say!("unexplained-it-cannot-be-corrected", because = because),
+                );
             }
             Some(Ok(found)) => {
                 correction(ui, workbench, found, commands);
@@ -53,7 +64,11 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mm = |mm: f64| significant(units.length_value(mm), 3);
     let [before, after] = found.held_out_mm;
     let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
-    widgets::fact(ui, "cross-validated RMS error, corrected", gap);
+    widgets::fact(
+        ui,
+        say!("unexplained-cross-validated-rms-error-corrected"),
+        gap,
+    );
     range(
         ui,
         workbench.subject().session.robot.joints[found.term.joint].kind,
@@ -62,7 +77,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mut added = workbench.document().added.iter();
     match added.position(|a| a.term.same_column(&found.term)) {
         None => {
-            if widgets::secondary(ui, "Add smooth correction").clicked() {
+            if widgets::secondary(ui, say!("unexplained-add-smooth-correction")).clicked() {
                 // It is what the names leave: without them it would correct something else.
                 let mut terms = workbench.not_added();
                 terms.push(found.term.clone());
@@ -71,7 +86,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
-            let checkbox = ui.checkbox(&mut on, "smooth correction in the model");
+            let checkbox = ui.checkbox(&mut on, say!("unexplained-smooth-correction-in-the-model"));
             if checkbox.changed() {
                 commands.push(Command::Edit(Edit::Switch(index, on)));
             }
@@ -88,31 +103,31 @@ fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
     };
     let knots = curve.knots();
     let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
-    widgets::fact(ui, "measured", between.join(" … "));
+    widgets::fact(ui, say!("common-measured"), between.join(" … "));
     let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
     let [motion, radial, axial] = curve.largest();
     let parts = [
-        ("largest along the motion", outer(motion), unit),
-        ("largest along the radius", radial, " mm"),
-        ("largest along the axis", axial, " mm"),
+        (
+            say!("unexplained-largest-along-the-motion"),
+            outer(motion),
+            unit,
+        ),
+        (say!("unexplained-largest-along-the-radius"), radial, " mm"),
+        (say!("unexplained-largest-along-the-axis"), axial, " mm"),
     ];
     for (name, size, unit) in parts {
         if size > 0.0 {
             widgets::fact(ui, name, most(size, unit));
         }
     }
-    widgets::hint(
-        ui,
-        "A smooth curve without a name. Outside the measured range its end values are held, and \
-         nothing is known",
-    );
+    widgets::hint(ui, say!("unexplained-a-smooth-curve-without"));
 }
 
 /// The smooth corrections of a model, beside its parameters.
 pub(super) fn in_the_model(ui: &mut Ui, model: &Model) {
     for term in model.terms().iter().filter(|t| t.curve.is_some()) {
         widgets::card(ui, |ui| {
-            let text = RichText::new("Unexplained").font(strong(size::BODY));
+            let text = RichText::new(say!("unexplained-unexplained")).font(strong(size::BODY));
             ui.label(text);
             range(ui, model.robot.joints[term.joint].kind, term);
         });

@@ -1,5 +1,6 @@
 //! Fields for numbers, with their names.
 
+use crate::gui::language::say;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -17,7 +18,9 @@ struct Refused {
 }
 
 /// Behind the unit of a number that may be absent: "none" is 0.
-pub(crate) const OR_NONE: &str = ", or none";
+pub(crate) fn or_none() -> &'static str {
+    say!("fields-or-none")
+}
 
 /// So long it is said, seconds.
 const SAID_S: f64 = 10.0;
@@ -27,8 +30,8 @@ const SAID_S: f64 = 10.0;
 fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Response {
     let refused: Rc<RefCell<Option<String>>> = Rc::default();
     let said = Rc::clone(&refused);
-    let (own, none) = match unit.strip_suffix(OR_NONE) {
-        Some(own) => (own.to_owned(), Some("none")),
+    let (own, none) = match unit.strip_suffix(or_none()) {
+        Some(own) => (own.to_owned(), Some(say!("common-none"))),
         None => (unit.to_owned(), None),
     };
     let parse = move |text: &str| match typed_in(text, &own, &own) {
@@ -59,7 +62,10 @@ fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Resp
     let tip = Tooltip::always_open(ctx.clone(), ui.layer_id(), id, response.rect);
     tip.show(|ui| {
         ui.set_max_width(space::TIP);
-        super::wrong(ui, &format!("{}; the value is kept", refused.because));
+        super::wrong(
+            ui,
+            &say!("fields-the-value-is-kept", because = refused.because),
+        );
     });
     response
 }

@@ -1,6 +1,7 @@
 //! The grip between two panels: dragged, or moved by the arrow keys; a double click gives the usual
 //! size back.
 
+use crate::gui::language::say;
 use egui::{CursorIcon, EventFilter, Id, Key, Rect, Role, Sense, Ui, WidgetInfo, accesskit, vec2};
 
 use crate::gui::style::tokens::Palette;
@@ -27,7 +28,7 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     let middle = x + inwards * REACH;
     let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
     let response = ui.interact(rect, Id::unique("grip").with(name), Sense::click_and_drag());
-    let says = format!("width of {name}");
+    let says = say!("grip-width", name = name);
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, &says));
     let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
     let palette = Palette::of(ui);

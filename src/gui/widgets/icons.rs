@@ -1,5 +1,6 @@
 //! Buttons that show a sign instead of a word; their words are said to who cannot see it.
 
+use crate::gui::language::say;
 use egui::{
     Color32, CornerRadius, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
@@ -11,7 +12,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 pub(crate) fn side_button(ui: &mut Ui, open: bool, says: &str) -> Response {
     let palette = Palette::of(ui);
     let name = (!open).then(|| {
-        let text = "Results".to_owned();
+        let text = say!("common-results").to_owned();
         ui.painter()
             .layout_no_wrap(text, strong(size::SMALL), palette.accent)
     });

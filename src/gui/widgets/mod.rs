@@ -8,7 +8,7 @@ mod steps;
 mod text;
 
 pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
-pub(crate) use fields::{OR_NONE, cell_number, form_row, number, row};
+pub(crate) use fields::{cell_number, form_row, number, or_none, row};
 pub(crate) use grip::{Gripped, grip};
 pub(crate) use icons::{copy_button, history_button, save_button, side_button, sign};
 pub(crate) use steps::{Progress, StepRow};

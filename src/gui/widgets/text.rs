@@ -1,5 +1,6 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
+use crate::gui::language::{say, within};
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};
@@ -134,9 +135,9 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
     };
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
-        ui.label(RichText::new(about.title).font(strong(size::BODY)));
+        ui.label(RichText::new(crate::gui::language::names::title(id)).font(strong(size::BODY)));
         ui.label(about.cause);
-        hint(ui, format!("usually {}", about.usual_size));
+        hint(ui, say!("text-usually", usual_size = about.usual_size));
         hint(ui, about.equation);
     })
 }
@@ -145,8 +146,8 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
 pub(crate) fn explained(response: Response, word: Word) -> Response {
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
-        ui.label(RichText::new(word.name).font(strong(size::BODY)));
-        ui.label(word.means);
+        ui.label(RichText::new(word.name()).font(strong(size::BODY)));
+        ui.label(word.means());
     })
 }
 
@@ -154,7 +155,7 @@ pub(crate) fn explained(response: Response, word: Word) -> Response {
 pub(crate) fn question(ui: &mut Ui, word: Word) {
     let palette = Palette::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-    let says = format!("what {} means", word.name.to_lowercase());
+    let says = say!("text-what-means", word = within(word.name()));
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
     let painter = ui.painter();
     painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));

@@ -1,5 +1,6 @@
 //! What the background has worked out about the document, and what is asked of it next.
 
+use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -186,8 +187,8 @@ impl Workbench {
     pub(super) fn search(&mut self) {
         if self.subject().is_empty() {
             return self.complain(
-                "There is nothing to search yet",
-                vec!["Open a session that was measured on this robot".to_owned()],
+                say!("message-there-is-nothing-to-search"),
+                vec![say!("message-open-a-session-that-was").to_owned()],
             );
         }
         let document = self.document();
@@ -195,13 +196,13 @@ impl Workbench {
             document.identified && document.method == Method::Exact && document.given.is_none();
         if !exact {
             let before = match &document.given {
-                Some(_) => Some("the model from a file"),
-                None if document.identified => Some("the identification by region"),
+                Some(_) => Some(say!("message-the-model-from-a-file")),
+                None if document.identified => Some(say!("message-the-identification-by-region")),
                 None => None,
             };
             self.view.message = before.map(|before| {
-                let title = format!("Identified with the full model in place of {before}");
-                let undo = "The diagnosis starts from the full model; undo brings the other back";
+                let title = say!("message-identified-with-the-full-model", before = before);
+                let undo = say!("message-the-diagnosis-starts");
                 Message::done(title, vec![undo.to_owned()])
             });
             self.edit(&Edit::IdentifyBy(Method::Exact), false);

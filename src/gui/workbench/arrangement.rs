@@ -12,7 +12,8 @@ impl Workbench {
         let view = self.view();
         Arrangement {
             view: (view.step, view.side, view.part, view.aspect, view.results),
-            chart: self.chart().about().name,
+            language: view.preferences.language,
+            chart: self.chart().about().id,
             sheet: view.sheet.as_ref().map(discriminant),
             message: view.message.clone(),
             has: [

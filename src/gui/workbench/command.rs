@@ -107,6 +107,8 @@ pub(crate) enum Command {
     Simulate(Form),
     /// Find a font for characters that are shown.
     FindLetters(BTreeSet<char>),
+    /// Looks for a face for the names of all languages; what no face has is not worth a word.
+    FindNamesOfLanguages,
     /// It was read which characters cannot be shown.
     DismissLetters,
     /// Drop the task that is under way.

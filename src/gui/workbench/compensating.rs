@@ -1,5 +1,6 @@
 //! Files of targets: chosen, corrected by the model that is shown, saved.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -20,7 +21,7 @@ impl Workbench {
     pub(super) fn choose_targets(&mut self) {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_targets(beside.as_deref());
-        self.choose("waiting for a file to be chosen", ask, |bench, path| {
+        self.choose(say!("message-waiting-for-a-file"), ask, |bench, path| {
             if let Some(path) = path {
                 bench.execute(Command::Compensate(Wanted::new(path)));
             }
@@ -31,8 +32,8 @@ impl Workbench {
     pub(super) fn compensate(&mut self, mut wanted: Wanted) {
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
-                "There is no model to correct targets by",
-                vec!["Identify the robot first, or open a model".to_owned()],
+                say!("message-there-is-no-model"),
+                vec![say!("message-identify-the-robot-first-or").to_owned()],
             );
         };
         // What is typed is within the field's range; a command need not be.
@@ -46,7 +47,7 @@ impl Workbench {
             .file_name()
             .unwrap_or_default()
             .to_string_lossy();
-        let says = format!("correcting the targets of {name}");
+        let says = say!("message-correcting-the-targets", name = name);
         let work = move |_: &Watch| {
             let answer = outcome.answer.as_ref().ok()?;
             Some(Compensated::of(&answer.calibration, &model, wanted))
@@ -64,13 +65,13 @@ impl Workbench {
     pub(super) fn write_targets(&mut self, path: PathBuf, replace: bool) {
         let Some(compensated) = self.compensated.clone() else {
             return self.complain(
-                "There are no corrected targets yet",
-                vec!["Choose a table of targets or a robot program first".to_owned()],
+                say!("message-there-are-no-corrected-targets"),
+                vec![say!("message-choose-a-table-of-targets").to_owned()],
             );
         };
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let says = format!("writing {}", path.display());
+        let says = say!("message-writing", path = path.display());
         let work = move |_: &Watch| files::write_targets(&compensated, &path, replace, &inputs);
         self.jobs
             .start(Kind::Writes, says, work, Self::take_written);

@@ -1,5 +1,6 @@
 //! Regions: divided where the samples ask for it, and their boundaries while they are typed.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::core::boundary_entry::{End, Typed};
@@ -26,13 +27,13 @@ impl Workbench {
         let subject = Arc::clone(self.subject());
         if subject.is_empty() || !subject.single_revolute() {
             return self.complain(
-                "This change cannot be made",
-                vec!["regions divide what was measured with a single joint that turns".to_owned()],
+                say!("message-this-change-cannot-be-made"),
+                vec![say!("message-regions-divide-what-was-measured").to_owned()],
             );
         }
         self.jobs.start(
             Kind::Once,
-            "looking where regions are needed",
+            say!("message-looking-where-regions-are-needed"),
             move |_| adapted(subject),
             Self::take_adapted,
         );
@@ -48,7 +49,9 @@ impl Workbench {
                 let edit = Edit::Adapt(regions.into(), decision);
                 self.execute(Command::Edit(edit));
             }
-            Err(because) => self.complain("This change cannot be made", vec![because]),
+            Err(because) => {
+                self.complain(say!("message-this-change-cannot-be-made"), vec![because])
+            }
         }
     }
 

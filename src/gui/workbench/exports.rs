@@ -1,5 +1,6 @@
 //! Tables, models and measuring lists: what they are called, and how they are written.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::export::find;
@@ -57,12 +58,12 @@ impl Workbench {
         if what == What::Poses {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
-                    "There is no measuring list yet",
-                    vec!["Run the diagnosis first".to_owned()],
+                    say!("message-there-is-no-measuring-list"),
+                    vec![say!("message-run-the-diagnosis-first").to_owned()],
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
-            let says = format!("writing {}", path.display());
+            let says = say!("message-writing", path = path.display());
             let work = move |_: &Watch| files::write_list(list, &path, replace);
             self.jobs
                 .start(Kind::Writes, says, work, Self::take_written);
@@ -71,12 +72,12 @@ impl Workbench {
         // From what is shown, but under the name that was chosen.
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
-                "There is nothing to export yet",
-                vec!["Identify the robot first".to_owned()],
+                say!("message-there-is-nothing-to-export"),
+                vec![say!("common-identify-the-robot-first").to_owned()],
             );
         };
         let choice = self.document().export;
-        let says = format!("writing {}", path.display());
+        let says = say!("message-writing", path = path.display());
         let work = move |_: &Watch| {
             let wanted = Wanted {
                 outcome,

@@ -3,6 +3,7 @@
 //! The watcher reads what is new; a task puts it behind the samples that are there and brings the
 //! answer along, so that the window goes from one session with its answer to the next.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::diagnostic::Rejected;
@@ -37,8 +38,8 @@ impl Workbench {
         }
         let Some(path) = self.samples_file() else {
             return self.complain(
-                "There is no file to follow",
-                vec!["The samples of this session are not in a file of their own".to_owned()],
+                say!("message-there-is-no-file"),
+                vec![say!("message-the-samples-of-this-session").to_owned()],
             );
         };
         let growing = Growing::new(&self.subject().session, path);
@@ -64,7 +65,7 @@ impl Workbench {
                 self.count_new(samples.len().saturating_sub(before));
                 if !grown {
                     self.view.message = Some(Message::done(
-                        "The file was rewritten and is read anew".to_owned(),
+                        say!("message-the-file-was-rewritten").to_owned(),
                         Vec::new(),
                     ));
                 }
@@ -76,11 +77,8 @@ impl Workbench {
                 self.set_followed(None);
                 let lines = rejected.diagnostics.iter().take(5).map(ToString::to_string);
                 let mut details: Vec<String> = lines.collect();
-                details.push(
-                    "What was read before is here still; mend the file, then follow it again"
-                        .to_owned(),
-                );
-                self.complain("The file cannot be followed any further", details);
+                details.push(say!("message-what-was-read-before").to_owned());
+                self.complain(say!("message-the-file-cannot-be-followed"), details);
             }
         }
     }

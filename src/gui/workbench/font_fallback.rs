@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fonts::{Library, Purpose};
+use crate::gui::language::LANGUAGES;
 use crate::gui::style::font_fallback::Letters;
 
 use super::Workbench;
@@ -19,8 +20,14 @@ impl Workbench {
         self.letters.library = library;
     }
 
-    /// Looks for a face for these, in the background.
-    pub(super) fn find_letters(&mut self, wanted: BTreeSet<char>) {
+    /// Looks for a face for the names of the languages.
+    pub(super) fn find_names_of_languages(&mut self) {
+        let names = LANGUAGES.iter().flat_map(|(_, _, own)| own.chars());
+        self.find_letters(names.filter(|c| !c.is_ascii()).collect(), false);
+    }
+
+    /// Looks for a face for these, in the background; `aloud`: what no face has is said.
+    pub(super) fn find_letters(&mut self, wanted: BTreeSet<char>, aloud: bool) {
         let new = self.letters.new_among(wanted);
         if new.is_empty() {
             return;
@@ -28,7 +35,7 @@ impl Workbench {
         let library = Arc::clone(&self.letters.library);
         self.jobs.quietly(
             move || library.covering(&new, Purpose::Screen),
-            |bench: &mut Self, found| bench.letters.take(found),
+            move |bench: &mut Self, found| bench.letters.take(found, aloud),
         );
     }
 

@@ -1,5 +1,6 @@
 //! A foreign file: what is said about it, what is seen then, and the session that it becomes.
 
+use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -42,7 +43,7 @@ impl Workbench {
         let measured = self.foreign().map(|foreign| foreign.path.clone());
         let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(
-            "waiting for a file to be chosen",
+            say!("message-waiting-for-a-file"),
             ask,
             move |bench, path| bench.take_beside(which, path),
         );
@@ -71,7 +72,7 @@ impl Workbench {
         };
         self.jobs.start(
             Kind::Looks,
-            "looking at the file",
+            say!("message-looking-at-the-file"),
             work,
             |bench: &mut Self, (seen, of)| {
                 // Of one that was cancelled nobody takes anything.

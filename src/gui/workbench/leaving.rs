@@ -1,5 +1,6 @@
 //! What would be lost, what is asked before it is, and how it is saved.
 
+use crate::gui::language::say;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -71,7 +72,7 @@ impl Workbench {
     pub(super) fn ask_then(&mut self, then: Then) {
         if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
             // Nobody has to choose between a file and leaving.
-            let title = format!("The window closes after {}", writing.what);
+            let title = say!("message-the-window-closes-after", what = writing.what);
             self.view.message = Some(Message::done(title, Vec::new()));
             self.desk.then = Some(then);
             return;
@@ -89,14 +90,18 @@ impl Workbench {
         match then {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
-                let what = format!("reading {}", path.display());
+                let what = say!("message-reading", path = path.display());
                 self.open(what, move |watch| files::open(&path, watch));
             }
             Then::Example(index) => {
-                self.open("reading an example", move |_| files::open_example(index));
+                self.open(say!("message-reading-an-example"), move |_| {
+                    files::open_example(index)
+                });
             }
             Then::Simulate(form) => {
-                self.open("simulating", move |watch| files::simulate(&form, watch));
+                self.open(say!("message-simulating"), move |watch| {
+                    files::simulate(&form, watch)
+                });
             }
         }
     }
@@ -148,7 +153,10 @@ impl Workbench {
         let document = Arc::clone(self.history.present());
         let known = self.desk.places.get(&document.subject.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
-        let (what, path) = (format!("saving {}", path.display()), path.to_path_buf());
+        let (what, path) = (
+            say!("message-saving", path = path.display()),
+            path.to_path_buf(),
+        );
         let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
         self.jobs.start(Kind::Writes, what, work, Self::take_saved);
     }

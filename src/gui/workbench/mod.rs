@@ -28,6 +28,7 @@ mod under_way;
 #[cfg(test)]
 mod walk;
 
+use crate::gui::language::{say, text};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -155,11 +156,11 @@ impl Workbench {
     }
 
     pub(crate) fn undoes(&self) -> Option<&'static str> {
-        self.history.undoes()
+        self.history.undoes().map(text)
     }
 
     pub(crate) fn redoes(&self) -> Option<&'static str> {
-        self.history.redoes()
+        self.history.redoes().map(text)
     }
 
     pub(crate) fn execute(&mut self, command: Command) {
@@ -179,8 +180,8 @@ impl Workbench {
                 if self.subject().is_empty() =>
             {
                 self.complain(
-                    "There is no session to save",
-                    vec!["A model by itself is saved in the Export step".to_owned()],
+                    say!("message-there-is-no-session"),
+                    vec![say!("message-a-model-by-itself").to_owned()],
                 );
             }
             Command::ChooseWhereToSave => self.choose_where_to_save(),
@@ -224,12 +225,16 @@ impl Workbench {
             Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
-                    self.complain("The simulation needs other numbers", vec![problem]);
+                    self.complain(
+                        say!("common-the-simulation-needs-other-numbers"),
+                        vec![problem],
+                    );
                 } else {
                     self.ask_then(Then::Simulate(form));
                 }
             }
-            Command::FindLetters(wanted) => self.find_letters(wanted),
+            Command::FindLetters(wanted) => self.find_letters(wanted, true),
+            Command::FindNamesOfLanguages => self.find_names_of_languages(),
             Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
@@ -354,7 +359,9 @@ impl Workbench {
     fn edit(&mut self, edit: &Edit, within_gesture: bool) {
         let before = Arc::clone(self.subject());
         match edit.apply(self.document()) {
-            Err(because) => self.complain("This change cannot be made", vec![because]),
+            Err(because) => {
+                self.complain(say!("message-this-change-cannot-be-made"), vec![because])
+            }
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),
         }

@@ -1,5 +1,6 @@
 //! Reports, pictures and the standards' figures: what is written about a session.
 
+use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -49,8 +50,8 @@ impl Workbench {
             }
             _ => {
                 return self.complain(
-                    "There is nothing to report yet",
-                    vec!["Open a session, or identify the robot first".to_owned()],
+                    say!("message-there-is-nothing-to-report"),
+                    vec![say!("message-open-a-session-or-identify").to_owned()],
                 );
             }
         };
@@ -59,7 +60,7 @@ impl Workbench {
             tables: self.exported.clone(),
             inputs: self.inputs(),
         };
-        let says = format!("writing {}", path.display());
+        let says = say!("message-writing", path = path.display());
         let work = move |watch: &Watch| reporting::write(&wanted, &path, replace, watch);
         self.jobs
             .start(Kind::Writes, says, work, Self::take_written);
@@ -71,7 +72,7 @@ impl Workbench {
 
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
         let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
-        let says = format!("writing {}", path.display());
+        let says = say!("message-writing", path = path.display());
         let work = move |watch: &Watch| files::write_picture(draw, &path, replace, &inputs, watch);
         self.jobs
             .start(Kind::Writes, says, work, Self::take_written);
@@ -117,7 +118,7 @@ impl Workbench {
     /// A task broke off: it may have been the one that everybody waits for.
     pub(super) fn stop_figuring(&mut self) {
         if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
-            figures.made = Some(Err("The figures could not be worked out".to_owned()));
+            figures.made = Some(Err(say!("message-the-figures-could-not-be").to_owned()));
         }
     }
 }

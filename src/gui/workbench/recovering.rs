@@ -1,5 +1,6 @@
 //! What is not saved, kept against a crash: when it is written, and how it comes back.
 
+use crate::gui::language::say;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -81,7 +82,7 @@ impl Workbench {
                 self.desk.restored.push(left);
                 self.keep_recovery();
                 self.view.message = Some(Message::done(
-                    "Restored; it is not saved yet".to_owned(),
+                    say!("message-restored-it-is-not-saved").to_owned(),
                     Vec::new(),
                 ));
             }
@@ -89,8 +90,11 @@ impl Workbench {
                 let because = because.clone();
                 let aside = left.put_aside();
                 self.complain(
-                    "What was left behind is damaged and cannot be restored",
-                    vec![because, format!("It is kept as {}", aside.display())],
+                    say!("message-what-was-left-behind"),
+                    vec![
+                        because,
+                        say!("message-it-is-kept-as", aside = aside.display()),
+                    ],
                 );
             }
         }

@@ -1,5 +1,6 @@
 //! Files: where an opening stands on the disk, what changed there, and what outlives the window.
 
+use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -25,16 +26,18 @@ impl Workbench {
         self.desk.recent = settings.recent;
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();
-        details.extend(damaged.map(|says| format!("Preferences could not be read: {says}")));
+        details
+            .extend(damaged.map(|says| say!("message-preferences-could-not-be-read", says = says)));
         match keeper {
             Ok(keeper) => self.desk.keeper = Some(keeper),
-            Err(error) => details.push(format!(
-                "What is not saved cannot be kept against a crash: {}: {error}",
-                home.display()
+            Err(error) => details.push(say!(
+                "message-what-is-not-saved-cannot",
+                home = home.display(),
+                error = error
             )),
         }
         if !details.is_empty() {
-            self.complain("Not everything could be set up", details);
+            self.complain(say!("message-not-everything-could-be-set"), details);
         }
         self.order(Order::Recent(self.desk.recent.clone()));
         let folder = home.clone();
@@ -201,7 +204,7 @@ impl Workbench {
         let (path, files) = (place.path.clone(), place.files.clone());
         self.desk.then = None;
         self.view.sheet = None;
-        let what = format!("reading {}", path.display());
+        let what = say!("message-reading", path = path.display());
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {
@@ -285,11 +288,8 @@ impl Workbench {
     pub(super) fn take_kept(&mut self, kept: Result<(), String>) {
         if let Err(because) = kept {
             self.complain(
-                "Not everything could be kept for tomorrow",
-                vec![
-                    because,
-                    "The session is as it was; save it under a name of your own".to_owned(),
-                ],
+                say!("message-not-everything-could-be-kept"),
+                vec![because, say!("message-the-session-is-as").to_owned()],
             );
         }
     }

@@ -1,6 +1,7 @@
 //! What is said about a sample: all of it, or what matters most.
 
 use crate::gui::core::loaded_session::Component;
+use crate::gui::language::say;
 use crate::gui::units::trimmed;
 use crate::gui::workbench::Workbench;
 
@@ -20,26 +21,40 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         if joints > values.len() {
             values.push("…");
         }
-        lines.push(("joints".to_owned(), values.join(", ")));
+        lines.push((say!("common-joints").to_owned(), values.join(", ")));
     } else {
         lines.extend(all.iter().take(joints).cloned());
     }
     let colour = workbench.view().colouring;
     let component = workbench.view().component;
     let matters = |name: &str| {
-        ["excluded", "deviation", "before", "after", "tolerance"].contains(&name)
+        [
+            say!("common-excluded"),
+            say!("common-deviation"),
+            say!("common-before"),
+            say!("common-after"),
+            say!("common-tolerance"),
+        ]
+        .contains(&name)
             || name == colour.name()
             || name == component.name()
     };
     let rest = all.into_iter().skip(joints);
     lines.extend(rest.filter(|(name, _)| matters(name)));
     // Before and after are one line where both are there.
-    if let Some(k) = lines.iter().position(|(name, _)| name == "before")
-        && lines.get(k + 1).is_some_and(|(name, _)| name == "after")
+    if let Some(k) = lines
+        .iter()
+        .position(|(name, _)| name == say!("common-before"))
+        && lines
+            .get(k + 1)
+            .is_some_and(|(name, _)| name == say!("common-after"))
     {
         let after = lines.remove(k + 1).1;
         let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
-        lines[k] = ("before → after".to_owned(), format!("{before} → {after}"));
+        lines[k] = (
+            say!("sample-before-after").to_owned(),
+            format!("{before} → {after}"),
+        );
     }
     (title, lines)
 }
@@ -48,7 +63,7 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let subject = &**workbench.subject();
     let units = workbench.units();
-    let title = format!("sample {}", sample + 1);
+    let title = say!("common-sample", sample = sample + 1);
     let mut lines = Vec::new();
     let joints = &subject.session.robot.joints;
     for (joint, q) in joints.iter().zip(&subject.session.samples.q) {
@@ -59,24 +74,27 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         lines.push((joint.name.clone(), value));
     }
     let came = match subject.side(sample) {
-        s if s > 0.0 => "moving positive",
-        s if s < 0.0 => "moving negative",
-        _ => "not known",
+        s if s > 0.0 => say!("common-moving-positive"),
+        s if s < 0.0 => say!("sample-moving-negative"),
+        _ => say!("sample-not-known"),
     };
-    lines.push(("approached".to_owned(), came.to_owned()));
+    lines.push((say!("sample-approached").to_owned(), came.to_owned()));
     if !subject.usable[sample] {
-        lines.push(("excluded".to_owned(), "a value is missing".to_owned()));
+        lines.push((
+            say!("common-excluded").to_owned(),
+            say!("sample-a-value-is-missing").to_owned(),
+        ));
         return (title, lines);
     }
     let before = subject.deviation_before(sample);
     let length = |e: [f64; 3]| units.length(subject.component(e, sample, Component::Length));
     let mut shown = before;
     match workbench.answer() {
-        None => lines.push(("deviation".to_owned(), length(before))),
+        None => lines.push((say!("common-deviation").to_owned(), length(before))),
         Some(answer) => {
             shown = answer.deviation_after(sample);
-            lines.push(("before".to_owned(), length(before)));
-            lines.push(("after".to_owned(), length(shown)));
+            lines.push((say!("common-before").to_owned(), length(before)));
+            lines.push((say!("common-after").to_owned(), length(shown)));
         }
     }
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
@@ -88,9 +106,9 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     }
     let samples = &subject.session.samples;
     let conditions = [
-        ("load", &samples.load_kg, "kg"),
-        ("temperature", &samples.temperature_c, "°C"),
-        ("time", &samples.time_s, "s"),
+        (say!("common-load"), &samples.load_kg, "kg"),
+        (say!("common-temperature"), &samples.temperature_c, "°C"),
+        (say!("common-time"), &samples.time_s, "s"),
     ];
     for (name, column, unit) in conditions {
         if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
@@ -100,13 +118,17 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let [right, up] = workbench.facing().flat(shown);
     let direction = up.atan2(right).to_degrees();
     lines.push((
-        "direction".to_owned(),
+        say!("common-direction").to_owned(),
         format!("{}°", trimmed(direction, 0)),
     ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
-        let says = if within { "within" } else { "outside" };
-        lines.push(("tolerance".to_owned(), says.to_owned()));
+        let says = if within {
+            say!("common-within")
+        } else {
+            say!("common-outside")
+        };
+        lines.push((say!("common-tolerance").to_owned(), says.to_owned()));
     }
     (title, lines)
 }

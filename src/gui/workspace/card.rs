@@ -1,6 +1,7 @@
 //! The card beside the sample under the pointer: what matters of it, and everything once it is
 //! chosen.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use egui::{
@@ -44,7 +45,7 @@ pub(super) fn show(
     };
     let small = || FontId::proportional(size::SMALL);
     let head = text(&title, strong(size::BODY), palette.text);
-    let hint = (!chosen).then(|| text("click for more", small(), palette.muted));
+    let hint = (!chosen).then(|| text(say!("sample-click-for-more"), small(), palette.muted));
     let rows: Vec<[Arc<Galley>; 2]> = lines
         .iter()
         .map(|(name, value)| {
@@ -98,7 +99,7 @@ pub(super) fn show(
 /// The card in one line.
 fn spoken(title: &str, lines: &[Line]) -> String {
     let parts: Vec<String> = lines.iter().map(|(n, v)| format!("{n} {v}")).collect();
-    format!("card of {title}: {}", parts.join(", "))
+    say!("sample-card", title = title, parts = parts.join(", "))
 }
 
 /// Where names and values of these sizes stand, with values flush right in each column; and width

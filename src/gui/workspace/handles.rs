@@ -1,6 +1,7 @@
 //! Region boundaries that the hand moves: real widgets on top of the plot. They can be dragged,
 //! focused with the tabulator and moved with the arrow keys; a screen reader sees sliders.
 
+use crate::gui::language::say;
 use egui::accesskit::{Action, ActionData};
 use egui::{
     CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
@@ -11,7 +12,7 @@ use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::region_sums::Held;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{Units, number_of, trimmed};
+use crate::gui::units::{Units, grouped, trimmed};
 use crate::gui::workbench::{Command, Workbench};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -47,7 +48,7 @@ pub(crate) fn show(
             .on_hover_cursor(CursorIcon::Grab);
         let at_deg = deg_from_rad(boundary.at_rad);
         response.widget_info(|| {
-            let label = format!("boundary at {}°", trimmed(at_deg, 2));
+            let label = say!("handles-boundary", at = trimmed(at_deg, 2));
             let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
             info.role = Role::Slider;
             info
@@ -86,7 +87,7 @@ pub(crate) fn show(
             let sides = [boundary.below, boundary.above];
             badge(ui, workbench, (at_deg, sides), centre, *transform.frame());
         }
-        response.on_hover_text("drag, or press the arrow keys; shift takes larger steps");
+        response.on_hover_text(say!("handles-drag-or-press-the-arrow"));
     }
 }
 
@@ -196,13 +197,14 @@ fn badge(
 /// A region in a line.
 fn says(name: &str, held: &Held, units: Units) -> String {
     match held.correction() {
-        None => format!("{name}: no samples"),
-        Some((theta_rad, l1_mm, left_mm)) => format!(
-            "{name}: {}, Δθ {}, Δl1 {}, left {}",
-            number_of(held.samples, "sample"),
-            units.angle(theta_rad),
-            units.length(l1_mm),
-            units.length(left_mm)
+        None => say!("handles-no-samples", name = name),
+        Some((theta_rad, l1_mm, left_mm)) => say!(
+            "handles-l1-left",
+            name = name,
+            samples = say!("samples", count = grouped(held.samples)),
+            theta = units.angle(theta_rad),
+            l1 = units.length(l1_mm),
+            left = units.length(left_mm)
         ),
     }
 }

@@ -1,6 +1,7 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
 //! pointer.
 
+use crate::gui::language::say;
 use egui::Pos2;
 use egui_plot::{PlotPoint, PlotTransform};
 
@@ -128,13 +129,17 @@ pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String>
     let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
     let note = |(count, what): (usize, &str)| {
         let why = if scene.canvas == Canvas::Layers(count) {
-            "this computer draws in software"
+            say!("layout-this-computer-draws-in-software")
         } else {
-            "zoom in for more"
+            say!("layout-zoom-in-for-more")
         };
-        (count < scene.samples).then(|| format!("1 of {} {what}: {why}", one_of(count)))
+        (count < scene.samples)
+            .then(|| say!("layout-1", one_of = one_of(count), what = what, why = why))
     };
-    let layers = [(points, "points"), (vectors, "vectors")];
+    let layers = [
+        (points, say!("layout-points")),
+        (vectors, say!("common-vectors")),
+    ];
     layers.into_iter().filter_map(note).collect()
 }
 

@@ -1,6 +1,7 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
+use crate::gui::language::say;
 use egui::{
     Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
     Stroke, Ui, pos2, vec2,
@@ -119,12 +120,22 @@ pub(super) fn show(
         }
         // Whether somebody points at a sample or not: nothing moves under the pointer.
         if let Some(robot) = robot {
-            sign(ui, "robot", Sign::Tube, palette);
+            sign(ui, say!("common-robot"), Sign::Tube, palette);
             match &robot.real {
                 Some(real) if real.identified => {
-                    sign(ui, "identified", Sign::Line(palette.after, 2.5), palette);
+                    sign(
+                        ui,
+                        say!("common-identified"),
+                        Sign::Line(palette.after, 2.5),
+                        palette,
+                    );
                 }
-                Some(_) => sign(ui, "as measured", Sign::Line(palette.before, 2.5), palette),
+                Some(_) => sign(
+                    ui,
+                    say!("legend-as-measured"),
+                    Sign::Line(palette.before, 2.5),
+                    palette,
+                ),
                 None => {}
             }
         }
@@ -152,7 +163,7 @@ pub(super) const LOW: f32 = 330.0;
 
 /// A word that shows what the marks mean when it is pressed.
 fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
-    let word = RichText::new("legend").size(size::SMALL);
+    let word = RichText::new(say!("legend-legend")).size(size::SMALL);
     let word = ui.add(Link::new(word));
     Popup::menu(&word)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
@@ -207,15 +218,20 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
     if !scene.paths_mm.is_empty() {
         sign(
             ui,
-            "nominal path",
+            say!("legend-nominal-path"),
             Sign::Line(palette.nominal, 1.25),
             palette,
         );
     }
     if scene.look.ghosts() {
         let faint = palette.before.gamma_multiply(0.5);
-        sign(ui, "before", Sign::Line(faint, 1.5), palette);
-        sign(ui, "after", Sign::Line(palette.after, 1.8), palette);
+        sign(ui, say!("common-before"), Sign::Line(faint, 1.5), palette);
+        sign(
+            ui,
+            say!("common-after"),
+            Sign::Line(palette.after, 1.8),
+            palette,
+        );
     }
     // Where colour says something else, shape alone says what is within the tolerance.
     let colouring = scene.look.colouring;
@@ -230,15 +246,15 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
     };
     if workbench.document().tolerance_mm.is_some() {
         let inner = if plain { palette.surface } else { middle };
-        sign(ui, "within", disc(palette.within), palette);
+        sign(ui, say!("common-within"), disc(palette.within), palette);
         sign(
             ui,
-            "outside",
+            say!("common-outside"),
             Sign::Diamond(inner, palette.outside),
             palette,
         );
     } else {
-        sign(ui, "measured", disc(palette.text), palette);
+        sign(ui, say!("common-measured"), disc(palette.text), palette);
     }
 }
 
@@ -251,30 +267,55 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
     let marks = |ui: &mut Ui| {
         sign(
             ui,
-            "nominal circle",
+            say!("legend-nominal-circle"),
             Sign::Line(palette.nominal, 1.75),
             palette,
         );
         if !only_after {
-            sign(ui, "before", Sign::Ring(palette.before), palette);
+            sign(
+                ui,
+                say!("common-before"),
+                Sign::Ring(palette.before),
+                palette,
+            );
         }
         if answered {
-            sign(ui, "after", Sign::Disc(palette.after), palette);
+            sign(ui, say!("common-after"), Sign::Disc(palette.after), palette);
         }
         if !many {
             if !only_after {
-                sign(ui, "mean before", Sign::Dashes(palette.before), palette);
+                sign(
+                    ui,
+                    say!("legend-mean-before"),
+                    Sign::Dashes(palette.before),
+                    palette,
+                );
             }
             if answered {
-                sign(ui, "mean after", Sign::Line(palette.after, 1.5), palette);
+                sign(
+                    ui,
+                    say!("legend-mean-after"),
+                    Sign::Line(palette.after, 1.5),
+                    palette,
+                );
             }
         }
         if polar.spots.iter().any(|s| s.side != 0.0) {
-            sign(ui, "moving positive", Sign::Triangle(1.0), palette);
-            sign(ui, "negative", Sign::Triangle(-1.0), palette);
+            sign(
+                ui,
+                say!("common-moving-positive"),
+                Sign::Triangle(1.0),
+                palette,
+            );
+            sign(ui, say!("common-negative"), Sign::Triangle(-1.0), palette);
         }
         if polar.tolerance_mm.is_some() {
-            sign(ui, "tolerance", Sign::Band(palette.within), palette);
+            sign(
+                ui,
+                say!("common-tolerance"),
+                Sign::Band(palette.within),
+                palette,
+            );
         }
     };
     rows(ui, |ui| {
@@ -286,11 +327,7 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
             marks(ui);
         }
         if many {
-            note(
-                ui,
-                "from the smallest to the largest at each angle",
-                palette,
-            );
+            note(ui, say!("legend-from-the-smallest"), palette);
         }
     });
 }

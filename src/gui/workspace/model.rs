@@ -1,6 +1,7 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
 //! camera's line of sight.
 
+use crate::gui::language::say;
 use nalgebra::Point3;
 
 use crate::gui::cache::cloud::Cloud;
@@ -178,11 +179,16 @@ impl Scene {
             return Vec::new();
         }
         let largest = if self.with_largest {
-            ", the largest deviations among them"
+            say!("model-the-largest-deviations-among-them")
         } else {
             ""
         };
-        vec![format!("{drawn} of {} samples{largest}", self.samples)]
+        vec![say!(
+            "model-of-samples",
+            drawn = drawn,
+            samples = self.samples,
+            largest = largest
+        )]
     }
 }
 

@@ -1,5 +1,6 @@
 //! The workspace plot in egui.
 
+use crate::gui::language::say;
 use egui::{Role, Ui, WidgetInfo};
 use egui_plot::Axis;
 
@@ -118,7 +119,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         WidgetInfo::labeled(
             Role::Figure,
             true,
-            format!("workspace plot, {samples} samples"),
+            say!("paint-workspace-plot-samples", samples = samples),
         )
     });
     names_of_regions(ui, &scene, &transform, regions, &palette);

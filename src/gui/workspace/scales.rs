@@ -1,6 +1,7 @@
 //! The legend of colours. What colour says is said a second time: a deviation by the vector's
 //! length, a direction by its direction, a condition by its width.
 
+use crate::gui::language::say;
 use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -50,9 +51,9 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     let mut scales = Vec::new();
     match colouring {
         Colouring::State => {}
-        Colouring::Deviation => scales.push(lengths("deviation")),
+        Colouring::Deviation => scales.push(lengths(say!("common-deviation"))),
         Colouring::Direction => scales.push(Scale {
-            name: "direction".to_owned(),
+            name: say!("common-direction").to_owned(),
             ends: None,
             colouring,
         }),
@@ -72,7 +73,7 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
         }
     }
     if heat && colouring != Colouring::Deviation {
-        scales.push(lengths("heat map"));
+        scales.push(lengths(say!("common-heat-map")));
     }
     scales
 }
@@ -166,7 +167,7 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
     let between = if name.is_empty() { 0.0 } else { 5.0 };
     let wide = room + between + galley.size().x;
     let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
-    let label = format!("legend: {name}");
+    let label = say!("scales-legend", name = name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
     let at = pos2(rect.right(), rect.center().y);
     let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());

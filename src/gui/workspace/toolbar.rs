@@ -1,5 +1,6 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
+use crate::gui::language::say;
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
 use crate::gui::core::loaded_session::Component;
@@ -63,7 +64,7 @@ pub(crate) fn show(
     widgets::row(ui, |ui| {
         let least = if blends { WITH_BLEND } else { TITLED };
         if ui.available_width() > least && beside.is_none() {
-            title(ui, "Workspace");
+            title(ui, say!("common-workspace"));
         }
         ways(ui, workbench, commands);
         if around && fold == Fold::Open {
@@ -73,12 +74,17 @@ pub(crate) fn show(
             if measured {
                 picture(ui, plot_of(view.aspect), commands);
             }
-            gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
+            gestures::fit(
+                ui,
+                say!("toolbar-fit-to-view"),
+                Command::FitWorkspace,
+                commands,
+            );
             if around && fold == Fold::Open {
                 which(ui, workbench, commands);
             }
             if drawn && fold == Fold::Tight {
-                folded(ui, "drawn", "How it is drawn", |ui| {
+                folded(ui, "drawn", say!("toolbar-how-it-is-drawn"), |ui| {
                     everything(ui, workbench, commands);
                 });
             }
@@ -102,10 +108,15 @@ pub(crate) fn show(
         Fold::Narrow => {
             widgets::row(ui, |ui| {
                 let now = significant(magnification_of(workbench), 2);
-                folded(ui, &format!("vectors × {now}"), "Length of vectors", |ui| {
-                    widgets::row(ui, |ui| magnification(ui, workbench, commands));
-                    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
-                });
+                folded(
+                    ui,
+                    &say!("toolbar-vectors", now = now),
+                    say!("toolbar-length-of-vectors"),
+                    |ui| {
+                        widgets::row(ui, |ui| magnification(ui, workbench, commands));
+                        widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+                    },
+                );
                 beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
@@ -137,8 +148,8 @@ fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         planes[0],
         planes[1],
         planes[2],
-        (space, "3-D"),
-        (polar, "polar"),
+        (space, say!("toolbar-3-d")),
+        (polar, say!("toolbar-polar")),
     ];
     match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
         Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
@@ -189,7 +200,7 @@ fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::row(ui, |ui| magnification(ui, workbench, commands));
     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
     beneath(ui, workbench, commands);
-    caption(ui, "colour");
+    caption(ui, say!("toolbar-colour"));
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
         if offers(workbench.subject(), colouring) {
@@ -219,7 +230,7 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label("Component of the polar view");
+        node.set_label(say!("toolbar-component-of-the-polar-view"));
     });
 }
 
@@ -228,7 +239,10 @@ fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         return;
     }
-    let shown = [(false, "both"), (true, "only after")];
+    let shown = [
+        (false, say!("toolbar-both")),
+        (true, say!("toolbar-only-after")),
+    ];
     if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
         commands.push(Command::OnlyAfter(only));
     }
@@ -249,42 +263,44 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         };
         ui.label(text);
     };
-    end(ui, "after", blend >= 1.0);
+    end(ui, say!("common-after"), blend >= 1.0);
     fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
-    ui.ctx()
-        .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
+    ui.ctx().accesskit_node_builder(slider.id, |node| {
+        node.set_label(say!("toolbar-from-before-to-after"))
+    });
     if slider.changed() {
         commands.push(Command::Blend(blend));
     }
     slider.on_hover_text(blend_says(blend));
-    end(ui, "before", blend <= 0.0);
+    end(ui, say!("common-before"), blend <= 0.0);
 }
 
 /// What the vectors, the marks and the heat map show.
 fn blend_says(blend: f32) -> String {
     if blend <= 0.0 {
-        "shown: the deviation before, measured − nominal robot".to_owned()
+        say!("toolbar-shown-the-deviation-before-measured").to_owned()
     } else if blend >= 1.0 {
-        "shown: what is left after, measured − identified robot".to_owned()
+        say!("toolbar-shown-what-is-left-after").to_owned()
     } else {
         let percent = trimmed(100.0 * f64::from(blend), 0);
-        format!("shown: {percent} % of the way from before to after")
+        say!("toolbar-shown-of-the-way", percent = percent)
     }
 }
 
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = magnification_of(workbench);
-    caption(ui, "vectors");
+    caption(ui, say!("common-vectors"));
     let mut factor = now;
     fine(ui, 60.0);
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
         .logarithmic(true)
         .show_value(false);
     let slider = ui.add(slider);
-    ui.ctx()
-        .accesskit_node_builder(slider.id, |node| node.set_label("Length of vectors"));
+    ui.ctx().accesskit_node_builder(slider.id, |node| {
+        node.set_label(say!("toolbar-length-of-vectors"))
+    });
     if slider.changed() && factor != now {
         commands.push(Command::Magnify(Some(factor)));
     }
@@ -299,10 +315,12 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     let (before, left) = (subject.overview.readable, after.readable);
     let now = magnification_of(workbench);
-    let says = "how long vectors are drawn and where the colours of lengths end: so that the \
-                deviations before can be read, or those that are left after";
-    caption(ui, "scale for").on_hover_text(says);
-    let options = [(Some(before), "before"), (Some(left), "after")];
+    let says = say!("toolbar-how-long-vectors-are-drawn");
+    caption(ui, say!("toolbar-scale")).on_hover_text(says);
+    let options = [
+        (Some(before), say!("common-before")),
+        (Some(left), say!("common-after")),
+    ];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
             commands.push(Command::Magnify(None));
@@ -319,9 +337,9 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         heat(ui, workbench, commands);
         return;
     }
-    caption(ui, "from");
+    caption(ui, say!("common-from"));
     let shown = view.camera.standard();
-    let text = RichText::new(shown.map_or("free", Standard::name)).size(size::SMALL);
+    let text = RichText::new(shown.map_or(say!("toolbar-free"), Standard::name)).size(size::SMALL);
     let list = ComboBox::from_id_salt("view in space").selected_text(text);
     let list = list.width(76.0).show_ui(ui, |ui| {
         for from in Standard::ALL {
@@ -333,15 +351,17 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
         }
     });
-    ui.ctx()
-        .accesskit_node_builder(list.response.id, |node| node.set_label("Standard view"));
+    ui.ctx().accesskit_node_builder(list.response.id, |node| {
+        node.set_label(say!("toolbar-standard-view"))
+    });
     let mut open = posing(ui);
-    let text = RichText::new("pose").size(size::SMALL);
+    let text = RichText::new(say!("toolbar-pose")).size(size::SMALL);
     let checkbox = ui
         .checkbox(&mut open, text)
-        .on_hover_text("sliders that pose the robot");
-    ui.ctx()
-        .accesskit_node_builder(checkbox.id, |node| node.set_label("Pose the robot"));
+        .on_hover_text(say!("toolbar-sliders-that-pose-the-robot"));
+    ui.ctx().accesskit_node_builder(checkbox.id, |node| {
+        node.set_label(say!("toolbar-pose-the-robot"))
+    });
     if checkbox.changed() {
         ui.data_mut(|data| data.insert_temp(posing_id(), open));
     }
@@ -360,11 +380,11 @@ pub(super) fn posing(ui: &Ui) -> bool {
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut shown = workbench.view().heat;
-    let text = RichText::new("heat map").size(size::SMALL);
-    let says = "the root mean square deviation between the samples, fading away from them";
+    let text = RichText::new(say!("common-heat-map")).size(size::SMALL);
+    let says = say!("toolbar-the-root-mean-square-deviation");
     let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
     ui.ctx()
-        .accesskit_node_builder(checkbox.id, |node| node.set_label("heat map"));
+        .accesskit_node_builder(checkbox.id, |node| node.set_label(say!("common-heat-map")));
     if checkbox.changed() {
         commands.push(Command::Heat(shown));
     }
@@ -373,7 +393,7 @@ fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the colour of the vectors says.
 fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let shown = coloured(workbench);
-    caption(ui, "colour");
+    caption(ui, say!("toolbar-colour"));
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
     let list = list.width(112.0).height(280.0).show_ui(ui, |ui| {
@@ -387,8 +407,9 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
         }
     });
-    ui.ctx()
-        .accesskit_node_builder(list.response.id, |node| node.set_label("Colour of vectors"));
+    ui.ctx().accesskit_node_builder(list.response.id, |node| {
+        node.set_label(say!("toolbar-colour-of-vectors"))
+    });
 }
 
 /// What colour says, where the session has it.

@@ -19,8 +19,10 @@ pub struct Series {
 /// What such a chart is made of.
 #[derive(Clone)]
 pub struct Deviation<'a> {
-    /// The component of the deviation, `length` for its length.
+    /// What the component of the deviation is called.
     pub component: &'a str,
+    /// Whether it is its length, which has no sign.
+    pub is_length: bool,
     /// What it stands over.
     pub across: Axis,
     /// How lengths are written.
@@ -45,7 +47,6 @@ pub struct Deviation<'a> {
 impl Deviation<'_> {
     /// The chart, with a margin around what it has to show; zero is always on it.
     pub fn chart(&self, title: String, note: String) -> Chart {
-        let length = self.component == "length";
         let [x, mm] = self.extent();
         let value = |mm: f64| mm * self.lengths.per_mm;
         let mut items = Vec::new();
@@ -56,7 +57,7 @@ impl Deviation<'_> {
             legend.push(way("negative", Form::Backwards));
         }
         if let Some(tolerance) = self.tolerance_mm {
-            let low = if length { 0.0 } else { -tolerance };
+            let low = if self.is_length { 0.0 } else { -tolerance };
             if low > mm[0] || tolerance < mm[1] {
                 let band = [low.max(mm[0]), tolerance.min(mm[1])].map(value);
                 items.push(Item::Band(band, Stands::Tolerance));
@@ -120,6 +121,7 @@ mod tests {
         let number = |mm: f64| mm.to_string();
         let made = Deviation {
             component: "radial",
+            is_length: false,
             across: Axis::numbers("time, s"),
             lengths: Lengths {
                 unit: "mm",

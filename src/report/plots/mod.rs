@@ -100,6 +100,7 @@ pub fn deviation(stages: &Stages) -> Drawing {
         let sign = Sign::Mark(chart::Form::Disc);
         let made = Deviation {
             component: "length",
+            is_length: true,
             across: Axis::turning(&stages.over, stages.over.ends_with('°')),
             lengths: Lengths {
                 unit: "mm",

@@ -2,6 +2,7 @@
 
 mod curve;
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
@@ -31,8 +32,8 @@ impl Kind for Effect {
     fn about(&self) -> About {
         About {
             id: ID,
-            short: "effect",
-            name: "Effect's own curve",
+            short: "common-effect",
+            name: "curve-effects-own-curve",
             word: help::EFFECT_CURVE,
             of_component: true,
             of_joint: false,
@@ -58,7 +59,11 @@ impl Kind for Effect {
         let curve = curve(scene)?;
         Ok(Shown {
             chart: drawn(scene, curve),
-            name: format!("curve of {}, {}", name(curve), scene.component().name()),
+            name: say!(
+                "curve-curve",
+                curve = name(curve),
+                component = scene.component().name()
+            ),
             says: says(scene, curve),
             pointed: Pointed::Samples(Box::new(Drawn {
                 scale: scale(scene, curve),
@@ -77,8 +82,8 @@ fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, Missing> {
     let found: &Option<EffectCurve> = scene.found().ok_or_else(Missing::yet)?;
     let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
     there.ok_or(Missing::new(
-        "There is no curve to show",
-        "Run the diagnosis again: what was found belongs to other samples",
+        say!("curve-there-is-no-curve"),
+        say!("curve-run-the-diagnosis-again-what"),
     ))
 }
 
@@ -166,17 +171,26 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     let component = scene.component().name();
     let line = |name, whole| Entry::new(name, Sign::Line, Stands::Curve, whole);
     let dot = Sign::Mark(Form::Disc);
-    let residual = Entry::new("without it", dot, Stands::Before, false);
-    let mut legend = vec![residual.on_paper(format!("without {what}"))];
+    let residual = Entry::new(say!("common-without"), dot, Stands::Before, false);
+    let mut legend = vec![residual.on_paper(say!("curve-without", what = what))];
     match &curve.lines[..] {
         [] => {
-            legend.push(Entry::new("what it does", dot, Stands::Curve, true).on_paper(&*what));
+            legend.push(
+                Entry::new(say!("curve-what-it-does"), dot, Stands::Curve, true).on_paper(&*what),
+            );
         }
-        [_] => legend.push(line("what it does", true).on_paper(&*what)),
-        _ => legend.extend([line("moving positive", true), line("negative", false)]),
+        [_] => legend.push(line(say!("curve-what-it-does"), true).on_paper(&*what)),
+        _ => legend.extend([
+            line(say!("common-moving-positive"), true),
+            line(say!("common-negative"), false),
+        ]),
     }
     Chart {
-        title: format!("{component} residual without {what}, and what it does"),
+        title: say!(
+            "curve-residual-without-and-what",
+            component = component,
+            what = what
+        ),
         across: Axis::turning(
             format!("{}, {}", curve.over.label(scene.subject), scale.unit),
             scale.degrees,
@@ -190,17 +204,14 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
 }
 
 fn note(scene: &Scene, curve: &EffectCurve) -> String {
-    let mut notes = vec![format!(
-        "what is left without {}; all else as fitted",
-        name(curve)
-    )];
+    let mut notes = vec![say!("curve-what-is-left-without-all", curve = name(curve))];
     if curve.lines.is_empty() {
-        notes.push("it depends on the pose too: its value at each sample".to_owned());
+        notes.push(say!("curve-it-depends-on-the-pose").to_owned());
     }
     notes.extend(thinned(stride(curve.spots.len(), FEW), "point"));
     let problems = scene.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
-        notes.push("a set-up error is not corrected yet and shows here too".to_owned());
+        notes.push(say!("curve-a-set-up-error").to_owned());
     }
     notes.join(" · ")
 }
@@ -210,14 +221,15 @@ fn says(scene: &Scene, curve: &EffectCurve) -> String {
     let units = scene.units;
     let ends = curve.effect_mm.map(|mm| units.length(mm));
     let [before, after] = curve.rms_mm.map(|mm| units.length(mm));
-    format!(
-        "{} over {}: it moves the {} deviation from {} to {}; without it {before} root mean \
-         square are left, with it {after}",
-        name(curve),
-        curve.over.label(scene.subject),
-        scene.component().name(),
-        ends[0],
-        ends[1],
+    say!(
+        "curve-over-it-moves-the-deviation",
+        curve = name(curve),
+        label = curve.over.label(scene.subject),
+        component = scene.component().name(),
+        from = ends[0],
+        to = ends[1],
+        before = before,
+        after = after
     )
 }
 

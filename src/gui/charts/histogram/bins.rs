@@ -21,7 +21,7 @@ const MOST: f64 = 60.0;
 /// Bins end so many quartile ranges beyond the quartiles.
 const FAR: f64 = 10.0;
 /// The rule, in words.
-pub(super) const RULE: &str = "bars as wide as the spread of the samples asks for";
+pub(super) const RULE: &str = "histogram-bars-as-wide-as";
 
 /// Equal bins side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]

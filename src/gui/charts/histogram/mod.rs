@@ -6,6 +6,7 @@ use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
+use crate::gui::language::{say, text};
 use crate::gui::units::{plain_number, significant};
 use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
 use crate::present::drawing::Anchor;
@@ -28,8 +29,8 @@ impl Kind for Histogram {
     fn about(&self) -> About {
         About {
             id: "histogram",
-            short: "histogram",
-            name: "Histogram",
+            short: "histogram-histogram",
+            name: "histogram-histogram-2",
             word: help::HISTOGRAM,
             of_component: true,
             of_joint: false,
@@ -49,7 +50,10 @@ impl Kind for Histogram {
         let found = distribution(scene)?;
         Ok(Shown {
             chart: drawn(scene, found),
-            name: format!("histogram, {}", scene.component().name()),
+            name: say!(
+                "histogram-histogram-3",
+                component = scene.component().name()
+            ),
             says: says(scene, found),
             pointed: Pointed::Bars(Box::new(Drawn {
                 scene,
@@ -66,8 +70,8 @@ impl Kind for Histogram {
 fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, Missing> {
     let found: &Option<Distribution> = scene.found().ok_or_else(Missing::yet)?;
     found.as_ref().ok_or(Missing::new(
-        "No sample can be counted",
-        "Every sample lacks a joint value or a coordinate",
+        say!("histogram-no-sample-can-be-counted"),
+        say!("histogram-every-sample-lacks-a-joint"),
     ))
 }
 
@@ -103,9 +107,15 @@ impl Bars for Drawn<'_> {
         let here = |sample: &usize| bins.of(self.value(*sample, take_after)) == Some(bin);
         let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
         let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
-        let lines = [line("before", before), line("after", after)];
+        let lines = [
+            line(say!("common-before"), before),
+            line(say!("common-after"), after),
+        ];
         let mut lines: Vec<_> = lines.into_iter().flatten().collect();
-        lines.push(("click".to_owned(), "marks them".to_owned()));
+        lines.push((
+            say!("histogram-click").to_owned(),
+            say!("histogram-marks-them").to_owned(),
+        ));
         Some(Facts {
             title: format!("{from} … {to} {}", units.length_name()),
             lines,
@@ -203,7 +213,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
             items.push(Item::Line(line, Stands::Tolerance, 1.6, false));
             items.push(Item::Word(Word {
                 at: [value(*end), 0.995 * top],
-                text: " tolerance ".to_owned(),
+                text: say!("histogram-tolerance").to_owned(),
                 anchor: if *end < 0.0 {
                     Anchor::End
                 } else {
@@ -219,13 +229,22 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         legend.push(Entry::after(Sign::Bar));
     }
     if noise.is_some() {
-        legend.push(Entry::new("noise alone", Sign::Line, Stands::Noise, false));
+        legend.push(Entry::new(
+            say!("common-noise-alone"),
+            Sign::Line,
+            Stands::Noise,
+            false,
+        ));
     }
     let name = component.name();
     Chart {
-        title: format!("samples by {name} deviation"),
-        across: Axis::numbers(format!("{name} deviation, {}", units.length_name())),
-        upwards: Axis::numbers("samples"),
+        title: say!("histogram-samples-by-deviation", name = name),
+        across: Axis::numbers(say!(
+            "histogram-deviation",
+            name = name,
+            units = units.length_name()
+        )),
+        upwards: Axis::numbers(say!("common-samples")),
         bounds: [[value(low - margin), 0.0], [value(high + margin), top]],
         items,
         legend,
@@ -247,15 +266,26 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
             counts += &format!(" → {}", sizes.within(tolerance).0);
         }
         let tolerance = units.length(tolerance);
-        notes.push(format!("within {sign}{tolerance}: {counts} of {all}"));
+        notes.push(say!(
+            "histogram-within",
+            sign = sign,
+            tolerance = tolerance,
+            counts = counts,
+            all = all
+        ));
     }
     match counted.beyond {
         0 => {}
-        1 => notes.push("one lies beyond the ends".to_owned()),
-        n => notes.push(format!("{n} lie beyond the ends")),
+        1 => notes.push(say!("histogram-one-lies-beyond-the-ends").to_owned()),
+        n => notes.push(say!("histogram-lie-beyond-the-ends", n = n)),
     }
     let width = significant(units.length_value(counted.bins.width_mm), 2);
-    notes.push(format!("{width} {} wide {RULE}", units.length_name()));
+    notes.push(say!(
+        "histogram-wide",
+        width = width,
+        unit = units.length_name(),
+        rule = text(RULE)
+    ));
     notes.join(" · ")
 }
 
@@ -267,13 +297,21 @@ fn says(scene: &Scene, found: &Distribution) -> String {
         let counts = counts.as_ref()?;
         let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
         let [from, to] = counted.bins.ends(bin).map(|mm| units.length(mm));
-        Some(format!("most, {}, from {from} to {to}", counts[bin]))
+        Some(say!(
+            "histogram-most",
+            bin = counts[bin],
+            from = from,
+            to = to
+        ))
     };
-    let mut says = format!(
-        "how many samples have which {} deviation",
-        scene.component().name()
+    let mut says = say!(
+        "histogram-how-many-samples-have-which",
+        component = scene.component().name()
     );
-    for (name, counts) in [("before", &counted.before), ("after", &counted.after)] {
+    for (name, counts) in [
+        (say!("common-before"), &counted.before),
+        (say!("common-after"), &counted.after),
+    ] {
         if let Some(tallest) = tallest(counts) {
             says += &format!("; {name}: {tallest}");
         }

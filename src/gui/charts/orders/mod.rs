@@ -8,6 +8,7 @@ use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
+use crate::gui::language::{say, text};
 use crate::gui::units::{plain_number, whole};
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
@@ -27,8 +28,8 @@ impl Kind for Orders {
     fn about(&self) -> About {
         About {
             id: "order spectrum",
-            short: "orders",
-            name: "Order spectrum",
+            short: "orders-orders",
+            name: "orders-order-spectrum",
             word: help::ORDERS,
             of_component: true,
             of_joint: true,
@@ -57,7 +58,10 @@ impl Kind for Orders {
         let spectrum = spectrum(scene)?;
         Ok(Shown {
             chart: drawn(scene, spectrum),
-            name: format!("order spectrum, {}", scene.component().name()),
+            name: say!(
+                "orders-order-spectrum-2",
+                component = scene.component().name()
+            ),
             says: says(scene, spectrum),
             pointed: Pointed::Bars(Box::new(Drawn { scene, spectrum })),
         })
@@ -86,15 +90,14 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
     let joint = scene.joint();
     if !scene.subject.joint_turns(joint) {
         let name = &scene.subject.session.robot.joints[joint].name;
-        let why = "Orders are cycles per turn. Choose a joint that turns";
-        return Err(Missing::new(format!("{name} slides"), why));
+        let why = say!("orders-orders-are-cycles-per-turn");
+        return Err(Missing::new(say!("orders-slides", name = name), why));
     }
     let spectrum: &Spectrum = scene.found().ok_or_else(Missing::yet)?;
     if spectrum.orders.is_empty() {
         return Err(Missing::new(
-            "Too few different angles",
-            "An order shows where a wave comes back with every turn: measure thirty angles or \
-             more, spread over the whole range of the joint",
+            say!("orders-too-few-different-angles"),
+            say!("orders-an-order-shows-where"),
         ));
     }
     Ok(spectrum)
@@ -113,16 +116,19 @@ impl Bars for Drawn<'_> {
         let units = self.scene.units;
         let mut lines = Vec::new();
         let cause = self.spectrum.cause(order.order);
-        lines.extend(cause.map(|cause| ("usual cause".to_owned(), cause.to_owned())));
-        for (name, amplitude) in [("before", Some(order.before)), ("after", order.after)] {
+        lines.extend(cause.map(|cause| (say!("orders-usual-cause").to_owned(), cause.to_owned())));
+        for (name, amplitude) in [
+            (say!("common-before"), Some(order.before)),
+            (say!("common-after"), order.after),
+        ] {
             let Some(amplitude) = amplitude else { continue };
             lines.push((name.to_owned(), units.length(amplitude.mm)));
             if let Some(line) = amplitude.line_mm {
-                lines.push((format!("noise, {name}"), units.length(line)));
+                lines.push((say!("orders-noise", name = name), units.length(line)));
             }
         }
         Some(Facts {
-            title: format!("order {}", order.order),
+            title: say!("orders-order", order = order.order),
             lines,
             samples: Vec::new(),
         })
@@ -202,18 +208,23 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     if scene.answer.is_some() {
         legend.push(Entry::after(Sign::Bar));
     }
-    legend.push(Entry::new("noise", Sign::Line, Stands::Noise, false));
+    legend.push(Entry::new(
+        say!("common-noise"),
+        Sign::Line,
+        Stands::Noise,
+        false,
+    ));
     Chart {
-        title: format!("{name} deviation by order over {joint}"),
+        title: say!("orders-deviation-by-order-over", name = name, joint = joint),
         across: Axis {
-            label: format!("cycles per turn of {joint}"),
+            label: say!("orders-cycles-per-turn", joint = joint),
             ticks: Ticks::Words(
                 ticks
                     .map(|(k, o)| (k as f64, o.order.to_string()))
                     .collect(),
             ),
         },
-        upwards: Axis::numbers(format!("amplitude, {}", units.length_name())),
+        upwards: Axis::numbers(say!("orders-amplitude", unit = units.length_name())),
         bounds: [[-0.6, 0.0], [last, value(top)]],
         items,
         legend,
@@ -258,9 +269,9 @@ fn names(
 fn note(spectrum: &Spectrum) -> String {
     let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
     let line = if has_line {
-        LINE.to_owned()
+        text(LINE).to_owned()
     } else {
-        "too few samples to say what is noise".to_owned()
+        say!("orders-too-few-samples-to-say").to_owned()
     };
     let mut notes = vec![line];
     notes.extend(spectrum.limits());
@@ -280,23 +291,28 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
         let words = out.iter().take(4).map(|(order, mm)| {
             let cause = spectrum.cause(*order);
             let cause = cause.map_or_else(String::new, |c| format!(" ({c})"));
-            format!("order {order}{cause} with {}", units.length(*mm))
+            say!(
+                "orders-order-2",
+                order = order,
+                cause = cause,
+                amplitude = units.length(*mm)
+            )
         });
         let words: Vec<String> = words.collect();
         if words.is_empty() {
-            "nothing above the noise".to_owned()
+            say!("orders-nothing-above-the-noise").to_owned()
         } else {
             words.join(", ")
         }
     };
-    let mut says = format!(
-        "{} orders of the {} deviation; before: {}",
-        spectrum.orders.len(),
-        scene.component().name(),
-        out(|o| Some(o.before))
+    let mut says = say!(
+        "orders-orders-of-the-deviation-before",
+        orders = spectrum.orders.len(),
+        component = scene.component().name(),
+        before = out(|o| Some(o.before))
     );
     if scene.answer.is_some() {
-        says += &format!("; after: {}", out(|o| o.after));
+        says += &say!("orders-after", after = out(|o| o.after));
     }
     format!("{says}; {}", note(spectrum))
 }

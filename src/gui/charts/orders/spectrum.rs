@@ -19,6 +19,7 @@
 //! (the F test of two columns against ν degrees of freedom). The noise line is the amplitude with
 //! just that gain.
 
+use crate::gui::language::say;
 use std::f64::consts::TAU;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix2, Vector2};
@@ -30,7 +31,7 @@ const HIGHEST: usize = 24;
 /// Noise alone gives no bar above the line in this share of sessions.
 const QUIET: f64 = 0.99;
 /// The line, in words.
-pub(super) const LINE: &str = "noise stays below the line in 99 of 100 sessions";
+pub(super) const LINE: &str = "orders-noise-stays-below-the-line";
 /// On each side of an order that is known (a gear's).
 const AROUND: usize = 2;
 /// Orders beyond this would take too long.
@@ -133,11 +134,15 @@ impl Spectrum {
         }
         let range = crate::gui::units::trimmed(360.0 * self.turns, 0);
         let apart = crate::gui::units::trimmed((1.0 / self.turns).ceil(), 0);
-        let mut says = format!("range {range}°: orders nearer than {apart} cannot be told apart");
+        let mut says = say!(
+            "orders-range-orders-nearer-than-cannot",
+            range = range,
+            apart = apart
+        );
         match self.unseen {
             0 => {}
-            1 => says += ", and order 1 cannot be seen",
-            n => says += &format!(", and orders up to {n} cannot be seen"),
+            1 => says += say!("orders-and-order-1-cannot-be"),
+            n => says += &say!("orders-and-orders-up-to-cannot", n = n),
         }
         Some(says)
     }
@@ -145,9 +150,9 @@ impl Spectrum {
     /// What usually causes an order.
     pub(super) fn cause(&self, order: usize) -> Option<&'static str> {
         match order {
-            1 => Some("eccentricity"),
-            2 => Some("two-cycle"),
-            _ if self.gears.contains(&order) => Some("gear"),
+            1 => Some(say!("orders-eccentricity")),
+            2 => Some(say!("orders-two-cycle")),
+            _ if self.gears.contains(&order) => Some(say!("orders-gear")),
             _ => None,
         }
     }

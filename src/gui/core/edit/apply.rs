@@ -1,5 +1,6 @@
 //! What each change makes of a document.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::diagnosis::Mend;
@@ -38,10 +39,7 @@ impl Edit {
         let mut next = document.clone();
         if self.asks_samples() {
             if document.subject.is_empty() {
-                return Err(
-                    "nothing was measured yet: open a session that was measured on this robot"
-                        .to_owned(),
-                );
+                return Err(say!("edit-nothing-was-measured-yet-open").to_owned());
             }
             next.given = None;
         }
@@ -54,13 +52,13 @@ impl Edit {
             Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
                 if !document.subject.single_revolute() =>
             {
-                return Err("regions are for a single joint that turns".to_owned());
+                return Err(say!("edit-regions-are-for-a-single").to_owned());
             }
             Self::Method(method) => next.method = *method,
             Self::Effect(id, on) => next.effects = with_effect(&document.effects, id, *on),
             Self::Tolerance(tolerance_mm) => {
                 if tolerance_mm.is_some_and(|t| !(t.is_finite() && t > 0.0)) {
-                    return Err("a tolerance is a number above 0".to_owned());
+                    return Err(say!("edit-a-tolerance-is-a-number").to_owned());
                 }
                 next.tolerance_mm = *tolerance_mm;
             }
@@ -70,14 +68,17 @@ impl Edit {
                     .step
                     .is_none_or(|step| step.is_finite() && step > 0.0);
                 if !usable || choice.joint >= joints {
-                    return Err("a table needs a joint of the robot and a step above 0".to_owned());
+                    return Err(say!("edit-a-table-needs-a-joint").to_owned());
                 }
                 next.export = *choice;
             }
             Self::Add(terms) => exactly_with(&mut next, with_terms(&document.added, terms)),
             Self::Switch(index, on) => {
                 let mut added = document.added.to_vec();
-                added.get_mut(*index).ok_or("there is no such effect")?.on = *on;
+                added
+                    .get_mut(*index)
+                    .ok_or(say!("edit-there-is-no-such-effect"))?
+                    .on = *on;
                 exactly_with(&mut next, added);
             }
             Self::Setup(form) => set_up(&mut next, form)?,
@@ -144,7 +145,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
             && !held_out.is_some_and(|h| h[i])
     };
     if out && !(0..n).any(counts) {
-        return Err("no sample would be left to fit".to_owned());
+        return Err(say!("edit-no-sample-would-be-left").to_owned());
     }
     with_session(document, session);
     Ok(())
@@ -159,7 +160,7 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     as_saved(&mut session);
     let left = session.samples.len();
     if session.samples.incomplete().len() == left {
-        return Err("no sample would be left".to_owned());
+        return Err(say!("edit-no-sample-would-be-left-2").to_owned());
     }
     let same_rows = left == document.subject.len();
     with_session(document, session);

@@ -1,5 +1,6 @@
 //! Changes of the regions.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::document::degrees;
@@ -56,7 +57,7 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
         }
         Edit::MoveBoundary(boundary, to_rad) => by_hand(
             boundaries::moved(all, *boundary, *to_rad, subject.travel()),
-            "the boundary cannot be moved there",
+            say!("edit-the-boundary-cannot-be-moved"),
         ),
         Edit::PlaceBoundary(joint, at_rad) => {
             boundary_entry::placed(all, *joint, *at_rad, subject.travel(), Units::default())
@@ -64,15 +65,15 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
         }
         Edit::Split(region) => by_hand(
             boundaries::split(all, *region),
-            "the region is too narrow to be split",
+            say!("edit-the-region-is-too-narrow"),
         ),
         Edit::Join(region) => by_hand(
             boundary_entry::joined(all, *region),
-            "no region begins where this one ends; type its end at the next one first",
+            say!("edit-no-region-begins-where-this"),
         ),
         Edit::Delete(region) => by_hand(
             boundary_entry::without(all, *region),
-            "the last region stays: without one nothing is corrected",
+            say!("edit-the-last-region-stays-without"),
         ),
         _ => return None,
     })
@@ -81,16 +82,16 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
 fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, String> {
     let name = name.trim();
     if name.is_empty() {
-        return Err("a region needs a name".to_owned());
+        return Err(say!("edit-a-region-needs-a-name").to_owned());
     }
     let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
     if document.regions.iter().enumerate().any(taken) {
-        return Err(format!(
-            "another region is called {name}; choose another name"
-        ));
+        return Err(say!("edit-another-region-is-called-choose", name = name));
     }
     let mut regions = document.regions.to_vec();
-    let renamed = regions.get_mut(region).ok_or("there is no such region")?;
+    let renamed = regions
+        .get_mut(region)
+        .ok_or(say!("common-there-is-no-such-region"))?;
     name.clone_into(&mut renamed.name);
     let mut next = document.clone();
     next.regions = regions.into();
@@ -100,7 +101,7 @@ fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, S
 /// Regions that are worked on are regions that are wanted: the answer follows them at once.
 fn by_regions(document: &mut Document, regions: Vec<Region>) -> Result<(), String> {
     if !document.subject.single_revolute() {
-        return Err("regions are for a single joint that turns".to_owned());
+        return Err(say!("edit-regions-are-for-a-single").to_owned());
     }
     // Exactly as a file will have them: what is saved is read again to the last bit.
     let as_saved = |region: Region| Region {

@@ -1,5 +1,6 @@
 //! The columns: what each is taken for, how that is known, its heading, and the first rows.
 
+use crate::gui::language::say;
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::{Foreign, Said};
@@ -25,18 +26,18 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         word: word.to_owned(),
         text: text.to_owned(),
     };
-    let mut all = vec![one("-", "not imported")];
+    let mut all = vec![one("-", say!("import-not-imported"))];
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
         all.extend(words.iter().map(|(word, text)| one(word, text)));
         return all;
     }
     all.extend([
-        one("name", "point name"),
-        one("group", "group of points"),
-        one("target", "reflector"),
+        one("name", say!("import-point-name")),
+        one("group", say!("import-group-of-points")),
+        one("target", say!("import-reflector")),
     ]);
     for axis in ["x", "y", "z"] {
-        all.push(one(axis, &format!("{axis}, unit as chosen")));
+        all.push(one(axis, &say!("import-unit-as-chosen", axis = axis)));
         for unit in ["mm", "m", "in"] {
             all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
         }
@@ -44,30 +45,39 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
     for n in 1..=joints {
         for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
             let word = format!("q{n}_{unit}");
-            all.push(one(&word, &format!("joint {n} commanded, {sign}")));
+            all.push(one(
+                &word,
+                &say!("import-joint-commanded", n = n, sign = sign),
+            ));
         }
     }
     for n in 1..=joints {
         for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
             let word = format!("q{n}_read_{unit}");
-            all.push(one(&word, &format!("joint {n} read back, {sign}")));
+            all.push(one(
+                &word,
+                &say!("import-joint-read-back", n = n, sign = sign),
+            ));
         }
     }
     for n in 1..=joints {
         let word = format!("dir{n}");
-        all.push(one(&word, &format!("side joint {n} came from")));
+        all.push(one(&word, &say!("import-side-joint-came", n = n)));
         let word = format!("speed{n}_deg_s");
-        all.push(one(&word, &format!("speed of joint {n}, °/s")));
+        all.push(one(&word, &say!("import-speed-of-joint-s", n = n)));
     }
     all.extend([
-        one("load_kg", "load, kg"),
-        one("temperature_c", "temperature, °C"),
-        one("time_s", "time, s"),
-        one("setup", "setup of the instrument"),
-        one("use", "fit, held-out or excluded"),
+        one("load_kg", say!("import-load-kg")),
+        one("temperature_c", say!("import-temperature-c")),
+        one("time_s", say!("import-time-s")),
+        one("setup", say!("import-setup-of-the-instrument")),
+        one("use", say!("import-fit-held-out-or-excluded")),
     ]);
     for part in ["w", "x", "y", "z"] {
-        all.push(one(&format!("q{part}"), &format!("orientation {part}")));
+        all.push(one(
+            &format!("q{part}"),
+            &say!("import-orientation", part = part),
+        ));
     }
     all
 }
@@ -78,10 +88,10 @@ fn how(guess: &ColumnGuess) -> &'static str {
         return "";
     }
     match guess.known {
-        Known::Said => "as you said",
-        Known::Certain => "for certain",
-        Known::FromHeading => "guessed from the header",
-        Known::FromContent => "guessed from the values",
+        Known::Said => say!("import-as-you-said"),
+        Known::Certain => say!("import-for-certain"),
+        Known::FromHeading => say!("import-guessed-from-the-header"),
+        Known::FromContent => say!("import-guessed-from-the-values"),
     }
 }
 
@@ -90,10 +100,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
     if found.columns.is_empty() {
         return;
     }
-    widgets::section(
-        ui,
-        "Columns: what each is, how that is known, its heading, first rows",
-    );
+    widgets::section(ui, say!("import-columns-what-each-is-how"));
     let robot = now.seen.robot.as_ref().and_then(|r| r.as_ref().ok());
     let joints = robot.map_or(JOINTS, crate::kinematics::Robot::joint_count);
     let offered = meanings(found.kind, joints);
@@ -104,18 +111,22 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
     }
     if !found.preamble.is_empty() {
         let lines: Vec<&str> = found.preamble.iter().map(String::as_str).take(3).collect();
-        widgets::hint(ui, format!("Before the table: {}", lines.join(" / ")));
+        widgets::hint(
+            ui,
+            say!("import-before-the-table", lines = lines.join(" / ")),
+        );
     }
     if found.questions.is_empty() && now.asks_for_confirmation() {
         let palette = Palette::of(ui);
         widgets::card(ui, |ui| {
             let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
-            let says = format!(
-                "{guesses} of {} columns are guessed: compare them with the first rows",
-                found.columns.len()
+            let says = say!(
+                "import-of-columns-are-guessed-compare",
+                guesses = guesses,
+                columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));
-            if ui.button("The columns are right").clicked() {
+            if ui.button(say!("import-the-columns-are-right")).clicked() {
                 commands.push(Command::ConfirmColumns);
             }
         });
@@ -160,7 +171,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
             for (k, guess) in found.columns.iter().enumerate() {
                 let meaning = offered.iter().find(|m| m.word == guess.meaning);
                 let text = match (guess.meaning.as_str(), meaning) {
-                    ("" | "-", _) => "not imported",
+                    ("" | "-", _) => say!("import-not-imported"),
                     (_, Some(meaning)) => &meaning.text,
                     (other, None) => other,
                 };
@@ -180,7 +191,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
                             }
                         }
                     });
-                let label = format!("Meaning of column {}", k + 1);
+                let label = say!("import-meaning-of-column", k = k + 1);
                 super::parts::name(ui, &list.response, &label);
             }
             ui.end_row();

@@ -1,5 +1,6 @@
 //! Files beside the measured one: commands, points that are known in the base frame, reflectors.
 
+use crate::gui::language::say;
 use egui::{DragValue, Grid, RichText, Ui};
 
 use crate::gui::import_draft::{Beside, Foreign, Said};
@@ -10,10 +11,10 @@ use crate::importers::{Alignment, Matching, Motion};
 
 /// Where the robot was sent.
 pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(ui, "Where the robot was sent, if the table does not say it");
+    widgets::section(ui, say!("import-where-the-robot-was-sent"));
     let field = (
-        "File of the commands",
-        "a table with q1_deg, … and perhaps name, time_s, dir1, load_kg",
+        say!("import-file-of-the-commands"),
+        say!("import-a-table-with-q1-deg"),
     );
     super::parts::path(
         ui,
@@ -26,11 +27,11 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         return;
     }
     let ways = [
-        (Matching::Order, "by order"),
-        (Matching::Name, "by name"),
-        (Matching::Time, "by time"),
+        (Matching::Order, say!("import-by-order")),
+        (Matching::Name, say!("import-by-name")),
+        (Matching::Time, say!("import-by-time")),
     ];
-    widgets::form_row(ui, "Matched", |ui| {
+    widgets::form_row(ui, say!("import-matched"), |ui| {
         if let Some(matching) = widgets::segmented(ui, &ways, next.matching) {
             next.matching = matching;
         }
@@ -39,11 +40,11 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         return;
     }
     let kinds = [
-        (Motion::Auto, "as it suits"),
-        (Motion::Stops, "the mean of each stop"),
-        (Motion::All, "all"),
+        (Motion::Auto, say!("import-as-it-suits")),
+        (Motion::Stops, say!("import-the-mean-of-each-stop")),
+        (Motion::All, say!("import-all")),
     ];
-    widgets::form_row(ui, "Samples are", |ui| {
+    widgets::form_row(ui, say!("import-samples-are"), |ui| {
         if let Some(motion) = widgets::segmented(ui, &kinds, next.motion) {
             next.motion = motion;
         }
@@ -54,9 +55,12 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         .as_ref()
         .and_then(|trial| trial.as_ref().ok());
     let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
-    widgets::form_row(ui, "Clocks apart by", |ui| {
+    widgets::form_row(ui, say!("import-clocks-apart"), |ui| {
         let found = next.clock_offset_s.is_none();
-        let ways = [(true, "found from the motion"), (false, "typed")];
+        let ways = [
+            (true, say!("import-found-from-the-motion")),
+            (false, say!("import-typed")),
+        ];
         if let Some(found) = widgets::segmented(ui, &ways, found) {
             next.clock_offset_s = (!found).then(|| clock.map_or(0.0, |clock| clock.offset_s));
         }
@@ -65,20 +69,21 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
                 .speed(0.01)
                 .max_decimals(6)
                 .suffix(" s");
-            widgets::cell_number(ui, "Seconds to add to a measured time", "s", 110.0, field);
+            widgets::cell_number(ui, say!("import-seconds-to-add"), "s", 110.0, field);
         }
     });
     if let Some(clock) = clock {
         let says = match clock.sigma_s {
-            Some(sigma) => format!(
-                "The measured clock needs {:+.4} s to agree with the commands, ± {:.4} s (95 %); {:.3} mm are left",
-                clock.offset_s,
-                1.96 * sigma,
-                clock.rms_mm
+            Some(sigma) => say!(
+                "import-the-measured-clock-needs-s",
+                offset_s = format!("{:+.4}", clock.offset_s),
+                sigma = format!("{:.4}", 1.96 * sigma),
+                rms = format!("{:.3}", clock.rms_mm)
             ),
-            None => format!(
-                "With {:+.4} s added, {:.3} mm are left between path and measurements",
-                clock.offset_s, clock.rms_mm
+            None => say!(
+                "import-with-s-added-mm-are",
+                offset_s = format!("{:+.4}", clock.offset_s),
+                rms = format!("{:.3}", clock.rms_mm)
             ),
         };
         widgets::hint(ui, says);
@@ -87,13 +92,10 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
 
 /// Points that bring the instrument's frame into the base frame.
 pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(
-        ui,
-        "Points known in the base frame, if the instrument has a frame of its own",
-    );
+    widgets::section(ui, say!("import-points-known-in-the-base"));
     let field = (
-        "File of the known points",
-        "a table with name, x_mm, y_mm, z_mm; the same names as in the measured file",
+        say!("import-file-of-the-known-points"),
+        say!("import-a-table-with-name-x"),
     );
     super::parts::path(
         ui,
@@ -105,7 +107,7 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
     if next.reference.trim().is_empty() {
         return;
     }
-    ui.checkbox(&mut next.scale, "fit a scale too");
+    ui.checkbox(&mut next.scale, say!("import-fit-a-scale-too"));
     let trial = now
         .seen
         .trial
@@ -121,26 +123,41 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     let palette = Palette::of(ui);
     let left_out = alignment.outliers().count();
     let used = alignment.residuals.len() - left_out;
-    let mut says = format!(
-        "{used} points fit with {:.4} mm (root mean square)",
-        alignment.rms_mm
+    let mut says = say!(
+        "import-points-fit-with-mm-root",
+        used = used,
+        rms = format!("{:.4}", alignment.rms_mm)
     );
     if left_out > 0 {
-        says += &format!(", {left_out} excluded: measured or surveyed wrongly, or moved since");
+        says += &say!(
+            "import-excluded-measured-or-surveyed-wrongly",
+            left_out = left_out
+        );
     }
     widgets::hint(ui, says);
     if (alignment.scale - 1.0).abs() > 0.0 {
         let ppm = 1e6 * (alignment.scale - 1.0);
         widgets::hint(
             ui,
-            format!("scaled by {:.6} ({ppm:+.1} ppm)", alignment.scale),
+            say!(
+                "import-scaled-by-ppm",
+                scale = format!("{:.6}", alignment.scale),
+                ppm = format!("{ppm:+.1}")
+            ),
         );
     }
     ui.scope(|ui| {
         widgets::dense(ui);
         let grid = Grid::new("residuals of the alignment").striped(true);
         grid.spacing([18.0, 2.0]).show(ui, |ui| {
-            for heading in ["point", "off by, mm", "in x", "in y", "in z", ""] {
+            for heading in [
+                say!("import-point"),
+                say!("import-off-by-mm"),
+                say!("import-in-x"),
+                say!("import-in-y"),
+                say!("import-in-z"),
+                "",
+            ] {
                 ui.label(RichText::new(heading).font(strong(size::SMALL)));
             }
             ui.end_row();
@@ -157,7 +174,11 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
                 for part in [v.x, v.y, v.z] {
                     ui.label(cell(format!("{part:+.4}")));
                 }
-                let word = if residual.is_outlier { "excluded" } else { "" };
+                let word = if residual.is_outlier {
+                    say!("common-excluded")
+                } else {
+                    ""
+                };
                 ui.label(cell(word.to_owned()));
                 ui.end_row();
             }
@@ -167,10 +188,10 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 
 /// Where the reflectors sit.
 pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(ui, "Reflectors in the tool frame, if there are several");
+    widgets::section(ui, say!("import-reflectors-in-the-tool-frame"));
     let field = (
-        "File of the reflectors",
-        "a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin",
+        say!("import-file-of-the-reflectors"),
+        say!("import-a-table-with-name-x-mm"),
     );
     super::parts::path(
         ui,

@@ -1,6 +1,7 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
+use crate::gui::language::say;
 use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
@@ -15,16 +16,20 @@ use crate::importers::{
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &Foreign) -> String {
     let found = &now.seen.inspection;
-    let mut parts = vec![format!("{} rows", found.rows)];
-    parts.extend(found.separator.map(|s| format!("separated by {s}")));
+    let mut parts = vec![say!("import-rows", rows = found.rows)];
+    parts.extend(
+        found
+            .separator
+            .map(|s| say!("import-separated", separator = s)),
+    );
     parts.extend(found.decimal.map(|d| d.to_string()));
     parts.push(match found.header_line {
-        Some(line) => format!("header in line {line}"),
-        None => "no header".to_owned(),
+        Some(line) => say!("import-header-in-line", line = line),
+        None => say!("import-no-header").to_owned(),
     });
     parts.push(found.encoding.to_string());
     if !found.unit.is_empty() {
-        parts.push(format!("unit: {}", found.unit));
+        parts.push(say!("import-unit", found = found.unit));
     }
     parts.join(" · ")
 }
@@ -32,15 +37,15 @@ pub(super) fn found_out(now: &Foreign) -> String {
 /// The rows of the form.
 pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     let found = &now.seen.inspection;
-    widgets::form_row(ui, "Session", |ui| {
+    widgets::form_row(ui, say!("common-session"), |ui| {
         let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
         let field = ui.add(field);
-        super::parts::name(ui, &field, "Name of the session");
+        super::parts::name(ui, &field, say!("import-name-of-the-session"));
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
-    widgets::form_row(ui, "Source", |ui| {
+    widgets::form_row(ui, say!("import-source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
             .selected_text(kind.map_or("", |importer| importer.plainly))
@@ -53,53 +58,53 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
                     }
                 }
             });
-        super::parts::name(ui, &list.response, "What wrote the file");
+        super::parts::name(ui, &list.response, say!("import-what-wrote-the-file"));
     });
     if asks.table {
         let separators = [
-            (Some(Separator::Comma), "commas"),
-            (Some(Separator::Semicolon), "semicolons"),
-            (Some(Separator::Tab), "tabs"),
-            (Some(Separator::Spaces), "spaces"),
+            (Some(Separator::Comma), say!("import-commas")),
+            (Some(Separator::Semicolon), say!("import-semicolons")),
+            (Some(Separator::Tab), say!("import-tabs")),
+            (Some(Separator::Spaces), say!("import-spaces")),
         ];
         let separator = reading.separator.or(found.separator);
-        widgets::form_row(ui, "Separated by", |ui| {
+        widgets::form_row(ui, say!("import-separated-2"), |ui| {
             if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
                 reading.separator = chosen;
             }
-            widgets::caption(ui, "header");
+            widgets::caption(ui, say!("import-header"));
             header(ui, found.header_line, &mut reading.header);
         });
     }
     let decimal = reading.decimal.or(found.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
     let units = [
-        (None, "as the headings say"),
-        (Some(AngleUnit::Degrees), "degrees"),
-        (Some(AngleUnit::Radians), "radians"),
+        (None, say!("import-as-the-headings-say")),
+        (Some(AngleUnit::Degrees), say!("common-degrees")),
+        (Some(AngleUnit::Radians), say!("common-radians")),
     ];
-    widgets::form_row(ui, "Decimal sign", |ui| {
+    widgets::form_row(ui, say!("common-decimal-sign"), |ui| {
         if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
             reading.decimal = chosen;
         }
-        widgets::caption(ui, "angles in");
+        widgets::caption(ui, say!("import-angles"));
         if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
             reading.angle_unit = chosen;
         }
     });
     let units = [
-        (None, "as the file says"),
+        (None, say!("import-as-the-file-says")),
         (Some(LengthUnit::Millimetres), "mm"),
         (Some(LengthUnit::Metres), "m"),
-        (Some(LengthUnit::Inches), "inches"),
+        (Some(LengthUnit::Inches), say!("import-inches")),
     ];
-    widgets::form_row(ui, "Lengths in", |ui| {
+    widgets::form_row(ui, say!("common-lengths"), |ui| {
         if let Some(chosen) = widgets::segmented(ui, &units, reading.unit) {
             reading.unit = chosen;
         }
     });
     if asks.y_up || reading.z_up {
-        ui.checkbox(&mut reading.z_up, "y points up: turn it so that z does");
+        ui.checkbox(&mut reading.z_up, say!("import-y-points-up-turn"));
     }
     if asks.names {
         names(ui, &found.names, &mut reading.names);
@@ -107,7 +112,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     if asks.joint {
         let mut joint = reading.joint as u64 + 1;
         let field = DragValue::new(&mut joint).range(1..=64);
-        if widgets::number(ui, "Joint measured", "", field).changed() {
+        if widgets::number(ui, say!("import-joint-measured"), "", field).changed() {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
@@ -155,9 +160,9 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
         Some(_) => Header::Line,
     };
     let ways = [
-        (Header::Found, "as found"),
-        (Header::None, "none"),
-        (Header::Line, "in line"),
+        (Header::Found, say!("import-as-found")),
+        (Header::None, say!("common-none")),
+        (Header::Line, say!("import-in-line")),
     ];
     if let Some(chosen) = widgets::segmented(ui, &ways, now) {
         *header = match chosen {
@@ -168,13 +173,13 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
     }
     if let Some(line @ 1..) = header {
         let field = DragValue::new(line).range(1..=1_000_000);
-        widgets::cell_number(ui, "Line of the header", "", 64.0, field);
+        widgets::cell_number(ui, say!("import-line-of-the-header"), "", 64.0, field);
     }
 }
 
 /// Rigid bodies or markers to take.
 fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
-    widgets::form_row(ui, "Take", |ui| {
+    widgets::form_row(ui, say!("import-take"), |ui| {
         ui.horizontal_wrapped(|ui| {
             for name in offered {
                 let mut on = taken.contains(name);
@@ -201,12 +206,12 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
     let says = RichText::new(in_the_sheets_words(&question.says)).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
     if question.answers.is_empty() {
-        widgets::hint(ui, "Choose it in the table above");
+        widgets::hint(ui, say!("import-choose-it-in-the-table"));
         return;
     }
     ui.horizontal_wrapped(|ui| {
         for answer in &question.answers {
-            if ui.button(format!("It is {answer}")).clicked() {
+            if ui.button(say!("import-it", answer = answer)).clicked() {
                 answered(next, question.about, answer);
             }
         }

@@ -9,6 +9,7 @@ mod parts;
 mod result;
 mod robot;
 
+use crate::gui::language::{say, text};
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
@@ -29,7 +30,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));
     let name = now.path.file_name().unwrap_or_default().to_string_lossy();
-    widgets::heading(ui, &format!("Import {name}"));
+    widgets::heading(ui, &say!("import-import", name = name));
     widgets::hint(ui, file::found_out(now));
     let mut next = now.said.clone();
     let height = (window.height() - AROUND).max(200.0);
@@ -50,7 +51,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     let missing = if next == now.said {
         now.missing()
     } else {
-        Some(LOOKING.to_owned())
+        Some(text(LOOKING).to_owned())
     };
     // Always as high: what is above keeps its place.
     let room = vec2(ui.available_width(), FOOT);
@@ -61,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
         ui.set_max_width(scrolled.inner);
-        super::ends::buttons_without_enter(ui, "Import", missing.is_none(), commands)
+        super::ends::buttons_without_enter(ui, say!("import-import-2"), missing.is_none(), commands)
     });
     if pressed.inner {
         commands.push(Command::Import);
@@ -82,8 +83,8 @@ fn foot(
         looking(ui, running, commands);
     } else if *next == now.said && !now.is_up_to_date() {
         ui.horizontal(|ui| {
-            widgets::hint(ui, "Looking at the file was cancelled");
-            if ui.button("Look again").clicked() {
+            widgets::hint(ui, say!("import-looking-at-the-file-was"));
+            if ui.button(say!("import-look-again")).clicked() {
                 commands.push(Command::Say(Box::new(next.clone())));
             }
         });
@@ -99,12 +100,12 @@ fn foot(
 /// How far looking at the file is.
 fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        widgets::hint(ui, LOOKING);
+        widgets::hint(ui, text(LOOKING));
         if let Some(part) = running.progress() {
             let bar = ProgressBar::new(part).desired_width(120.0);
             ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
         }
-        if ui.small_button("Stop looking").clicked() {
+        if ui.small_button(say!("import-stop-looking")).clicked() {
             commands.push(Command::StopLooking);
         }
     });

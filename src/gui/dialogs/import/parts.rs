@@ -1,5 +1,6 @@
 //! What the parts of the import sheet are made of.
 
+use crate::gui::language::say;
 use egui::{RichText, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
@@ -12,8 +13,8 @@ pub(super) fn line(ui: &mut Ui, severity: Severity, says: &str) {
     let palette = Palette::of(ui);
     let (word, color) = match severity {
         Severity::Note => ("", palette.muted),
-        Severity::Warning => ("Warning: ", palette.warning),
-        Severity::Error => ("Error: ", palette.outside),
+        Severity::Warning => (say!("import-warning"), palette.warning),
+        Severity::Error => (say!("import-error"), palette.outside),
     };
     let text = RichText::new(format!("{word}{says}"));
     ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
@@ -29,7 +30,7 @@ pub(super) fn path(
 ) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
-        let text = egui::WidgetText::from("Choose…");
+        let text = egui::WidgetText::from(say!("import-choose"));
         let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
         let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
         let room = ui.available_width() - button - ui.spacing().item_spacing.x;
@@ -37,8 +38,8 @@ pub(super) fn path(
         let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
         name(ui, &field, label);
         changed = field.changed();
-        let button = ui.button("Choose…");
-        name(ui, &button, &format!("Choose: {label}"));
+        let button = ui.button(say!("import-choose"));
+        name(ui, &button, &say!("import-choose-2", label = label));
         if button.clicked() {
             commands.push(Command::ChooseBeside(which));
         }
@@ -49,9 +50,9 @@ pub(super) fn path(
     ui.horizontal_wrapped(|ui| {
         for path in neighbours.suiting(which) {
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            let text = format!("Use {file}, which lies beside it");
+            let text = say!("import-use-which-lies-beside", file = file);
             let link = ui.link(RichText::new(text).size(size::SMALL));
-            name(ui, &link, &format!("Use {file}: {label}"));
+            name(ui, &link, &say!("import-use", file = file, label = label));
             if link.clicked() {
                 *typed = path.display().to_string();
                 changed = true;

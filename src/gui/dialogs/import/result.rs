@@ -1,10 +1,11 @@
 //! What the import would bring, or why it is refused.
 
+use crate::gui::language::say;
 use egui::Ui;
 
 use crate::diagnostic::Severity;
 use crate::gui::import_draft::{Foreign, Trial};
-use crate::gui::units::number_of;
+use crate::gui::units::grouped;
 use crate::gui::widgets;
 
 /// Lines that are shown.
@@ -27,11 +28,11 @@ fn contents(ui: &mut Ui, now: &Foreign) {
     match &now.seen.trial {
         None => {}
         Some(Ok(trial)) => {
-            widgets::section(ui, "What the import brings");
+            widgets::section(ui, say!("import-what-the-import-brings"));
             brings(ui, trial);
         }
         Some(Err(because)) => {
-            widgets::section(ui, "To fix");
+            widgets::section(ui, say!("import-to-fix"));
             for line in because {
                 super::parts::line(ui, Severity::Error, line);
             }
@@ -41,16 +42,19 @@ fn contents(ui: &mut Ui, now: &Foreign) {
 
 fn brings(ui: &mut Ui, trial: &Trial) {
     let subject = &trial.subject;
-    let mut says = number_of(subject.len(), "sample");
+    let mut says = say!("samples", count = grouped(subject.len()));
     if let Some(gap) = &subject.gap_before {
-        says += &format!(", {:.4} mm from the nominal robot", gap.rms_mm);
+        says += &say!(
+            "import-mm-from-the-nominal-robot",
+            rms = format!("{:.4}", gap.rms_mm)
+        );
     }
     if let Some(matched) = &trial.matched {
-        says += &format!(
-            "; matched by {}; unmatched: {} measured, {} commanded",
-            matched.by.id(),
-            matched.lonely_measurements.len(),
-            matched.lonely_commands.len()
+        says += &say!(
+            "import-matched-by-unmatched-measured-commanded",
+            id = matched.by.id(),
+            lonely_measurements = matched.lonely_measurements.len(),
+            lonely_commands = matched.lonely_commands.len()
         );
     }
     ui.label(says);

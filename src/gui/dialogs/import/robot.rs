@@ -1,5 +1,6 @@
 //! Whose robot was measured.
 
+use crate::gui::language::say;
 use egui::{DragValue, TextEdit, Ui};
 
 use crate::gui::core::examples::EXAMPLES;
@@ -15,26 +16,26 @@ pub(super) fn show(
     next: &mut Said,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(ui, "Which robot was measured");
+    widgets::section(ui, say!("common-which-robot-was-measured"));
     let here = &workbench.subject().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
         std::mem::discriminant(robot) == std::mem::discriminant(other)
     };
     let open = RobotFrom::Here(Box::new(here.clone()));
-    let text = format!("that of the open session, {}", here.name);
+    let text = say!("import-that-of-the-open-session", here = here.name);
     if ui.radio(is(&next.robot, &open), text).clicked() {
         next.robot = open;
     }
     for (k, example) in EXAMPLES.iter().enumerate() {
         let one = RobotFrom::Example(k);
-        let text = format!("that of the example {}", example.name);
+        let text = say!("import-that-of-the-example", example = example.name());
         if ui.radio(next.robot == one, text).clicked() {
             next.robot = one;
         }
     }
     let file = RobotFrom::Open.of_file(String::new());
     if ui
-        .radio(is(&next.robot, &file), "the one in this file")
+        .radio(is(&next.robot, &file), say!("import-the-one-in-this-file"))
         .clicked()
         && !is(&next.robot, &file)
     {
@@ -44,7 +45,10 @@ pub(super) fn show(
         RobotFrom::File { path, .. } => path.clone(),
         _ => String::new(),
     };
-    let field = ("File of the robot", "a robot, a session, or a URDF file");
+    let field = (
+        say!("import-file-of-the-robot"),
+        say!("import-a-robot-a-session-or"),
+    );
     if super::parts::path(
         ui,
         field,
@@ -58,17 +62,22 @@ pub(super) fn show(
         && RobotFrom::is_urdf(path)
     {
         for (row, label, link) in [
-            ("Base", "Link of the base", base),
-            ("Tip", "Link of the tool", tip),
+            (say!("import-base"), say!("import-link-of-the-base"), base),
+            (say!("import-tip"), say!("import-link-of-the-tool"), tip),
         ] {
             widgets::form_row(ui, row, |ui| {
-                let field = ui.add(TextEdit::singleline(link).hint_text("name of a link"));
+                let field =
+                    ui.add(TextEdit::singleline(link).hint_text(say!("import-name-of-a-link")));
                 super::parts::name(ui, &field, label);
             });
         }
     }
     let typed = matches!(next.robot, RobotFrom::Typed(_));
-    if ui.radio(typed, "one axis that turns, typed here").clicked() && !typed {
+    if ui
+        .radio(typed, say!("import-one-axis-that-turns-typed"))
+        .clicked()
+        && !typed
+    {
         next.robot = RobotFrom::Typed(TypedAxis::default());
     }
     if let RobotFrom::Typed(typed) = &mut next.robot {
@@ -87,41 +96,44 @@ pub(super) fn show(
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
 fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
-    widgets::form_row(ui, "Name", |ui| {
+    widgets::form_row(ui, say!("import-name"), |ui| {
         let field = ui.add(TextEdit::singleline(&mut typed.name));
-        super::parts::name(ui, &field, "Name of the robot");
+        super::parts::name(ui, &field, say!("import-name-of-the-robot"));
     });
     numbers(
         ui,
-        "Axis at home",
-        ("Axis", ""),
+        say!("import-axis-at-home"),
+        (say!("import-axis"), ""),
         &["x", "y", "z"],
         &mut typed.axis,
     );
     let parts = ["x", "y", "z"];
     numbers(
         ui,
-        "Point on it, mm",
-        ("Point", "mm"),
+        say!("import-point-on-it-mm"),
+        (say!("import-point-2"), "mm"),
         &parts,
         &mut typed.point_mm,
     );
     numbers(
         ui,
-        "Tool at home, mm",
-        ("Tool", "mm"),
+        say!("import-tool-at-home-mm"),
+        (say!("common-tool"), "mm"),
         &parts,
         &mut typed.tool_mm,
     );
-    let parts = ["from", "to"];
+    let parts = [say!("common-from"), say!("common-to")];
     numbers(
         ui,
-        "Travel, °",
-        ("Travel", "°"),
+        say!("import-travel"),
+        (say!("import-travel-2"), "°"),
         &parts,
         &mut typed.limits_deg,
     );
-    ui.checkbox(&mut typed.gravity_down, "gravity points along −z");
+    ui.checkbox(
+        &mut typed.gravity_down,
+        say!("import-gravity-points-along-z"),
+    );
 }
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
@@ -138,10 +150,15 @@ fn in_words(robot: &Robot) -> String {
     let turns = robot.joints.iter().filter(turning).count();
     let count = robot.joint_count();
     let joints = match (count, turns) {
-        (1, 1) => "one joint that turns".to_owned(),
-        (1, 0) => "one joint that slides".to_owned(),
-        (count, turns) => format!("{count} joints, {turns} of which turn"),
+        (1, 1) => say!("import-one-joint-that-turns").to_owned(),
+        (1, 0) => say!("import-one-joint-that-slides").to_owned(),
+        (count, turns) => say!("import-joints-of-which-turn", count = count, turns = turns),
     };
     let reach = robot.base_from_tool.translation.vector.norm();
-    format!("{}: {joints}, tool {reach:.0} mm from the base", robot.name)
+    say!(
+        "import-tool-mm-from-the-base",
+        robot = robot.name,
+        joints = joints,
+        reach = format!("{reach:.0}")
+    )
 }

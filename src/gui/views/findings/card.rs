@@ -1,5 +1,6 @@
 //! A name that was found: its values, its evidence, what to check, and whether it is in the model.
 
+use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
@@ -7,12 +8,13 @@ use crate::fit::Estimate;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::help;
+use crate::gui::language::names::title_of;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, significant};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{figure, parameter, title_of};
+use crate::present::names::{figure, parameter};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -34,31 +36,36 @@ pub(super) fn show(
         let sign = if found.p_family.bound { '<' } else { '=' };
         widgets::hint_about(
             ui,
-            format!(
-                "p {sign} {} (chance that noise alone looks like this)",
-                found.p_family.p
+            say!(
+                "found-p-chance-that-noise-alone",
+                sign = sign,
+                p = found.p_family.p
             ),
             help::P_FAMILY,
         );
         if let Some(next) = &found.next {
             let odds = if found.odds_over_next > 1000.0 {
-                "More than 1000".to_owned()
+                say!("found-more-than-1000").to_owned()
             } else {
                 significant(found.odds_over_next, 2)
             };
             let next = title_of(next).to_lowercase();
-            let text = format!("{odds} times likelier than the next candidate, {next}");
+            let text = say!(
+                "found-times-likelier-than-the-next",
+                odds = odds,
+                next = next
+            );
             widgets::hint_about(ui, text, help::ODDS);
         }
     });
     let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
-        Some(gap) => widgets::fact(ui, "cross-validated RMS error", from_to(gap)),
-        None => widgets::fact(ui, "RMS error", from_to(found.gap_mm)),
+        Some(gap) => widgets::fact(ui, say!("found-cross-validated-rms-error"), from_to(gap)),
+        None => widgets::fact(ui, say!("common-rms-error"), from_to(found.gap_mm)),
     }
-    widgets::fact(ui, "noise floor", units.length(d.floor.mm));
-    ui.label(RichText::new("What to check").font(strong(size::SMALL)));
+    widgets::fact(ui, say!("common-noise-floor"), units.length(d.floor.mm));
+    ui.label(RichText::new(say!("found-what-to-check")).font(strong(size::SMALL)));
     widgets::hint(ui, found.check);
     let Some(term) = term_of(d, found) else {
         return;
@@ -68,9 +75,9 @@ pub(super) fn show(
         None => {
             // One thing stands out: with several names it is to add them all.
             let button = if workbench.not_added().len() > 1 {
-                widgets::secondary(ui, "Add to model")
+                widgets::secondary(ui, say!("found-add-to-model"))
             } else {
-                widgets::primary(ui, "Add to model")
+                widgets::primary(ui, say!("found-add-to-model"))
             };
             if button.clicked() {
                 commands.push(Command::Edit(Edit::Add(vec![term])));
@@ -78,7 +85,7 @@ pub(super) fn show(
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
-            if ui.checkbox(&mut on, "in the model").changed() {
+            if ui.checkbox(&mut on, say!("found-in-the-model")).changed() {
                 commands.push(Command::Edit(Edit::Switch(index, on)));
             }
         }

@@ -1,5 +1,6 @@
 //! What is wrong with the data itself, and how to mend it.
 
+use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Mend};
@@ -21,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
             ui.label(text.color(palette.outside));
             widgets::hint(ui, &problem.evidence);
             ui.label(&problem.proposal);
-            if !problem.samples.is_empty() && ui.link("Show these samples").clicked() {
+            if !problem.samples.is_empty() && ui.link(say!("common-show-these-samples")).clicked() {
                 commands.push(Command::Mark(problem.samples.clone()));
             }
             let Some(mend) = &problem.mend else {
@@ -33,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
         });
     }
     if mends.len() > 1 {
-        let text = format!("Mend all {}", mends.len());
+        let text = say!("found-mend-all", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Mend(in_order(mends))));
         }

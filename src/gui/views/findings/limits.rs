@@ -1,27 +1,29 @@
 //! What would have been seen, and what could not be.
 
+use crate::gui::language::say;
 use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::diagnosis::Diagnosis;
+use crate::gui::language::names::title_on;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::number_of;
+use crate::gui::units::grouped;
 use crate::gui::views::copies;
 use crate::gui::widgets;
-use crate::present::names::{detection_limit, title_on};
+use crate::present::names::detection_limit;
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {
         return;
     }
-    let number = number_of(d.not_found.len(), "effect");
-    let text = format!("Detection limits: {number} (95 %)");
+    let number = say!("effects", count = grouped(d.not_found.len()));
+    let text = say!("limits-detection-limits-95", number = number);
     folded(ui, text, |ui| {
         for limit in &d.not_found {
             let joint = limit.joint.map(|j| j + 1);
             ui.label(title_on(limit.effect, joint, d.model.robot.joints.len()));
             widgets::hint(ui, detection_limit(limit));
         }
-        copies::button(ui, "detection limits", || copies::limits(d));
+        copies::button(ui, say!("limits-detection-limits"), || copies::limits(d));
     });
 }
 
@@ -29,9 +31,9 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
     if d.not_testable.is_empty() {
         return;
     }
-    let text = format!(
-        "Not testable: {}",
-        number_of(d.not_testable.len(), "effect")
+    let text = say!(
+        "limits-not-testable",
+        not_testable = say!("effects", count = grouped(d.not_testable.len()))
     );
     folded(ui, text, |ui| {
         for one in &d.not_testable {

@@ -6,6 +6,7 @@ mod data;
 mod limits;
 mod next;
 
+use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
@@ -15,12 +16,12 @@ use crate::gui::units::{grouped, significant};
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
 
+use crate::gui::language::names::title_of;
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
-use crate::present::names::title_of;
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::heading(ui, "Diagnosis");
+    widgets::heading(ui, say!("diagnosis-diagnosis"));
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
@@ -43,10 +44,15 @@ pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: 
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
     let found = workbench.searching().map(Running::found);
     let says = match found.as_ref().map_or(0, Vec::len) {
-        0 => "Nothing found so far",
-        _ => "Found so far; a likelier name may take the place of one",
+        0 => say!("diagnosis-nothing-found-so-far"),
+        _ => say!("diagnosis-found-so-far-a-likelier"),
     };
-    so_far(ui, "Diagnosis is running", says, &found.unwrap_or_default());
+    so_far(
+        ui,
+        say!("diagnosis-diagnosis-is-running"),
+        says,
+        &found.unwrap_or_default(),
+    );
 }
 
 /// What a diagnosis that was stopped had found until then.
@@ -55,13 +61,12 @@ fn stopped(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     let says = match found.len() {
-        0 => "It had found nothing until then",
+        0 => say!("diagnosis-it-had-found-nothing-until"),
         _ => {
-            "Found until then, not yet tested against other names: run the diagnosis again to \
-             test them"
+            say!("diagnosis-found-until-then-not-yet")
         }
     };
-    so_far(ui, "Diagnosis stopped", says, found);
+    so_far(ui, say!("diagnosis-diagnosis-stopped"), says, found);
 }
 
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
@@ -86,7 +91,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         });
     }
     if !d.found.is_empty() {
-        copies::button(ui, "found effects", || copies::found(d));
+        copies::button(ui, say!("diagnosis-found-effects"), || copies::found(d));
     }
     equivalent(ui, d);
     unexplained::card(ui, workbench, d, commands);
@@ -103,31 +108,31 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let (says, color) = match d.verdict {
-        Verdict::Noise => ("Nothing is missing", palette.within),
+        Verdict::Noise => (say!("diagnosis-nothing-is-missing"), palette.within),
         Verdict::Explained => (
-            "Explained: the remaining error is at the noise floor",
+            say!("diagnosis-explained-the-remaining-error"),
             palette.within,
         ),
-        Verdict::PartlyExplained => (
-            "Partly explained: an error is left without a name",
+        Verdict::PartlyExplained => (say!("diagnosis-partly-explained-an-error"), palette.warning),
+        Verdict::Unexplained => (
+            say!("diagnosis-not-explained-by-any-effect"),
             palette.warning,
         ),
-        Verdict::Unexplained => ("Not explained by any effect", palette.warning),
     };
     let from = match d.floor.from {
-        FloorFrom::Repeats => "from repeats",
-        FloorFrom::Instrument => "of the instrument",
-        FloorFrom::Estimated => "estimated",
+        FloorFrom::Repeats => say!("diagnosis-from-repeats"),
+        FloorFrom::Instrument => say!("diagnosis-of-the-instrument"),
+        FloorFrom::Estimated => say!("common-estimated"),
     };
     widgets::card(ui, |ui| {
         let says = RichText::new(says).font(strong(size::HEADING));
         ui.label(says.color(color));
         if !d.tested_anything() {
-            let none = "these samples can show no effect: that nothing was found says nothing";
+            let none = say!("diagnosis-these-samples-can-show-no");
             ui.label(RichText::new(none).color(palette.warning));
         }
         if !d.equivalent.is_empty() {
-            let also = "the samples also allow another explanation, see below";
+            let also = say!("diagnosis-the-samples-also-allow-another");
             ui.label(RichText::new(also).color(palette.warning));
         }
         let mm = |mm: f64| units.length_number(mm);
@@ -138,15 +143,19 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
             mm(d.gap.end_mm),
             units.length_name()
         );
-        widgets::fact(ui, "RMS error", gaps);
+        widgets::fact(ui, say!("common-rms-error"), gaps);
         if let Some(unseen) = &d.held_out.gaps {
             let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
-            widgets::fact(ui, "held out", format!("{gaps} {}", units.length_name()));
+            widgets::fact(
+                ui,
+                say!("common-held-out"),
+                format!("{gaps} {}", units.length_name()),
+            );
         }
         let floor = format!("{}, {from}", units.length(d.floor.mm));
-        widgets::fact(ui, "noise floor", floor);
+        widgets::fact(ui, say!("common-noise-floor"), floor);
         noise(ui, workbench, d);
-        widgets::hint(ui, format!("Held out: {}", d.held_out.how));
+        widgets::hint(ui, say!("diagnosis-held-out", how = d.held_out.how));
     });
 }
 
@@ -154,16 +163,24 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
 fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let units = workbench.units();
     if let Some(noise) = &d.unexplained.noise {
-        widgets::fact(ui, "noise σ, stated", units.length(noise.stated_mm));
-        widgets::fact(ui, "noise σ, as found", units.length(noise.found_mm));
+        widgets::fact(
+            ui,
+            say!("diagnosis-noise-stated"),
+            units.length(noise.stated_mm),
+        );
+        widgets::fact(
+            ui,
+            say!("diagnosis-noise-as-found"),
+            units.length(noise.found_mm),
+        );
     }
     if let Some(slow) = &d.noise.slow {
-        let says = format!("Slow noise: {}", slow.says());
+        let says = say!("diagnosis-slow-noise", slow = slow.says());
         widgets::hint_about(ui, says, help::SLOW_NOISE);
     }
     let quality = &d.identification.quality;
     if !quality.converged {
-        let says = format!("the fit did not converge: {}", quality.stopped);
+        let says = say!("common-the-fit-did-not-converge", stopped = quality.stopped);
         ui.label(RichText::new(says).color(Palette::of(ui).warning));
     }
 }
@@ -173,15 +190,22 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, "The samples cannot rule out");
+        title(ui, say!("diagnosis-the-samples-cannot-rule-out"));
         for one in &d.equivalent {
-            ui.label(format!(
-                "{} instead of {}",
-                titles(&one.instead),
-                titles(&one.explanation)
+            ui.label(say!(
+                "diagnosis-instead",
+                instead = titles(&one.instead),
+                explanation = titles(&one.explanation)
             ));
             let odds = significant(one.odds, 2);
-            widgets::hint(ui, format!("{odds} : 1 against it. {}", one.separate_by));
+            widgets::hint(
+                ui,
+                say!(
+                    "diagnosis-1-against",
+                    odds = odds,
+                    separate_by = one.separate_by
+                ),
+            );
         }
     });
 }
@@ -190,7 +214,7 @@ fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     const MOST: usize = 8;
     if let Some(says) = d.identification.excluded_in_words() {
         widgets::card(ui, |ui| {
-            title(ui, "Excluded by hand");
+            title(ui, say!("diagnosis-excluded-by-hand"));
             widgets::hint(ui, says);
         });
     }
@@ -199,13 +223,23 @@ fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     }
     widgets::card(ui, |ui| {
         let (excluded, all) = (d.outliers.len(), grouped(d.samples));
-        title(ui, &format!("Excluded outliers: {excluded} of {all}"));
+        title(
+            ui,
+            &say!(
+                "diagnosis-excluded-outliers",
+                excluded = excluded,
+                all = all
+            ),
+        );
         for one in d.outliers.iter().take(MOST) {
             let off = workbench.units().length(one.deviation_mm);
-            widgets::fact(ui, &format!("sample {}", one.sample + 1), off);
+            widgets::fact(ui, &say!("common-sample", sample = one.sample + 1), off);
         }
         if d.outliers.len() > MOST {
-            widgets::hint(ui, format!("and {} more", d.outliers.len() - MOST));
+            widgets::hint(
+                ui,
+                say!("diagnosis-and-more", more = d.outliers.len() - MOST),
+            );
         }
     });
 }

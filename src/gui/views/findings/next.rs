@@ -1,5 +1,6 @@
 //! What to measure next.
 
+use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::NextPose;
@@ -21,7 +22,7 @@ pub(super) fn show(
     const MOST: usize = 24;
     let palette = Palette::of(ui);
     let robot = &workbench.subject().session.robot;
-    title(ui, "Measure these poses next");
+    title(ui, say!("next-measure-these-poses-next"));
     Grid::new("next poses")
         .num_columns(4)
         .spacing([14.0, 4.0])
@@ -48,16 +49,15 @@ pub(super) fn show(
     }
     let shown = &poses[..poses.len().min(MOST)];
     if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
-        let says = "Second time: the same pose again, after another one, as once is not enough over \
-                    the noise";
+        let says = say!("next-second-time-the-same-pose");
         widgets::hint(ui, says);
     }
     if poses.len() > MOST {
         let more = poses.len() - MOST;
-        widgets::hint(ui, format!("and {more} more, in the measuring list"));
+        widgets::hint(ui, say!("next-and-more-in-the-measuring", more = more));
     }
-    copies::button(ui, "poses", || copies::poses(poses, robot));
-    if widgets::secondary(ui, "Save measuring list…").clicked() {
+    copies::button(ui, say!("next-poses"), || copies::poses(poses, robot));
+    if widgets::secondary(ui, say!("next-save-measuring-list")).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Poses));
     }
 }

@@ -1,5 +1,6 @@
 //! Files: open, save, follow.
 
+use crate::gui::language::say;
 use egui::{Button, RichText, Ui};
 
 use crate::gui::actions::{self, OPEN_EXAMPLE, OPEN_LATEST};
@@ -13,9 +14,9 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(260.0);
     menu.items(ui, &[actions::OPEN]);
     recent(ui, menu);
-    ui.menu_button("Examples", |ui| {
+    ui.menu_button(say!("menu-examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
-            menu.item_about(ui, action, Some(example.what));
+            menu.item_about(ui, action, Some(example.what()));
         }
     });
     menu.items(ui, &[actions::IMPORT, actions::NEW]);
@@ -45,10 +46,10 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
     let workbench = menu.workbench;
     let recent: Vec<_> = workbench.recent().collect();
     if recent.is_empty() {
-        ui.add_enabled(false, Button::new("Recent files"));
+        ui.add_enabled(false, Button::new(say!("common-recent-files")));
         return;
     }
-    ui.menu_button("Recent files", |ui| {
+    ui.menu_button(say!("common-recent-files"), |ui| {
         ui.set_min_width(300.0);
         for (k, (path, there)) in recent.iter().enumerate() {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -74,9 +75,12 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     ui.add(egui::Label::new(folder).truncate());
                 } else {
                     let warning = Palette::of(ui).warning;
-                    let says = RichText::new("not there any more").size(size::SMALL);
+                    let says = RichText::new(say!("menu-not-there-any-more")).size(size::SMALL);
                     ui.label(says.color(warning));
-                    if ui.small_button(format!("Forget {name}")).clicked() {
+                    if ui
+                        .small_button(say!("common-forget", name = name))
+                        .clicked()
+                    {
                         menu.commands.push(Command::Forget(path.to_path_buf()));
                     }
                 }

@@ -4,6 +4,7 @@ mod file;
 mod items;
 mod lists;
 
+use crate::gui::language::say;
 use egui::{Align, FontId, Label, Layout, MenuBar, RichText, Ui};
 
 use crate::gui::core::loaded_session::Origin;
@@ -47,10 +48,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     workbench,
                     commands,
                 };
-                header(ui, "File", |ui| file::show(ui, menu));
-                header(ui, "Edit", |ui| lists::edit(ui, menu));
-                header(ui, "View", |ui| lists::view(ui, menu));
-                header(ui, "Help", |ui| lists::help(ui, menu));
+                header(ui, say!("menu-file"), |ui| file::show(ui, menu));
+                header(ui, say!("menu-edit"), |ui| lists::edit(ui, menu));
+                header(ui, say!("menu-view"), |ui| lists::view(ui, menu));
+                header(ui, say!("menu-help"), |ui| lists::help(ui, menu));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
@@ -64,12 +65,18 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui.allocate_ui_with_layout(egui::vec2(width, high), left, |ui| name(ui, workbench));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let redo = workbench.redoes();
-            let says = redo.map_or_else(|| "Nothing to redo".into(), |w| format!("Redo {w}"));
+            let says = redo.map_or_else(
+                || say!("menu-nothing-to-redo").into(),
+                |w| say!("menu-redo", what = w),
+            );
             if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
                 commands.push(Command::Redo);
             }
             let undo = workbench.undoes();
-            let says = undo.map_or_else(|| "Nothing to undo".into(), |w| format!("Undo {w}"));
+            let says = undo.map_or_else(
+                || say!("menu-nothing-to-undo").into(),
+                |w| say!("menu-undo", what = w),
+            );
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
                 commands.push(Command::Undo);
             }
@@ -93,19 +100,19 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     };
     let origin = match (workbench.file(), &subject.origin) {
         (Some(path), _) => file_name(path),
-        (None, Origin::Bundled) => "example".to_owned(),
-        (None, Origin::Simulated) => "simulated".to_owned(),
-        (None, Origin::Recovered(_)) => "restored".to_owned(),
-        (None, Origin::Imported(path)) => format!("from {}", file_name(path)),
+        (None, Origin::Bundled) => say!("menu-example").to_owned(),
+        (None, Origin::Simulated) => say!("menu-simulated").to_owned(),
+        (None, Origin::Recovered(_)) => say!("menu-restored").to_owned(),
+        (None, Origin::Imported(path)) => say!("menu-from", path = file_name(path)),
         (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
     };
     let origin = match (&workbench.document().given, &subject.origin) {
-        (Some(_), Origin::Model(_)) => format!("model {origin}"),
-        (Some(given), _) => format!("{origin} · model {}", given.file_name()),
+        (Some(_), Origin::Model(_)) => say!("menu-model", origin = origin),
+        (Some(given), _) => say!("menu-model-2", origin = origin, given = given.file_name()),
         (None, _) => origin,
     };
     let says = if workbench.unsaved() {
-        format!("{origin} · not saved")
+        say!("menu-not-saved", origin = origin)
     } else {
         origin
     };

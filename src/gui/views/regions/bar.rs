@@ -1,10 +1,11 @@
 //! The range as a strip: which part belongs to which region, and where the samples are.
 
+use crate::gui::language::say;
 use egui::{Align2, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::number_of;
+use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 
@@ -89,11 +90,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     };
     label(band.left(), Align2::LEFT_CENTER, low);
     label(band.right(), Align2::RIGHT_CENTER, high);
-    let says = format!(
-        "{} from {} to {}, and where the samples are",
-        number_of(regions.len(), "region"),
-        units.angle(low),
-        units.angle(high)
+    let says = say!(
+        "regions-from-to-and-where",
+        regions = say!("regions", count = grouped(regions.len())),
+        low = units.angle(low),
+        high = units.angle(high)
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
     response.on_hover_ui_at_pointer(|ui| {
@@ -105,14 +106,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             .iter()
             .position(|r| (r.from_rad..=r.to_rad).contains(&at));
         ui.label(match inside {
-            Some(k) => format!(
-                "region {}, {} … {}: {}",
-                regions[k].name,
-                units.angle(regions[k].from_rad),
-                units.angle(regions[k].to_rad),
-                number_of(counts[k].all, "sample")
+            Some(k) => say!(
+                "regions-region",
+                name = regions[k].name,
+                from = units.angle(regions[k].from_rad),
+                to = units.angle(regions[k].to_rad),
+                samples = say!("samples", count = grouped(counts[k].all))
             ),
-            None => "in no region".to_owned(),
+            None => say!("regions-in-no-region").to_owned(),
         });
     });
 }

@@ -4,6 +4,7 @@ mod bar;
 mod row;
 mod rows;
 
+use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, Ui};
 
 use crate::gui::core::angles::Count;
@@ -12,7 +13,7 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::space;
-use crate::gui::units::number_of;
+use crate::gui::units::grouped;
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::Progress;
@@ -35,14 +36,14 @@ pub(in crate::gui::views) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     if document.regions.is_empty() {
-        return ("optional".to_owned(), Progress::Open);
+        return (say!("regions-optional").to_owned(), Progress::Open);
     }
     let used = document.identified && document.method == Method::Regional;
-    let regions = number_of(document.regions.len(), "region");
+    let regions = say!("regions", count = grouped(document.regions.len()));
     let caption = if used {
         regions
     } else {
-        format!("optional, {regions}")
+        say!("regions-optional-2", regions = regions)
     };
     (caption, Progress::of(used))
 }
@@ -50,10 +51,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.is_empty() {
-        widgets::hint(
-            ui,
-            "Regions divide what was measured: open a session that was measured on this robot",
-        );
+        widgets::hint(ui, say!("regions-regions-divide-what-was-measured"));
         return;
     }
     let counts = subject.angles().by_region(&workbench.document().regions);
@@ -73,7 +71,11 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let present = document.regions.len();
     let number = if present == 0 { OFFERED } else { present };
-    let kinds = [(0, "Uniform"), (1, "Manual"), (2, "Adaptive")];
+    let kinds = [
+        (0, say!("regions-uniform")),
+        (1, say!("regions-manual")),
+        (2, say!("regions-adaptive")),
+    ];
     let now = match document.division {
         _ if present == 0 => 3,
         Division::Even => 0,
@@ -97,10 +99,7 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     match &document.division {
         Division::Even => evenly(ui, workbench, commands),
         Division::Given => {
-            widgets::hint(
-                ui,
-                "Drag a boundary on the plot, or type it; the identification follows at once",
-            );
+            widgets::hint(ui, say!("regions-drag-a-boundary"));
             own(ui, workbench, commands);
         }
         Division::Adaptive(decision) => {
@@ -117,9 +116,14 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let field = DragValue::new(&mut number)
             .range(1..=MOST_EVEN)
             .speed(0.1)
-            .suffix(if before == 1 { " region" } else { " regions" });
-        let response = widgets::cell_number(ui, "Number of regions", "", 110.0, field);
-        let divide = present == 0 && ui.button("Divide").clicked();
+            .suffix(if before == 1 {
+                say!("regions-region-2")
+            } else {
+                say!("regions-regions")
+            });
+        let response =
+            widgets::cell_number(ui, say!("regions-number-of-regions"), "", 110.0, field);
+        let divide = present == 0 && ui.button(say!("regions-divide")).clicked();
         if number != before || divide {
             let edit = Edit::Divide(number);
             commands.push(if response.dragged() {
@@ -140,9 +144,9 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if own.is_empty() || own[..] == workbench.document().regions[..] {
         return;
     }
-    let button = ui.button("Reset to session");
+    let button = ui.button(say!("regions-reset-to-session"));
     if button
-        .on_hover_text("take the regions that the session brings along")
+        .on_hover_text(say!("regions-take-the-regions"))
         .clicked()
     {
         commands.push(Command::Edit(Edit::RegionsOfSession));
@@ -155,12 +159,9 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
     widgets::hint(
         ui,
         if range.is_some() {
-            "There are no regions: nothing is corrected by region. Divide the range evenly, or \
-             where the data ask for it"
+            say!("regions-there-are-no-regions-nothing")
         } else {
-            "There are no regions, because all samples are at one angle: there is no range to \
-             divide. Give the joint its limits in Session, or measure at other angles. The exact \
-             fit in Identify needs no regions"
+            say!("regions-there-are-no-regions-because")
         },
     );
 }
@@ -176,23 +177,27 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
         let more = match gaps.len() {
             1 => gap,
-            n => format!("{gap} and {} more", n - 1),
+            n => say!("regions-and-more", gap = gap, n = n - 1),
         };
         let says = match outside {
-            0 => format!("{more}: in no region, and no sample is there"),
-            1 => format!("{more}: in no region; 1 sample there gets no correction"),
-            n => format!("{more}: in no region; {n} samples there get no correction"),
+            0 => say!("regions-in-no-region-and-no", more = more),
+            1 => say!("regions-in-no-region-1-sample", more = more),
+            n => say!("regions-in-no-region-samples-there", more = more, n = n),
         };
         widgets::hint(ui, says);
     } else if outside > 0 {
         let samples = if outside == 1 {
-            "sample is"
+            say!("regions-sample")
         } else {
-            "samples are"
+            say!("regions-samples-are")
         };
         widgets::hint(
             ui,
-            format!("{outside} {samples} in no region and get no correction"),
+            say!(
+                "regions-in-no-region-and-get",
+                outside = outside,
+                samples = samples
+            ),
         );
     }
 }
@@ -203,16 +208,13 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
     if possible && !regional {
-        widgets::hint(
-            ui,
-            "Optional: fills the next step, Identify, region by region",
-        );
-        if widgets::primary(ui, "Identify by region").clicked() {
+        widgets::hint(ui, say!("regions-optional-fills-the-next-step"));
+        if widgets::primary(ui, say!("regions-identify-by-region")).clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }
         return;
     }
-    if widgets::primary(ui, "Continue to identify").clicked() {
+    if widgets::primary(ui, say!("common-continue-to-identify")).clicked() {
         commands.push(Command::GoTo(Step::Identify));
     }
 }

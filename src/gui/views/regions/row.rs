@@ -1,5 +1,6 @@
 //! What can be done with a region: a menu at the end of its row, and keys while that has the focus.
 
+use crate::gui::language::say;
 use egui::{Button, Id, Key, Modifiers, Ui};
 
 use crate::gui::core::boundary_entry;
@@ -42,18 +43,18 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
     let last = regions.len() < 2;
     [
         Deed {
-            name: "Split in half",
+            name: say!("regions-split-in-half"),
             key: Key::S,
             shown: "S",
             does: crate::gui::core::boundaries::split(regions, k)
                 .map(|_| Does::Edit(Edit::Split(k)))
-                .ok_or("it is too narrow"),
+                .ok_or(say!("regions-it-is-too-narrow")),
         },
         Deed {
             name: if next.is_none() && before.is_some() {
-                "Merge with previous"
+                say!("regions-merge-with-previous")
             } else {
-                "Merge with next"
+                say!("regions-merge-with-next")
             },
             key: Key::M,
             shown: "M",
@@ -61,18 +62,18 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
                 .map(|_| k)
                 .or(before)
                 .map(|first| Does::Edit(Edit::Join(first)))
-                .ok_or("no region touches it"),
+                .ok_or(say!("regions-no-region-touches")),
         },
         Deed {
-            name: "Delete",
+            name: say!("regions-delete"),
             key: Key::Delete,
             shown: "Del",
             does: (!last)
                 .then_some(Does::Edit(Edit::Delete(k)))
-                .ok_or("the last region stays"),
+                .ok_or(say!("regions-the-last-region-stays")),
         },
         Deed {
-            name: "Rename",
+            name: say!("regions-rename"),
             key: Key::R,
             shown: "R",
             does: Ok(Does::Rename),
@@ -104,11 +105,11 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec
         })
     });
     let response = menu.inner.response;
-    let says = format!("Change region {}", regions[k].name);
+    let says = say!("regions-change-region", name = regions[k].name);
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(says));
     let focused = response.has_focus();
-    response.on_hover_text("with the focus here: S splits, M merges, Del deletes, R renames");
+    response.on_hover_text(say!("regions-with-the-focus-here-s"));
     for deed in deeds(regions, k) {
         if let (true, Ok(does)) = (key(ui, focused, deed.key), deed.does) {
             done = Some(does);

@@ -1,12 +1,13 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
+use crate::gui::language::say;
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::units::{Units, number_of};
+use crate::gui::units::{Units, grouped};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::sessions::Region;
@@ -61,9 +62,9 @@ pub(super) fn show(
     if regions.len() > MOST_LISTED {
         widgets::hint(
             ui,
-            format!(
-                "and {} more, to be dragged on the plot",
-                regions.len() - MOST_LISTED
+            say!(
+                "regions-and-more-to-be-dragged",
+                more = regions.len() - MOST_LISTED
             ),
         );
     }
@@ -73,10 +74,10 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     let muted = Palette::of(ui).muted;
     let unit = units.angle_name().trim();
     let names = [
-        "name".to_owned(),
-        format!("from, {unit}"),
-        format!("to, {unit}"),
-        "samples".to_owned(),
+        say!("regions-name").to_owned(),
+        say!("regions-from", unit = unit),
+        say!("regions-to", unit = unit),
+        say!("common-samples").to_owned(),
     ];
     ui.horizontal(|ui| {
         for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
@@ -97,15 +98,11 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
 
 /// What a region with few samples can and cannot do.
 fn few(count: Count) -> Option<String> {
-    let measured = number_of(count.all, "sample");
+    let measured = say!("samples", count = grouped(count.all));
     match count.fitted {
-        0 if count.all == 0 => {
-            Some("no sample, so no correction: measure here, or merge it with the next".to_owned())
-        }
-        0 => Some(format!(
-            "{measured}, none of which can be fitted, so no correction"
-        )),
-        1 => Some("one sample to fit: a correction, but nothing to tell how sure it is".to_owned()),
+        0 if count.all == 0 => Some(say!("regions-no-sample-so-no-correction").to_owned()),
+        0 => Some(say!("regions-none-of-which-can-be", measured = measured)),
+        1 => Some(say!("regions-one-sample-to-fit").to_owned()),
         _ => None,
     }
 }
@@ -139,7 +136,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
     ui.ctx().accesskit_node_builder(field.id, |node| {
-        node.set_label(format!("Name of region {name}"));
+        node.set_label(say!("regions-name-of-region", name = name));
     });
     let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
@@ -187,10 +184,14 @@ fn angle(
         .align(egui::Align2::RIGHT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([width, HEIGHT], edit);
-    let name = format!(
-        "{}, region {}",
-        if end == End::From { "From" } else { "To" },
-        region.name
+    let name = say!(
+        "regions-region-3",
+        end = if end == End::From {
+            say!("regions-from-2")
+        } else {
+            say!("regions-to-2")
+        },
+        region = region.name
     );
     ui.ctx().accesskit_node_builder(field.id, |node| {
         node.set_label(name);
@@ -284,10 +285,9 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
         return;
     };
     let which = match end {
-        End::From => "Region {}, from: ",
-        End::To => "Region {}, to: ",
+        End::From => say!("regions-region-from", region = region.name),
+        End::To => say!("regions-region-to", region = region.name),
     };
-    let which = which.replace("{}", &region.name);
     let at_rad = match end {
         End::From => region.from_rad,
         End::To => region.to_rad,
@@ -295,7 +295,12 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
     let stays = workbench.units().angle(at_rad);
     widgets::wrong(
         ui,
-        &format!("{which}{says}. Until then it stays at {stays}"),
+        &say!(
+            "regions-until-then-it-stays",
+            which = which,
+            says = says,
+            stays = stays
+        ),
     );
 }
 
@@ -325,11 +330,11 @@ fn samples(
         return;
     }
     let says = match count.all {
-        1 => format!("Show the sample of region {}", region.name),
-        n => format!(
-            "Show the {} of region {}",
-            number_of(n, "sample"),
-            region.name
+        1 => say!("regions-show-the-sample-of-region", region = region.name),
+        n => say!(
+            "regions-show-the-of-region",
+            samples = say!("samples", count = grouped(n)),
+            region = region.name
         ),
     };
     ui.ctx()

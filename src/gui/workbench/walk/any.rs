@@ -19,6 +19,7 @@ use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::language::Language;
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
@@ -282,7 +283,14 @@ fn sizes(random: &mut ChaCha8Rng) -> Sizes {
 }
 
 fn preferences(random: &mut ChaCha8Rng) -> Preferences {
+    let languages = [
+        None,
+        Some(Language::English),
+        Some(Language::German),
+        Some(Language::Marked),
+    ];
     Preferences {
+        language: pick(random, &languages),
         sizes: Sizes::default(),
         length: pick(
             random,
@@ -432,6 +440,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::Dismiss,
+        149 if random.random() => Command::FindNamesOfLanguages,
         149 => Command::DismissLetters,
         // Private ones: no walk depends on the fonts of the machine.
         150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),

@@ -12,6 +12,7 @@
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::{FEW, round_down, stride};
+use crate::gui::language::say;
 use crate::gui::units::{Units, trimmed};
 use crate::gui::workbench::Workbench;
 
@@ -89,18 +90,11 @@ pub(crate) struct Polar {
 pub(crate) fn absent(subject: &Subject) -> Option<&'static str> {
     let robot = &subject.session.robot;
     if subject.is_empty() {
-        Some("Nothing was measured yet: the polar view shows deviations around the joint’s angle")
+        Some(say!("polar-nothing-was-measured-yet"))
     } else if robot.joints.len() > 1 {
-        Some(
-            "This robot has several joints, so that a deviation belongs to no single angle: there \
-             is no polar view. The other views show where it is, the chart below over which value \
-             of the first joint",
-        )
+        Some(say!("polar-this-robot-has-several-joints"))
     } else if !subject.turns() {
-        Some(
-            "This joint slides, and a length does not close a circle: there is no polar view. The \
-             chart below shows the deviation along the joint’s way",
-        )
+        Some(say!("polar-this-joint-slides"))
     } else {
         None
     }
@@ -233,10 +227,10 @@ fn traces(mut values: Vec<(f64, f64, f64)>) -> Vec<Trace> {
 /// `1 division = 0.5 mm`.
 pub(crate) fn scale(polar: &Polar, units: Units) -> String {
     let division = units.length_value(polar.division_mm);
-    format!(
-        "1 division = {} {}",
-        trimmed(division, 6),
-        units.length_name()
+    say!(
+        "polar-1-division",
+        length = trimmed(division, 6),
+        unit = units.length_name()
     )
 }
 

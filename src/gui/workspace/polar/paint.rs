@@ -1,5 +1,6 @@
 //! The polar view in egui: the rings, what they stand for, and what the pointer does.
 
+use crate::gui::language::say;
 use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::PlotTransform;
@@ -86,10 +87,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
     let (response, transform) = (shown.response, shown.transform);
     let samples = subject.overview.usable.len();
     response.widget_info(|| {
-        let says = format!(
-            "polar view, {}, {samples} samples, {}",
-            polar.component.name(),
-            scale(polar, units)
+        let says = say!(
+            "polar-polar-view-samples",
+            component = polar.component.name(),
+            samples = samples,
+            polar = scale(polar, units)
         );
         WidgetInfo::labeled(Role::Figure, true, says)
     });

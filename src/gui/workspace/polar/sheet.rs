@@ -1,5 +1,6 @@
 //! The polar view as a drawing for a file.
 
+use crate::gui::language::say;
 use std::f64::consts::TAU;
 
 use crate::gui::core::answer::Answer;
@@ -134,27 +135,33 @@ fn marks(
 }
 
 fn words(drawing: &mut Drawing, polar: &Polar, answered: bool, only_after: bool, stride: usize) {
-    let title = format!("{} deviation around the angle", polar.component.name());
+    let title = say!(
+        "polar-deviation-around-the-angle",
+        component = polar.component.name()
+    );
     drawing.text(Label::new([0.0, 11.0], title, 9.0, INK).bold());
-    let scale = format!(
-        "1 division = {} mm; the thick circle is nominal",
-        trimmed(polar.division_mm, 6)
+    let scale = say!(
+        "polar-1-division-mm-the-thick",
+        division = trimmed(polar.division_mm, 6)
     );
     let mut says = vec![scale];
     let shown = match (answered, only_after) {
-        (false, _) => "outline: before",
-        (true, false) => "outline: before, filled: after",
-        (true, true) => "filled: after",
+        (false, _) => say!("polar-outline-before"),
+        (true, false) => say!("polar-outline-before-filled-after"),
+        (true, true) => say!("polar-filled-after"),
     };
     let mut marks = shown.to_owned();
     if polar.spots.iter().any(|s| s.side != 0.0) {
-        marks += "; tip up: moving positive, tip down: negative";
+        marks += say!("polar-tip-up-moving-positive-tip");
     }
     if let Some(tolerance) = polar.tolerance_mm {
-        marks += &format!("; dashed: tolerance {} mm", trimmed(tolerance, 6));
+        marks += &say!(
+            "polar-dashed-tolerance-mm",
+            tolerance = trimmed(tolerance, 6)
+        );
     }
     if stride > 1 {
-        marks += &format!("; 1 of {stride} samples");
+        marks += &say!("polar-1-of-samples", stride = stride);
     }
     says.push(marks);
     for (k, line) in says.into_iter().enumerate() {

@@ -4,6 +4,7 @@
 //! vectors are. What its joints between do the tool alone cannot tell: the displacement grows
 //! evenly along the chain from where the first axis lets go of it, which for a column is exact.
 
+use crate::gui::language::say;
 use nalgebra::{Point3, Vector3};
 
 use crate::gui::core::scale::round_down;
@@ -142,10 +143,10 @@ impl Drawn {
     /// In words: which sample, at which joint values.
     pub(crate) fn says(&self) -> String {
         let mut says = match (self.sample, self.asked_for) {
-            (Some(sample), true) => format!("robot at sample {}", sample + 1),
-            (Some(sample), false) => format!("robot at sample {}, as an example", sample + 1),
-            (None, true) => "robot as posed".to_owned(),
-            (None, false) => "robot at home".to_owned(),
+            (Some(sample), true) => say!("robot-robot-at-sample", sample = sample + 1),
+            (Some(sample), false) => say!("robot-robot-at-sample-as", sample = sample + 1),
+            (None, true) => say!("robot-robot-as-posed").to_owned(),
+            (None, false) => say!("robot-robot-at-home").to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };

@@ -1,6 +1,7 @@
 //! The robot in egui. The nominal one is a tube, the real one a line with a filled tool: form says
 //! what colour says.
 
+use crate::gui::language::say;
 use egui::{Color32, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use egui_plot::PlotTransform;
 
@@ -190,7 +191,9 @@ pub(crate) fn values(
     };
     let font = egui::FontId::proportional(size::SMALL);
     let row = |text: String, color| ui.painter().layout_no_wrap(text, font.clone(), color);
-    let title = drawn.sample.map(|sample| format!("sample {}", sample + 1));
+    let title = drawn
+        .sample
+        .map(|sample| say!("common-sample", sample = sample + 1));
     let head = title.map(|title| row(title, palette.muted));
     let mut rows: Vec<_> = drawn
         .values
@@ -200,15 +203,15 @@ pub(crate) fn values(
         .collect();
     if drawn.values.len() > MOST {
         rows.push(row(
-            format!("and {} more", drawn.values.len() - MOST),
+            say!("robot-and-more", more = drawn.values.len() - MOST),
             palette.muted,
         ));
     }
     if let Some(real) = &drawn.real {
         let what = if real.identified {
-            "identified"
+            say!("common-identified")
         } else {
-            "measured"
+            say!("common-measured")
         };
         rows.push(row(
             format!("{what} × {}", trimmed(real.times, 2)),

@@ -1,5 +1,6 @@
 //! The view in space in egui, and what the pointer does in it.
 
+use crate::gui::language::say;
 use std::sync::Arc;
 
 use egui::{Align2, FontId, Panel, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
@@ -81,12 +82,16 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
 fn says(response: &egui::Response, workbench: &Workbench) {
     let view = workbench.view();
     let samples = workbench.subject().overview.usable.len();
-    let mut name = format!("3-D view, {samples} samples, {}", view.camera.says());
+    let mut name = say!(
+        "space-3-d-view-samples",
+        samples = samples,
+        camera = view.camera.says()
+    );
     if let Some(sample) = view.selected {
-        name += &format!(", sample {} selected", sample + 1);
+        name += &say!("space-sample-selected", sample = sample + 1);
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
-    let how = "arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views";
+    let how = say!("space-arrow-keys-orbit-plus");
     let ctx = &response.ctx;
     ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
 }
@@ -208,7 +213,7 @@ fn drawn(
     frames(ui, workbench, robot, space, palette);
     let units = workbench.units();
     let square = trimmed(units.length_value(square_mm(&space.ball)), 3);
-    let says = format!("grid {square} {}", units.length_name());
+    let says = say!("space-grid", square = square, unit = units.length_name());
     let at = transform.frame().left_bottom() + vec2(4.0, -4.0);
     let font = FontId::proportional(size::SMALL);
     ui.painter()
@@ -281,10 +286,13 @@ fn frames(ui: &Ui, workbench: &Workbench, robot: Option<&Drawn>, space: &Space, 
             palette,
         );
     };
-    show("base", space.base);
+    show(say!("space-base"), space.base);
     let session = &workbench.subject().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
-        show("tool", space.base * session.robot.base_from_tool(&robot.q));
+        show(
+            say!("space-tool"),
+            space.base * session.robot.base_from_tool(&robot.q),
+        );
     }
     let instrument = &session.instrument;
     let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);

@@ -1,5 +1,6 @@
 //! The view in space as a drawing for a file: as it is seen, on paper.
 
+use crate::gui::language::say;
 use egui::{Pos2, Rect, pos2, vec2};
 
 use crate::gui::layers::scale_at;
@@ -78,7 +79,7 @@ fn add(drawing: &mut Drawing, lines: impl IntoIterator<Item = [[f64; 2]; 2]>, st
 /// There is nothing to draw.
 pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
     if workbench.subject().is_empty() {
-        return Err("there are no samples to draw".to_owned());
+        return Err(say!("common-there-are-no-samples").to_owned());
     }
     let scene = Scene::on(workbench, Canvas::Shapes);
     let space = Space::new(
@@ -201,19 +202,21 @@ fn axes(drawing: &mut Drawing, space: &Space) {
 fn words(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Space) -> String {
     let session = crate::report::document::clean(&workbench.subject().session.name);
     let magnified = trimmed(scene.magnification, 3);
-    let title = format!(
-        "{session}: {} samples, {}, deviations {} magnified {magnified} times",
-        scene.samples,
-        workbench.view().camera.says(),
-        if scene.look.answered {
-            "after"
+    let title = say!(
+        "space-samples-deviations-magnified-times",
+        session = session,
+        samples = scene.samples,
+        camera = workbench.view().camera.says(),
+        state = if scene.look.answered {
+            say!("common-after")
         } else {
-            "before"
+            say!("common-before")
         },
+        magnified = magnified
     );
-    let mut more = format!("grid {} mm", trimmed(square_mm(&space.ball), 3));
+    let mut more = say!("space-grid-mm", square = trimmed(square_mm(&space.ball), 3));
     if scene.look.colouring != Colouring::State {
-        more += &format!("; colour: {}", scene.look.colouring.name());
+        more += &say!("space-colour", colouring = scene.look.colouring.name());
     }
     for note in scene.notes() {
         more += &format!("; {note}");

@@ -1,0 +1,1682 @@
+# English: every text of the window. A language is a file like this one; see docs/languages.md.
+
+## actions
+
+actions-open-a-session-first = Open a session first
+actions-redo = Redo
+actions-nothing-was-undone = Nothing was undone
+actions-undo = Undo
+actions-nothing-was-changed-yet = Nothing was changed yet
+actions-import = Import…
+actions-save-session-as = Save session as…
+actions-save-session-to-path = Save session to path…
+actions-compensate-targets = Compensate targets…
+actions-save-table = Save table…
+actions-read-the-file-again = Read the file again
+actions-the-session-is-in-no = The session is in no file yet
+actions-the-samples-are-in-no = The samples are in no file of their own
+actions-quit = Quit
+actions-cancel-what-is-running = Cancel what is running
+actions-nothing-is-running = Nothing is running
+actions-choose-a-sample = Choose a sample in a plot or in the table
+actions-preferences = Preferences…
+actions-workspace-from-above = Workspace from above
+actions-workspace-from-the-side = Workspace from the side
+actions-workspace-from-the-front = Workspace from the front
+actions-deviation-around-the-angle = Deviation around the angle
+actions-workspace-in-3-d = Workspace in 3-D
+actions-show-everything-in-the-plots = Show everything in the plots
+actions-this-robot-has-no-such = This robot has no such step
+actions-about-truepose = About truepose
+actions-all-commands = All commands…
+actions-include-again = Include { $what } again
+actions-exclude = Exclude { $what }
+actions-stop-following-the-file = Stop following the file
+actions-lengths-in-m = Lengths in µm
+actions-lengths-in-inches = Lengths in inches
+actions-lengths-in-mm = Lengths in mm
+actions-angles-in-radians = Angles in radians
+actions-angles-in-mrad = Angles in mrad
+actions-angles-in-arcsec = Angles in arcsec
+actions-angles-in-degrees = Angles in degrees
+actions-light = Light
+actions-dark = Dark
+actions-hide-results = Hide results
+actions-show-results = Show results
+
+## common
+
+common-identify-the-robot-first = Identify the robot first
+common-open = Open…
+common-new-by-simulation = New by simulation…
+common-save-session = Save session
+common-save-model = Save model…
+common-report = Report…
+common-identify = identify
+common-identify-2 = Identify
+common-run-diagnosis = Run diagnosis
+common-3-d-view-isometric = 3-D view, isometric
+common-3-d-view = 3-D view from the front
+common-3-d-view-from-the-side = 3-D view from the side
+common-3-d-view-from-above = 3-D view from above
+common-glossary = Glossary
+common-keyboard-and-mouse = Keyboard and mouse
+common-follow-the-file-as = Follow the file as it grows
+common-time = time
+common-joints = joints
+common-table = table
+common-before = before
+common-after = after
+common-effect = effect
+common-without = without it
+common-moving-positive = moving positive
+common-negative = negative
+common-noise-alone = noise alone
+common-samples = samples
+common-noise = noise
+common-degrees = degrees
+common-radians = radians
+common-there-is-no-such-region = there is no such region
+common-tolerance = tolerance
+common-from = from
+common-to = to
+common-step = step
+common-corrected = corrected
+common-cancel = Cancel
+common-done = Done
+common-excluded = excluded
+common-session = Session
+common-decimal-sign = Decimal sign
+common-lengths = Lengths in
+common-none = none
+common-which-robot-was-measured = Which robot was measured
+common-tool = Tool
+common-save-table = Save table
+common-save-model-2 = Save model
+common-save-measuring-list = Save measuring list
+common-save-report = Save report
+common-save-picture = Save picture
+common-save-corrected-file = Save corrected file
+common-instrument = Instrument
+common-targets-and-programs = Targets and programs
+common-table-2 = Table
+common-and-more = and { $more } more
+common-the-simulation-needs-other-numbers = The simulation needs other numbers
+common-deviation = deviation
+common-direction = direction
+common-export = Export
+common-chart = Chart
+common-copy-table = Copy table
+common-within-tolerance = within tolerance
+common-noise-floor = noise floor
+common-testable-effects = testable effects
+common-of = { $yes } of { $no }
+common-is-not-there-any-more = { $name } is not there any more
+common-not-yet = not yet
+common-joint = joint
+common-not-correctable-by-joint-commands = not correctable by joint commands
+common-robot = robot
+common-rms-error = RMS error
+common-show-these-samples = Show these samples
+common-estimated = estimated
+common-held-out = held out
+common-the-fit-did-not-converge = the fit did not converge: { $stopped }
+common-sample = sample { $sample }
+common-identified = identified
+common-searching = searching
+common-continue-to-export = Continue to export
+common-regions = regions
+common-recent-files = Recent files
+common-forget = Forget { $name }
+common-measured = measured
+common-there-are-no-samples = there are no samples to draw
+common-continue-to-identify = Continue to identify
+common-results = Results
+common-instrument-2 = instrument
+common-open-2 = Open
+common-workspace = Workspace
+common-dismiss = Dismiss
+common-within = within
+common-outside = outside
+common-vectors = vectors
+common-heat-map = heat map
+common-load = load
+common-temperature = temperature
+samples =
+    { $count ->
+        [one] { $count } sample
+       *[other] { $count } samples
+    }
+regions =
+    { $count ->
+        [one] { $count } region
+       *[other] { $count } regions
+    }
+effects =
+    { $count ->
+        [one] { $count } effect
+       *[other] { $count } effects
+    }
+nothing = {""}
+
+## keys
+
+keys-redo = redo
+keys-undo = undo
+keys-open-the-last-file-again = open the last file again
+keys-open-a-file = open a file
+keys-import-what-an-instrument-wrote = import what an instrument wrote
+keys-first-example = first example
+keys-second-example = second example
+keys-third-example = third example
+keys-new-by-simulation = new by simulation
+keys-save-session-as = save session as
+keys-save-session = save session
+keys-save-session-to-a-path = save session to a path
+keys-save-model = save model
+keys-correct-targets-or-a-program = correct targets or a program
+keys-save-table = save table
+keys-save-the-report = save the report
+keys-read-the-file-again = read the file again
+keys-follow-the-file-or-stop = follow the file, or stop
+keys-quit = quit
+keys-search-for-what-is-missing = search for what is missing
+keys-cancel = cancel
+keys-exclude-the-chosen-samples-or = exclude the chosen samples, or include them again
+keys-preferences = preferences
+keys-other-unit-of-angles = other unit of angles
+keys-next-unit-of-lengths = next unit of lengths
+keys-light-or-dark = light or dark
+keys-results-or-more-room = results, or more room for plots
+keys-workspace-from-above = workspace from above
+keys-workspace-from-the-side = workspace from the side
+keys-workspace-from-the-front = workspace from the front
+keys-deviation-around-the-angle-polar = deviation around the angle (polar)
+keys-workspace-in-3-d = workspace in 3-D
+keys-fit-the-plots-view = fit the plots' view
+keys-the-same = the same
+keys-first-step = first step
+keys-second-step = second step
+keys-third-step = third step
+keys-fourth-step = fourth step
+keys-fifth-step-where-there-are = fifth step, where there are regions
+keys-about-truepose = about truepose
+keys-glossary = glossary
+keys-this-list = this list
+keys-all-commands-by-a-word = all commands, by a word of their name
+keys-move-the-boundary-that-has = move the boundary that has the focus
+keys-move-it-further = move it further
+keys-orbit-and-zoom-the-3 = orbit and zoom the 3-D view that has the focus
+keys-next-control-the-one-before = next control, the one before
+keys-space-or-enter = Space or Enter
+keys-press = press it
+keys-larger-smaller-usual-text = larger, smaller, usual text
+keys-close-a-sheet = close a sheet
+keys-the-mouse-in-the-plots = The mouse, in the plots
+
+## over
+
+over-no-sample-has-a-joint = No sample has a joint value
+over-every-sample-needs-its-q1 = Every sample needs its q1 cell
+over-no-time-was-logged = No time was logged
+over-a-column-time-s-would = A column time_s would show whether the deviation drifts while you measure, and when somebody touched the tripod
+over-no-load-was-logged = No load was logged
+over-a-column-load-kg-would = A column load_kg would show whether the arm gives way under what it carries: measure some poses empty and the same ones loaded
+over-no-temperature-was-logged = No temperature was logged
+over-a-column-temperature-c-would = A column temperature_c would show whether the deviation follows the machine's warmth
+over-the-joints-motion-was-not = The joint's motion was not logged
+over-columns-speed1-deg-s = Columns speed1_deg_s and dir1 would show how the deviation follows the motion
+over-time-since-the-first-sample = time since the first sample
+over-speed-of = speed of { $joint }
+over-travel-of-since-it-reversed = travel of { $joint } since it reversed
+
+## by-joint
+
+by-joint-deviation-by-joint = Deviation by joint
+by-joint-the-deviation-over-every-joint = The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint
+by-joint-every-sample-needs-its-joint = Every sample needs its joint values and what was measured
+by-joint-no-sample-to-show = No sample to show
+by-joint-each-over-the-range = joint, each over the range shown
+by-joint-deviation-by-joint-2 = { $name } deviation by joint
+by-joint-deviation-by-joint-3 = deviation by joint, { $name }
+by-joint-deviation-of-samples-over-joints = { $name } deviation of { $samples } samples over { $joints } joints, { $from } to { $to }
+
+## correction
+
+correction-correction-table = Correction table
+correction-this-format-describes-the-robot = This format describes the robot itself and has no table
+correction-correction-table-as-a-curve = correction table as a curve
+correction-the-same-for-both-directions = the same for both directions
+correction-solid-moving-positive-dashed-moving = solid: moving positive · dashed: moving negative
+correction-correction-table-2 = correction table
+correction-correction = correction, { $unit }
+
+## deviation
+
+deviation-angle = angle
+deviation-deviation-over-angle = Deviation over angle
+deviation-deviation-over-time = Deviation over time
+deviation-deviation-over-load = Deviation over load
+deviation-deviation-over-temperature = Deviation over temperature
+deviation-deviation-chart = deviation chart, { $component }
+deviation-chart = { $chart } chart, { $component }
+deviation-deviation-over = { $name } deviation over { $label }
+deviation-to = { $component } to { $first }
+deviation-the-never-changes = the { $what } never changes
+deviation-from-the-smallest = from the smallest to the largest in each column
+deviation-one-sample-has-no-value = one sample has no value and is not shown
+deviation-samples-have-no-value = { $n } samples have no value and are not shown
+deviation-to-2 = { $from } to { $to }
+deviation-no-sample-to-show = no sample to show
+deviation-deviation-of-samples-over = { $component } deviation of { $samples } samples over { $label } from { $from } to { $to }
+deviation-tolerance = , tolerance { $tolerance }
+
+## curve
+
+curve-effects-own-curve = Effect's own curve
+curve-curve = curve of { $curve }, { $component }
+curve-there-is-no-curve = There is no curve to show
+curve-run-the-diagnosis-again-what = Run the diagnosis again: what was found belongs to other samples
+curve-without = without { $what }
+curve-what-it-does = what it does
+curve-residual-without-and-what = { $component } residual without { $what }, and what it does
+curve-what-is-left-without-all = what is left without { $curve }; all else as fitted
+curve-it-depends-on-the-pose = it depends on the pose too: its value at each sample
+curve-a-set-up-error = a set-up error is not corrected yet and shows here too
+curve-over-it-moves-the-deviation = { $curve } over { $label }: it moves the { $component } deviation from { $from } to { $to }; without it { $before } root mean square are left, with it { $after }
+
+## chart-gap
+
+chart-gap = gap
+chart-gap-by-step = Gap by step
+chart-gap-nothing-is-identified-yet = nothing is identified yet
+chart-gap-rms-over-the-fitted-samples = RMS over the fitted samples
+chart-gap-by-step-2 = gap by step: { $steps }
+
+## histogram
+
+histogram-bars-as-wide-as = bars as wide as the spread of the samples asks for
+histogram-histogram = histogram
+histogram-histogram-2 = Histogram
+histogram-histogram-3 = histogram, { $component }
+histogram-no-sample-can-be-counted = No sample can be counted
+histogram-every-sample-lacks-a-joint = Every sample lacks a joint value or a coordinate
+histogram-click = click
+histogram-marks-them = marks them
+histogram-tolerance = {" "}tolerance{" "}
+histogram-samples-by-deviation = samples by { $name } deviation
+histogram-deviation = { $name } deviation, { $units }
+histogram-within = within { $sign }{ $tolerance }: { $counts } of { $all }
+histogram-one-lies-beyond-the-ends = one lies beyond the ends
+histogram-lie-beyond-the-ends = { $n } lie beyond the ends
+histogram-wide = { $width } { $unit } wide { $rule }
+histogram-most = most, { $bin }, from { $from } to { $to }
+histogram-how-many-samples-have-which = how many samples have which { $component } deviation
+
+## orders
+
+orders-orders = orders
+orders-order-spectrum = Order spectrum
+orders-order-spectrum-2 = order spectrum, { $component }
+orders-orders-are-cycles-per-turn = Orders are cycles per turn. Choose a joint that turns
+orders-slides = { $name } slides
+orders-too-few-different-angles = Too few different angles
+orders-an-order-shows-where = An order shows where a wave comes back with every turn: measure thirty angles or more, spread over the whole range of the joint
+orders-usual-cause = usual cause
+orders-noise = noise, { $name }
+orders-order = order { $order }
+orders-deviation-by-order-over = { $name } deviation by order over { $joint }
+orders-cycles-per-turn = cycles per turn of { $joint }
+orders-amplitude = amplitude, { $unit }
+orders-too-few-samples-to-say = too few samples to say what is noise
+orders-order-2 = order { $order }{ $cause } with { $amplitude }
+orders-nothing-above-the-noise = nothing above the noise
+orders-orders-of-the-deviation-before = { $orders } orders of the { $component } deviation; before: { $before }
+orders-after = ; after: { $after }
+orders-noise-stays-below-the-line = noise stays below the line in 99 of 100 sessions
+orders-range-orders-nearer-than-cannot = range { $range }°: orders nearer than { $apart } cannot be told apart
+orders-and-order-1-cannot-be = , and order 1 cannot be seen
+orders-and-orders-up-to-cannot = , and orders up to { $n } cannot be seen
+orders-eccentricity = eccentricity
+orders-two-cycle = two-cycle
+orders-gear = gear
+
+## quantiles
+
+quantiles-quantiles = quantiles
+quantiles-normal-quantiles = Normal quantiles
+quantiles-each-samples-residual-over = Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks
+quantiles-nothing-to-compare = Nothing to compare with the normal distribution
+quantiles-choose-a-component-that-has = Choose a component that has a sign, of four samples or more
+quantiles-normal-quantiles-2 = normal quantiles, { $name }
+quantiles-residuals-of-samples-over-normal = { $name } residuals of { $samples } samples over normal quantiles; the middle half is spread like noise of { $sigma }
+quantiles-residuals-over-normal-quantiles = { $name } residuals over normal quantiles
+quantiles-what-noise-alone-would-be = what noise alone would be, σ
+quantiles-the-line-has-the-slope = the line has the slope of σ = { $sigma }
+
+## boundary-entry
+
+boundary-entry-milliradians = milliradians
+boundary-entry-seconds-of-arc = seconds of arc
+boundary-entry-the-angle-is-missing-type = the angle is missing; type it in { $name }, such as { $example }
+boundary-entry-is-no-angle-type = '{ $text }' is no angle; type a number of { $name }, such as { $example }
+boundary-entry-a-boundary-is-an-angle = a boundary is an angle; type a number
+boundary-entry-is-outside-of-the-joints = { $at } is outside of the joint's range { $range }; { $same } is the same direction: type that
+boundary-entry-is-outside-of-the-joints-range = { $at } is outside of the joint's range { $range }; type an angle in it
+boundary-entry-at-most = at most { $from }
+boundary-entry-at-least = at least { $to }
+boundary-entry-region-would-overlap-region-type = region { $next } would overlap region { $other }, { $from } … { $to }; type { $free }, or merge the two
+boundary-entry-type-or-more = type { $least } or more
+boundary-entry-type-or-less = type { $most } or less
+boundary-entry-region-would-begin-and-end = region { $name } would begin and end at { $from }; { $instead }
+boundary-entry-region-would-be-wide-less = region { $name } would be { $width } wide, less than { $least }; { $instead }
+boundary-entry-region-would-run-from-over = region { $name } would run from { $from } over { $limit } to { $to }; no region does: make two, one to { $first } and one from { $second }
+boundary-entry-region-would-begin-at-after = region { $name } would begin at { $from }, after its end at { $to }; { $instead }
+
+## compensated
+
+compensated-neither-its-ending-nor-its = { $path }: neither its ending nor its content says what it is; expected { $all }
+
+## division
+
+division-one-region-nowhere-does = One region: nowhere does the deviation change by more than the noise
+division-regions-a-boundary-where = { $n } regions: a boundary where the deviation changes by more than the noise
+division-they-leave-even-ones = { $first }. They leave { $left }, { $n } even ones { $even }
+
+## edit
+
+edit-nothing-was-measured-yet-open = nothing was measured yet: open a session that was measured on this robot
+edit-regions-are-for-a-single = regions are for a single joint that turns
+edit-a-tolerance-is-a-number = a tolerance is a number above 0
+edit-a-table-needs-a-joint = a table needs a joint of the robot and a step above 0
+edit-there-is-no-such-effect = there is no such effect
+edit-no-sample-would-be-left = no sample would be left to fit
+edit-no-sample-would-be-left-2 = no sample would be left
+edit-open-session = open session
+edit-open-model = open model
+edit-divide-into-regions = divide into regions
+edit-move-boundary = move boundary
+edit-divide-adaptively = divide adaptively
+edit-keep-the-regions = keep the regions
+edit-split-region = split region
+edit-merge-regions = merge regions
+edit-delete-region = delete region
+edit-rename-region = rename region
+edit-take-regions-from-session = take regions from session
+edit-choose-method = choose method
+edit-choose-effects = choose effects
+edit-set-tolerance = set tolerance
+edit-choose-table = choose table
+edit-add-to-model = add to model
+edit-switch-effect = switch effect on
+edit-switch-effect-off = switch effect off
+edit-edit-robot-and-instrument = edit robot and instrument
+edit-exclude-samples = exclude samples
+edit-include-samples = include samples
+edit-mend-data = mend data
+edit-restore = restore
+edit-the-boundary-cannot-be-moved = the boundary cannot be moved there
+edit-the-region-is-too-narrow = the region is too narrow to be split
+edit-no-region-begins-where-this = no region begins where this one ends; type its end at the next one first
+edit-the-last-region-stays-without = the last region stays: without one nothing is corrected
+edit-a-region-needs-a-name = a region needs a name
+edit-another-region-is-called-choose = another region is called { $name }; choose another name
+
+## loaded-session
+
+loaded-session-length = length
+loaded-session-tangential = tangential
+loaded-session-radial = radial
+loaded-session-axial = axial
+
+## scale
+
+scale-every-shown = every { $stride }{ $ordinal } { $what } shown
+scale-point = point
+scale-entry = entry
+scale-every-shown = every { $stride }{ $ordinal } { $what } shown
+
+## search
+
+search-set-up-errors = set-up errors
+search-noise-outliers-candidates = noise, outliers, candidates
+search-search = search
+search-other-explanations = other explanations
+search-poses-to-measure-next = poses to measure next
+search-the-search-was-cancelled = the search was cancelled
+
+## setup
+
+setup-a-joint-needs-a-name = a joint needs a name
+setup-another-joint-is-called = another joint is called { $form }
+setup-the-noise-is-a-number = the noise is a number above 0
+setup-a-reflector-needs-a-name = a reflector needs a name
+setup-another-reflector-is-called = another reflector is called { $name }
+setup-limits-run-from-the-smaller = limits run from the smaller to the larger value
+setup-a-mass-is-0-kg = a mass is 0 kg or more
+setup-robot-and-instrument = Robot and instrument
+setup-joint = Joint { $k }, { $joints }
+setup-tool-and-gravity = Tool and gravity
+setup-reflectors = Reflectors
+setup-not-taken-over-while-something = Not taken over while something is wrong
+setup-back-to-what-was-there = Back to what was there
+setup-name-of-joint = Name of joint { $n }
+setup-turns = turns
+setup-slides = slides
+setup-axis-direction-at-home = axis, direction at home
+setup-axis = Axis { $n }
+setup-a-point-on-it-mm = a point on it, mm
+setup-point = Point { $n }
+setup-limits-of-joint = limits of joint { $n }, { $unit }
+setup-limit = Limit { $n }
+setup-mass-of-link-kg = mass of link { $n }, kg
+setup-mass = Mass { $n }
+setup-its-centre-at-home-mm = its centre at home, mm
+setup-centre = Centre { $n }
+setup-tool-at-home-mm = tool at home, mm
+setup-orientation-quaternion-w-x-y = orientation, quaternion w x y z
+setup-orientation = Orientation
+setup-gravity-is-known-m-s = gravity is known, m/s²
+setup-gravity = Gravity
+setup-in-the-tool-frame-mm = in the tool frame, mm
+setup-name-of-reflector = Name of reflector { $n }
+setup-reflector = Reflector { $n }
+setup-remove-this-reflector = Remove this reflector
+setup-add-a-reflector = Add a reflector
+setup-name-of-the-instrument = Name of the instrument
+setup-noise-one-mm = noise, one σ, mm
+setup-unknown = unknown
+setup-one-number = one number
+setup-noise = Noise
+
+## simulation
+
+simulation-nominal-radius = nominal radius
+simulation-zero-offset = zero offset
+simulation-length-error = length error
+simulation-this-field-needs-a-number = this field needs a number
+simulation-the-radius-has-to-be = the radius has to be above 0 mm
+simulation-the-tolerance-cannot-be-below = the tolerance cannot be below 0
+simulation-the-sweep-has-to-run = the sweep has to run from the smaller to the larger angle
+simulation-the-step-has-to-be = the step has to be above 0°
+simulation-that-is-more-than = that is more than a million poses; take a larger step
+simulation-the-noise-cannot-be-below = the noise cannot be below 0
+simulation-every-field-needs-a-number = every field needs a number
+simulation-new-by-simulation = New by simulation
+simulation-a-lamp-on-one-turning = A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find
+simulation-what-stands-in-colour-above = What stands in colour above has to be another number first
+simulation-simulate = Simulate
+simulation-robot = Robot
+simulation-tolerance = Tolerance
+simulation-sweep = Sweep
+simulation-there-and-back = there and back
+simulation-seed = seed
+simulation-other-effects = Other effects
+simulation-remove = Remove
+simulation-add-an-effect = Add an effect…
+simulation-add-an-effect-2 = Add an effect
+
+## about
+
+about-calibrates-a-robot-at-commissioning = Calibrates a robot at commissioning: finds where measurement and simulation disagree, and writes what the controller needs
+about-everything-in-this-window-can = Everything in this window can be done in the terminal too: truepose --help
+about-type-inter-by-the-inter = Type: Inter, by the Inter project authors, SIL Open Font License 1.1
+about-version = version { $version }
+
+## compensation
+
+compensation-compensate = Compensate { $name }
+compensation-save-corrected-file = Save corrected file…
+compensation-load-where-the-file-says = load where the file says none
+compensation-the-measuring-frame = the measuring frame is the robot's base (--measured-frame)
+compensation-read-as = read as
+compensation-of = { $corrected } of { $targets }
+compensation-targets-corrected = targets corrected
+compensation-rms-position-error = RMS position error
+compensation-largest-position-error = largest position error
+compensation-lines-that-change = Lines that change
+compensation-line = line
+compensation-is-left-as = { $name } is left as it is: { $left }
+compensation-not-corrected = not corrected: { $says }
+compensation-line-column = line { $line }, column { $column }: { $says }
+compensation-and-more-all-of-them = and { $more } more: all of them stand in the file beside the saved one
+
+## import
+
+import-not-imported = not imported
+import-point-name = point name
+import-group-of-points = group of points
+import-reflector = reflector
+import-unit-as-chosen = { $axis }, unit as chosen
+import-joint-commanded = joint { $n } commanded, { $sign }
+import-joint-read-back = joint { $n } read back, { $sign }
+import-side-joint-came = side joint { $n } came from
+import-speed-of-joint-s = speed of joint { $n }, °/s
+import-load-kg = load, kg
+import-temperature-c = temperature, °C
+import-time-s = time, s
+import-setup-of-the-instrument = setup of the instrument
+import-fit-held-out-or-excluded = fit, held-out or excluded
+import-orientation = orientation { $part }
+import-as-you-said = as you said
+import-for-certain = for certain
+import-guessed-from-the-header = guessed from the header
+import-guessed-from-the-values = guessed from the values
+import-columns-what-each-is-how = Columns: what each is, how that is known, its heading, first rows
+import-before-the-table = Before the table: { $lines }
+import-of-columns-are-guessed-compare = { $guesses } of { $columns } columns are guessed: compare them with the first rows
+import-the-columns-are-right = The columns are right
+import-meaning-of-column = Meaning of column { $k }
+import-where-the-robot-was-sent = Where the robot was sent, if the table does not say it
+import-file-of-the-commands = File of the commands
+import-a-table-with-q1-deg = a table with q1_deg, … and perhaps name, time_s, dir1, load_kg
+import-by-order = by order
+import-by-name = by name
+import-by-time = by time
+import-matched = Matched
+import-as-it-suits = as it suits
+import-the-mean-of-each-stop = the mean of each stop
+import-all = all
+import-samples-are = Samples are
+import-clocks-apart = Clocks apart by
+import-found-from-the-motion = found from the motion
+import-typed = typed
+import-seconds-to-add = Seconds to add to a measured time
+import-the-measured-clock-needs-s = The measured clock needs { $offset_s } s to agree with the commands, ± { $sigma } s (95 %); { $rms } mm are left
+import-with-s-added-mm-are = With { $offset_s } s added, { $rms } mm are left between path and measurements
+import-points-known-in-the-base = Points known in the base frame, if the instrument has a frame of its own
+import-file-of-the-known-points = File of the known points
+import-a-table-with-name-x = a table with name, x_mm, y_mm, z_mm; the same names as in the measured file
+import-fit-a-scale-too = fit a scale too
+import-points-fit-with-mm-root = { $used } points fit with { $rms } mm (root mean square)
+import-excluded-measured-or-surveyed-wrongly = , { $left_out } excluded: measured or surveyed wrongly, or moved since
+import-scaled-by-ppm = scaled by { $scale } ({ $ppm } ppm)
+import-point = point
+import-off-by-mm = off by, mm
+import-in-x = in x
+import-in-y = in y
+import-in-z = in z
+import-reflectors-in-the-tool-frame = Reflectors in the tool frame, if there are several
+import-file-of-the-reflectors = File of the reflectors
+import-a-table-with-name-x-mm = a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin
+import-rows = { $rows } rows
+import-separated = separated by { $separator }
+import-header-in-line = header in line { $line }
+import-no-header = no header
+import-unit = unit: { $found }
+import-name-of-the-session = Name of the session
+import-source = Source
+import-what-wrote-the-file = What wrote the file
+import-commas = commas
+import-semicolons = semicolons
+import-tabs = tabs
+import-spaces = spaces
+import-separated-2 = Separated by
+import-header = header
+import-as-the-headings-say = as the headings say
+import-angles = angles in
+import-as-the-file-says = as the file says
+import-inches = inches
+import-y-points-up-turn = y points up: turn it so that z does
+import-joint-measured = Joint measured
+import-as-found = as found
+import-in-line = in line
+import-line-of-the-header = Line of the header
+import-take = Take
+import-choose-it-in-the-table = Choose it in the table above
+import-it = It is { $answer }
+import-import = Import { $name }
+import-import-2 = Import
+import-looking-at-the-file-was = Looking at the file was cancelled
+import-look-again = Look again
+import-stop-looking = Stop looking
+import-warning = Warning:{" "}
+import-error = Error:{" "}
+import-choose = Choose…
+import-choose-2 = Choose: { $label }
+import-use-which-lies-beside = Use { $file }, which lies beside it
+import-use = Use { $file }: { $label }
+import-what-the-import-brings = What the import brings
+import-to-fix = To fix
+import-mm-from-the-nominal-robot = , { $rms } mm from the nominal robot
+import-matched-by-unmatched-measured-commanded = ; matched by { $id }; unmatched: { $lonely_measurements } measured, { $lonely_commands } commanded
+import-that-of-the-open-session = that of the open session, { $here }
+import-that-of-the-example = that of the example { $example }
+import-the-one-in-this-file = the one in this file
+import-file-of-the-robot = File of the robot
+import-a-robot-a-session-or = a robot, a session, or a URDF file
+import-base = Base
+import-link-of-the-base = Link of the base
+import-tip = Tip
+import-link-of-the-tool = Link of the tool
+import-name-of-a-link = name of a link
+import-one-axis-that-turns-typed = one axis that turns, typed here
+import-name = Name
+import-name-of-the-robot = Name of the robot
+import-axis-at-home = Axis at home
+import-axis = Axis
+import-point-on-it-mm = Point on it, mm
+import-point-2 = Point
+import-tool-at-home-mm = Tool at home, mm
+import-travel = Travel, °
+import-travel-2 = Travel
+import-gravity-points-along-z = gravity points along −z
+import-one-joint-that-turns = one joint that turns
+import-one-joint-that-slides = one joint that slides
+import-joints-of-which-turn = { $count } joints, { $turns } of which turn
+import-tool-mm-from-the-base = { $robot }: { $joints }, tool { $reach } mm from the base
+import-looking-at-the-file = Looking at the file…
+import-a-table-of-at-most = a table of at most 1000 MB: export fewer points, or cut it into parts
+import-answer-what-is-asked-above = Answer what is asked above first
+import-the-file-cannot-be-read = The file cannot be read like this
+import-look-at-the-columns-above = Look at the columns above, and confirm them
+import-give-the-session-a-name = Give the session a name
+import-say-whose-robot-was-measured = Say whose robot was measured
+import-say-which-file-the-robot = Say which file the robot is in
+import-the-robot-cannot-be-read = The robot cannot be read like this
+import-the-travel-runs = the travel runs from the smaller to the larger value
+import-the-tool-lies = the tool lies on the axis: say where it is at home, off the axis
+import-a-robot-needs-a-name = a robot needs a name
+import-and-more = and { $more } more
+import-clocks-apart-2 = “Clocks apart by”
+import-matched-by-order-or = “Matched” by order or by name
+import-matched-by-name-or = “Matched” by name or by time
+import-matched-by-order = “Matched” by order
+import-matched-2 = “Matched”
+import-samples-are-all = “Samples are” all
+import-samples-are-2 = “Samples are”
+import-a-file-of-commands = a file of commands with
+import-a-file-of-commands-2 = a file of commands
+import-a-file-of-reflectors = a file of reflectors with
+import-a-file-of-known-points = a file of known points
+import-angles-2 = “Angles in”
+import-separated-3 = “Separated by”
+import-decimal-sign = “Decimal sign”
+import-the-columns-above-as = the columns above as
+import-y-points-up = “y points up”
+import-fit-a-scale = “fit a scale”
+import-joint-measured-2 = “Joint measured”
+import-lengths = “Lengths in”
+
+## palette
+
+palette-what-to-do = what to do
+palette-command = Command
+palette-no-command-has-this = No command has this in its name
+
+## path
+
+path-the-samples-are-written-beside = The samples are written beside it, as a CSV file of the same name
+path-path-to-save = Path to save to
+path-in-the-folder = { $name }, in the folder { $folder }
+path-replace-the-file-if = replace the file if it exists
+path-save = Save
+path-a-file-that-says-what = A file that says what the table means is written beside it
+path-the-model-can-be-exported = The model can be exported and verified later
+path-a-csv-table = A CSV table with the session's column names, to be measured next
+path-a-name-that-ends = A name that ends in .html or .pdf; a session that was not searched yet is searched first
+path-a-name-that-ends-in-svg = A name that ends in .svg
+path-what-was-changed-is-written = What was changed is written beside it, as NAME.meta.json
+
+## preferences
+
+preferences-preferences = Preferences
+preferences-inch = inch
+preferences-angles = Angles in
+preferences-readable = readable
+preferences-decimals-of-lengths = Decimals of lengths
+preferences-as-the-system = as the system
+preferences-light = light
+preferences-dark = dark
+preferences-colours = Colours
+preferences-size-of-text = Size of text
+preferences-files-are-read-and-written = Files are read and written in their own units, whatever is shown here
+preferences-reset-all = Reset all
+preferences-language = Language
+
+## recovery
+
+recovery-not-saved-when-the-program = Not saved when the program ended
+recovery-the-last-time-the-program = The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again
+recovery-a-file-that-is-damaged = A file that is damaged
+recovery-kept = kept
+recovery-its-file = its file
+recovery-discard = Discard
+recovery-restore = Restore
+recovery-put-it-aside = Put it aside
+recovery-discard-all = Discard all
+recovery-not-now = Not now
+recovery-less-than-a-minute-ago = less than a minute ago
+recovery-its-first-line-is-not = its first line is not complete
+recovery-its-first-line-cannot-be = its first line cannot be read
+recovery-expected-the-format = expected the format { $format }
+recovery-of-bytes-are-there = { $document } of { $bytes } bytes are there
+recovery-its-contents-do-not-agree = its contents do not agree with their hash
+recovery-minutes-ago =
+    { $count ->
+        [one] { $count } minute ago
+       *[other] { $count } minutes ago
+    }
+recovery-hours-ago =
+    { $count ->
+        [one] { $count } hour ago
+       *[other] { $count } hours ago
+    }
+recovery-days-ago =
+    { $count ->
+        [one] { $count } day ago
+       *[other] { $count } days ago
+    }
+
+## unsaved
+
+unsaved-leave-without-saving = Leave without saving?
+unsaved-leave-without-saving-2 = Leave without saving
+unsaved-open-without-saving = Open without saving?
+unsaved-open-without-saving-2 = Open without saving
+unsaved-simulate-without-saving = Simulate without saving?
+unsaved-simulate-without-saving-2 = Simulate without saving
+unsaved-changes-of-are-not = Changes of { $name } are not in its file, { $file }
+unsaved-the-session-is-in-no = The session { $name } is in no file
+unsaved-what-was-identified = What was identified from { $name } is in no file
+unsaved-go = Go on
+unsaved-replace-what-another-program-wrote = Replace what another program wrote?
+unsaved-changed-since-it-was-read = { $path } changed since it was read. Saving here would replace what was written there
+unsaved-save-under-another-name = Save under another name…
+unsaved-replace = Replace it
+
+## glossary
+
+glossary-the-same-stands-beside = The same stands beside the numbers, where the pointer rests on a name
+
+## settings
+
+settings-they-were-damaged-and-are = they were damaged and are kept as { $aside }
+settings-is-damaged = { $path } is damaged
+
+## file
+
+file-it-was-cancelled = it was cancelled
+file-exists-already-allow-replacing = { $path } exists already; allow replacing it, or choose another name
+file-is-a-folder-or = { $path } is a folder or a device and cannot be replaced; choose another name
+file-the-disk-is-full-make = the disk is full: make room on it, or save to another disk
+file-the-disk-can-only-be = the disk can only be read: save to another disk
+file-nothing-may-be-written-there = nothing may be written there: save to another folder
+file-the-folder-is-not-there = the folder is not there: choose another, or make it first
+file-the-name-is-too-long = the name is too long, or has a sign in it that no name may have: choose another name
+file-there-is-no-such-example = There is no such example
+file-the-examples-are = The examples are in the File menu
+file-opened = opened
+file-expected-the-name = expected the name of a file, in UTF-8
+file-exists-already-allow-replacing-it-or = { $there } exists already; allow replacing it, or choose another name
+file-was-not-written = { $path } was not written
+file-what-was-there-before = What was there before is there still
+file-read = read
+file-checking-samples = checking { $samples } samples
+file-could-not-be-nothing-was = { $name } could not be { $done }; nothing was changed
+file-the-system-has-no-program = the system has no program for it
+file-expected-a-file-name = expected a file name that ends in .svg
+file-the-diagnosis-was-run = The diagnosis was run for it
+file-some-letters-stand = Some letters stand in it as codes: { $says }
+file-names-the-table-with-its = Names the table { $table } with its hash
+file-a-table-is-not-named = A table is not named in it: { $because }
+file-could-not-be-saved = { $path } could not be saved
+
+## dialog
+
+dialog-open-session-model-or-measurements = Open session, model or measurements
+dialog-sessions-and-models-json = Sessions and models (*.json)
+dialog-all-files = All files
+dialog-targets-or-program-to-correct = Targets or program to correct
+dialog-import-measurements = Import measurements
+dialog-where-the-robot-was-sent = Where the robot was sent
+dialog-points-known-in-the-base = Points known in the base frame
+dialog-reflectors-in-the-tool-frame = Reflectors in the tool frame
+dialog-robots-and-sessions-json-urdf = Robots and sessions (*.json, *.urdf, *.xml)
+dialog-tables-csv-txt-tsv-dat = Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)
+dialog-measurements-csv-txt-tsv-dat = Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)
+dialog-session-json = Session (*.json)
+dialog-html-or-pdf-html-pdf = HTML or PDF (*.html, *.pdf)
+dialog-pdf = PDF (*.pdf)
+dialog-svg-picture-svg = SVG picture (*.svg)
+dialog-model-json = Model (*.json)
+dialog-csv-table-csv = CSV table (*.csv)
+dialog-targets = Targets
+
+## running
+
+running-cancelling = cancelling
+
+## gestures
+
+gestures-wheel-or-pinch = wheel, or pinch
+gestures-zoom-at-the-pointer = zoom at the pointer
+gestures-shift-and-wheel = Shift and wheel
+gestures-zoom-along-a-charts-axis = zoom along a chart's axis
+gestures-drag = drag
+gestures-move = move
+gestures-drag-with-the-right-button = drag with the right button
+gestures-show-a-part = show a part
+gestures-drag-in-the-3-d = drag in the 3-D view
+gestures-orbit = orbit
+gestures-shift-or-middle-button = Shift or middle button and drag in the 3-D view
+gestures-double-click-or-home = double click, or Home
+gestures-fit-the-view = fit the view
+
+## legend
+
+legend-show = show { $name }
+legend-leave-it-out-so = Leave it out, so that what is left can be seen
+legend-show-it-as-well = Show it as well
+legend-as-measured = as measured
+legend-legend = legend
+legend-nominal-path = nominal path
+legend-nominal-circle = nominal circle
+legend-mean-before = mean before
+legend-mean-after = mean after
+legend-from-the-smallest = from the smallest to the largest at each angle
+
+## plots
+
+plots-save-picture = Save picture of the { $plot }…
+plot-workspace = workspace
+plot-3-D-view = 3-D view
+plot-polar = polar
+plot-deviation = deviation
+plot-deviation-over-time = deviation over time
+plot-deviation-over-load = deviation over load
+plot-deviation-over-temperature = deviation over temperature
+plot-deviation-by-joint = deviation by joint
+plot-order-spectrum = order spectrum
+plot-histogram = histogram
+plot-normal-quantiles = normal quantiles
+plot-gap-by-step = gap by step
+plot-effect-s-curve = effect's curve
+plot-correction-table = correction table
+
+## camera
+
+camera-isometric = isometric
+camera-top = top
+camera-front = front
+camera-side = side
+camera-view = { $view } view
+camera-seen-from-azimuth-elevation = seen from azimuth { $azimuth }°, elevation { $elevation }°
+
+## looking
+
+looking-before-and-after = before and after
+
+## message
+
+message-saved = Saved { $name }
+message-there-is-nothing-to-search = There is nothing to search yet
+message-open-a-session-that-was = Open a session that was measured on this robot
+message-the-model-from-a-file = the model from a file
+message-the-identification-by-region = the identification by region
+message-identified-with-the-full-model = Identified with the full model in place of { $before }
+message-the-diagnosis-starts = The diagnosis starts from the full model; undo brings the other back
+message-identifying = identifying, { $samples }
+message-preparing-the-table = preparing the table
+message-drawing = drawing
+message-waiting-for-a-file = waiting for a file to be chosen
+message-waiting-for-a-file-name = waiting for a file name
+message-could-not-be-opened = { $path } could not be opened
+message-something-went-wrong-inside = Something went wrong inside the program
+message-nothing-was-changed-save-your = Nothing was changed; save your work, and please report what you did last
+message-no-file-was-chosen = No file was chosen
+message-if-no-dialog-appeared-drop = If no dialog appeared, drop the file on the window, or type its path in the Session step
+message-there-is-no-model = There is no model to correct targets by
+message-identify-the-robot-first-or = Identify the robot first, or open a model
+message-correcting-the-targets = correcting the targets of { $name }
+message-there-are-no-corrected-targets = There are no corrected targets yet
+message-choose-a-table-of-targets = Choose a table of targets or a robot program first
+message-writing = writing { $path }
+message-this-change-cannot-be-made = This change cannot be made
+message-regions-divide-what-was-measured = regions divide what was measured with a single joint that turns
+message-looking-where-regions-are-needed = looking where regions are needed
+message-there-is-no-measuring-list = There is no measuring list yet
+message-run-the-diagnosis-first = Run the diagnosis first
+message-there-is-nothing-to-export = There is nothing to export yet
+message-there-is-no-file = There is no file to follow
+message-the-samples-of-this-session = The samples of this session are not in a file of their own
+message-the-file-was-rewritten = The file was rewritten and is read anew
+message-what-was-read-before = What was read before is here still; mend the file, then follow it again
+message-the-file-cannot-be-followed = The file cannot be followed any further
+message-looking-at-the-file = looking at the file
+message-the-window-closes-after = The window closes after { $what }
+message-reading = reading { $path }
+message-reading-an-example = reading an example
+message-simulating = simulating
+message-saving = saving { $path }
+message-there-is-no-session = There is no session to save
+message-a-model-by-itself = A model by itself is saved in the Export step
+message-there-is-nothing-to-report = There is nothing to report yet
+message-open-a-session-or-identify = Open a session, or identify the robot first
+message-the-figures-could-not-be = The figures could not be worked out
+message-restored-it-is-not-saved = Restored; it is not saved yet
+message-what-was-left-behind = What was left behind is damaged and cannot be restored
+message-it-is-kept-as = It is kept as { $aside }
+message-preferences-could-not-be-read = Preferences could not be read: { $says }
+message-what-is-not-saved-cannot = What is not saved cannot be kept against a crash: { $home }: { $error }
+message-not-everything-could-be-set = Not everything could be set up
+message-not-everything-could-be-kept = Not everything could be kept for tomorrow
+message-the-session-is-as = The session is as it was; save it under a name of your own
+
+## view
+
+view-regions = Regions
+view-diagnose = Diagnose
+
+## chart
+
+chart-component = Component
+chart-joint-of-the-chart = Joint of the chart
+chart-fit-chart-to-view = Fit chart to view
+chart-computing = Computing…
+
+## compensate
+
+compensate-compensate = Compensate…
+compensate-a-table-of-targets-csv = A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved
+
+## copies
+
+copies-copied = Copied
+copies-copy = Copy
+copies-table = { $says } table of { $of }
+copies-copy-numbers = Copy numbers: { $of }
+
+## coverage
+
+coverage-rms-error-of-the-nominal = RMS error of the nominal robot
+coverage-largest-deviation = largest deviation
+coverage-of = { $inside } of { $all }
+coverage-instrument = { $floor }, instrument
+coverage-not-identified-yet-the-identified = Not identified yet. The identified parameters will stand here, with the interval of every number
+coverage-what-the-samples-cover = What the samples cover
+coverage-measured-range = measured range
+coverage-widest-hole = widest hole
+coverage-speed = speed{ $of_joint }
+coverage-not-recorded = not recorded
+coverage-took = took
+coverage-throughout = { $decimals } { $unit } throughout
+coverage-samples-over-the-range = samples over the range of joint 1
+coverage-samples-over-the-range-of-joint = Samples over the range of joint 1: where it is empty nothing is known
+coverage-testable-effects = Testable effects
+coverage-can-be-tested = { $yes } can be tested
+coverage-cannot-and-why = { $no } cannot, and why
+coverage-no-diagnosis-yet = No diagnosis yet
+coverage-effects-that-are-found-will = Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide
+coverage-it-takes-a-moment = It takes a moment, and some seconds with a million samples. The window stays free meanwhile, and the search can be stopped
+coverage-nothing-to-export-yet = Nothing to export yet
+coverage-the-table-comes = The table comes from the identified robot. It will stand here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct
+coverage-below-none-above = { $up } below, none above
+coverage-none-below-above = none below, { $down } above
+coverage-below-above = { $up } below, { $down } above
+coverage-standstill = standstill
+coverage-throughout-2 = { $speed } throughout
+coverage-up = up to { $speed }
+coverage-came-from = came from
+coverage-came-from-joint = came from, joint { $joint }
+coverage-speed = speed
+coverage-speed-joint = speed, joint { $joint }
+
+## disk
+
+disk-was-changed-by-another-program = { $name } was changed by another program
+disk-reload-reads-it-again-undo = Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting
+disk-what-was-read-is-here = What was read is here still: saving writes it again, or put the file back
+disk-keep-this = Keep this
+disk-reload = Reload
+disk-save-it-again = Save it again
+disk-save-it-again-2 = Save it again…
+
+## dropped
+
+dropped-drop-the-file-to-open = Drop the file to open it
+
+## export
+
+export-there-is-nothing-to-export = There is nothing to export yet: the table comes from the identified robot
+export-found-but-not = Found, but not in the model, so not corrected: { $names }
+export-add-it-to-the-model = Add it to the model
+export-add-all-to-the-model = Add all { $n } to the model
+export-report = Report
+export-html-or-pdf-what-was = HTML or PDF: what was measured, what the search found, what stays open
+export-html-or-pdf-the-session = HTML or PDF: the session is searched for it first, which takes a while
+export-report-of-the-model = Report of the model…
+export-format = Format
+export-the-table-is-being-prepared = The table is being prepared
+export-entries = entries
+export-also = Also
+export-copy-text = Copy text
+export-custom-step = Custom step
+export-rms-error-to-this-robot = RMS error to this robot
+export-rms-error-left = RMS error left by the table
+export-not-correctable-by-joint-commands = Not correctable by joint commands
+export-over-the-samples-noise = Over the samples: noise, and loads and warmth that no table knows, are in it; what the model by itself promises stands below
+export-model-and-measurement = model and measurement
+export-the-model-says-that-more = The model says that more stays than was measured: it is not the robot
+export-what-the-numbers-mean = What the numbers mean
+export-and-more-lines = and { $more } more lines
+export-go-to-identify = Go to identify
+export-save-as = Save { $what } as .{ $title }…
+
+## found
+
+found-p-chance-that-noise-alone = p { $sign } { $p } (chance that noise alone looks like this)
+found-more-than-1000 = More than 1000
+found-times-likelier-than-the-next = { $odds } times likelier than the next candidate, { $next }
+found-cross-validated-rms-error = cross-validated RMS error
+found-what-to-check = What to check
+found-add-to-model = Add to model
+found-in-the-model = in the model
+found-mend-all = Mend all { $mends }
+
+## limits
+
+limits-detection-limits-95 = Detection limits: { $number } (95 %)
+limits-detection-limits = detection limits
+limits-not-testable = Not testable: { $not_testable }
+
+## diagnosis
+
+diagnosis-diagnosis = Diagnosis
+diagnosis-nothing-found-so-far = Nothing found so far
+diagnosis-found-so-far-a-likelier = Found so far; a likelier name may take the place of one
+diagnosis-diagnosis-is-running = Diagnosis is running
+diagnosis-it-had-found-nothing-until = It had found nothing until then
+diagnosis-found-until-then-not-yet = Found until then, not yet tested against other names: run the diagnosis again to test them
+diagnosis-diagnosis-stopped = Diagnosis stopped
+diagnosis-found-effects = found effects
+diagnosis-nothing-is-missing = Nothing is missing
+diagnosis-explained-the-remaining-error = Explained: the remaining error is at the noise floor
+diagnosis-partly-explained-an-error = Partly explained: an error is left without a name
+diagnosis-not-explained-by-any-effect = Not explained by any effect
+diagnosis-from-repeats = from repeats
+diagnosis-of-the-instrument = of the instrument
+diagnosis-these-samples-can-show-no = these samples can show no effect: that nothing was found says nothing
+diagnosis-the-samples-also-allow-another = the samples also allow another explanation, see below
+diagnosis-held-out = Held out: { $how }
+diagnosis-noise-stated = noise σ, stated
+diagnosis-noise-as-found = noise σ, as found
+diagnosis-slow-noise = Slow noise: { $slow }
+diagnosis-the-samples-cannot-rule-out = The samples cannot rule out
+diagnosis-instead = { $instead } instead of { $explanation }
+diagnosis-1-against = { $odds } : 1 against it. { $separate_by }
+diagnosis-excluded-by-hand = Excluded by hand
+diagnosis-excluded-outliers = Excluded outliers: { $excluded } of { $all }
+diagnosis-and-more = and { $more } more
+
+## next
+
+next-measure-these-poses-next = Measure these poses next
+next-second-time-the-same-pose = Second time: the same pose again, after another one, as once is not enough over the noise
+next-and-more-in-the-measuring = and { $more } more, in the measuring list
+next-poses = poses
+next-save-measuring-list = Save measuring list…
+
+## diagnose
+
+diagnose-open-a-session-that-was = Open a session that was measured on this robot first
+diagnose-looks-for-the-physical-effect = Looks for the physical effect that the model lacks, and proves each name on samples that the search has not seen
+diagnose-nominal-robot = nominal robot
+diagnose-with-found-effects = with found effects
+diagnose-run-diagnosis-again = Run diagnosis again
+diagnose-rms-error-so-far = RMS error so far
+diagnose-the-diagnosis-identifies-by-itself = The diagnosis identifies by itself: Identify need not come first
+diagnose-little-error-is-left-above = Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits
+diagnose-more-error-is-left-than = More error is left than noise explains, or no noise is stated: the diagnosis will tell which
+diagnose-the-diagnosis-starts = The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back
+diagnose-what-it-can-find = What it can find
+diagnose-why-the-others-are-not = Why the others are not testable is listed at the right, with what to measure for them
+diagnose-diagnosing = Diagnosing
+diagnose-found-so-far = found so far
+diagnose-so-far-a-likelier-name = so far; a likelier name may take the place of one
+diagnose-in-the-model = In the model
+diagnose-use = use { $effect }
+diagnose-one-effect-in-the-model = one effect in the model
+diagnose-effects-in-the-model = { $on } effects in the model
+diagnose-nothing-is-missing = nothing is missing
+diagnose-something-unexplained = something unexplained
+diagnose-one-effect-found = one effect found
+diagnose-effects-found = { $n } effects found
+diagnose-stop-the-search = Stop the search
+
+## grips
+
+grips-steps = steps
+grips-results = results
+
+## identify
+
+identify-model-from-a-file = model from a file
+identify-by-region = by region
+identify-effects = effects
+identify-exact = exact, { $count } { $effects }
+identify-the-model-in-takes = The model in { $given } takes the place of an identification
+identify-to-identify-the-robot-anew = To identify the robot anew, open a session that was measured on it
+identify-identify-from-this-session = Identify from this session
+identify-method = Method
+identify-full-model = Full model
+identify-by-region-2 = By region
+identify-one-model-for-the-whole = One model for the whole range, fitted in the measuring frame, with an interval for every number
+identify-the-source-papers-method = The source paper's method: a constant correction of angle and radius for each region. It leaves out the rotation between lamp and base, so that one constant error looks different in every region; use it to compare with earlier reports
+identify-change-the-regions = Change the regions
+identify-effects-to-fit = Effects to fit
+identify-that-this-session-cannot-show = { $not_testable } that this session cannot show
+identify-identified-the-result-follows-every = Identified; the result follows every change
+identify-continue-to-diagnose = Continue to diagnose
+
+## menu
+
+menu-examples = Examples
+menu-not-there-any-more = not there any more
+menu-standard-3-d-views = Standard 3-D views
+menu-larger = Larger
+menu-smaller = Smaller
+menu-usual-size = Usual size
+menu-file = File
+menu-edit = Edit
+menu-view = View
+menu-help = Help
+menu-nothing-to-redo = Nothing to redo
+menu-redo = Redo { $what }
+menu-nothing-to-undo = Nothing to undo
+menu-undo = Undo { $what }
+menu-example = example
+menu-simulated = simulated
+menu-restored = restored
+menu-from = from { $path }
+menu-model = model { $origin }
+menu-model-2 = { $origin } · model { $given }
+menu-not-saved = { $origin } · not saved
+
+## model
+
+model-model-from-a-file = Model from a file
+model-file = file
+model-identified = identified from
+model-measured = measured, { $joint }
+model-nothing-was-measured-yet-open = Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will stand here
+model-how-it-came-about = How it came about
+model-held-out = { $gap }, held out { $held_out }
+model-held-against-this-session = Held against this session
+model-measured-and-model = measured and model
+model-with-corrected-commands = with corrected commands
+model-largest-then = largest then
+model-the-largest-deviations-among-them = , the largest deviations among them
+model-of-samples = { $drawn } of { $samples } samples{ $largest }
+
+## names
+
+names-and = {" "}and{" "}
+names-not-identifiable = Not identifiable
+names-show-its-curve = Show its curve
+
+## pictures
+
+pictures-there-is-no-such-chart = there is no such chart
+pictures-the-deviation-around-the-angle = the deviation around the angle
+pictures-measured-points-deviations-magnified-times = measured points, deviations magnified { $magnification } times
+
+## regions
+
+regions-from-to-and-where = { $regions } from { $low } to { $high }, and where the samples are
+regions-region = region { $name }, { $from } … { $to }: { $samples }
+regions-in-no-region = in no region
+regions-optional = optional
+regions-optional-2 = optional, { $regions }
+regions-regions-divide-what-was-measured = Regions divide what was measured: open a session that was measured on this robot
+regions-uniform = Uniform
+regions-manual = Manual
+regions-adaptive = Adaptive
+regions-drag-a-boundary = Drag a boundary on the plot, or type it; the identification follows at once
+regions-region-2 = {" "}region
+regions-regions = {" "}regions
+regions-number-of-regions = Number of regions
+regions-divide = Divide
+regions-reset-to-session = Reset to session
+regions-take-the-regions = take the regions that the session brings along
+regions-there-are-no-regions-nothing = There are no regions: nothing is corrected by region. Divide the range evenly, or where the data ask for it
+regions-there-are-no-regions-because = There are no regions, because all samples are at one angle: there is no range to divide. Give the joint its limits in Session, or measure at other angles. The exact fit in Identify needs no regions
+regions-and-more = { $gap } and { $n } more
+regions-in-no-region-and-no = { $more }: in no region, and no sample is there
+regions-in-no-region-1-sample = { $more }: in no region; 1 sample there gets no correction
+regions-in-no-region-samples-there = { $more }: in no region; { $n } samples there get no correction
+regions-sample = sample is
+regions-samples-are = samples are
+regions-in-no-region-and-get = { $outside } { $samples } in no region and get no correction
+regions-optional-fills-the-next-step = Optional: fills the next step, Identify, region by region
+regions-identify-by-region = Identify by region
+regions-split-in-half = Split in half
+regions-it-is-too-narrow = it is too narrow
+regions-merge-with-previous = Merge with previous
+regions-merge-with-next = Merge with next
+regions-no-region-touches = no region touches it
+regions-delete = Delete
+regions-the-last-region-stays = the last region stays
+regions-rename = Rename
+regions-change-region = Change region { $name }
+regions-with-the-focus-here-s = with the focus here: S splits, M merges, Del deletes, R renames
+regions-and-more-to-be-dragged = and { $more } more, to be dragged on the plot
+regions-name = name
+regions-from = from, { $unit }
+regions-to = to, { $unit }
+regions-no-sample-so-no-correction = no sample, so no correction: measure here, or merge it with the next
+regions-none-of-which-can-be = { $measured }, none of which can be fitted, so no correction
+regions-one-sample-to-fit = one sample to fit: a correction, but nothing to tell how sure it is
+regions-name-of-region = Name of region { $name }
+regions-region-3 = { $end }, region { $region }
+regions-from-2 = From
+regions-to-2 = To
+regions-until-then-it-stays = { $which }{ $says }. Until then it stays at { $stays }
+regions-show-the-sample-of-region = Show the sample of region { $region }
+regions-show-the-of-region = Show the { $samples } of region { $region }
+regions-region-from = Region { $region }, from:{" "}
+regions-region-to = Region { $region }, to:{" "}
+
+## results
+
+results-summary = Summary
+results-samples = Samples
+results-this-could-not-be-identified = This could not be identified
+results-rms-error-by-region = RMS error, by region
+results-rms-error-model = RMS error, model from a file
+results-rms-error-full-model = RMS error, full model
+results-largest = largest
+results-of = { $before } → { $after } of { $all }
+results-identified-parameters = Identified parameters
+results-half-the-95-interval = ± half the 95 % interval
+results-parameters = parameters
+results-correction-of-each-region = Correction of each region
+results-was = was { $rms_before }
+results-what-to-add = What to add
+results-what-to-add-half = What to add, ± half the 95 % interval
+results-measurement-noise = measurement noise: { $noise }
+results-excluded-outliers-of-samples = excluded outliers: { $excluded } of { $all } samples
+results-sample-is-an-outlier = sample { $sample } is an outlier: { $deviation } from the model
+results-sample-is-excluded = sample { $sample } is excluded: { $because }
+results-and-more = and { $more } more
+results-notes = Notes
+
+## samples
+
+samples-sample = sample
+samples-angle = angle, { $angle }
+samples-before = before, { $length }
+samples-after = after, { $length }
+samples-largest-first = , largest first
+samples-smallest-first = , smallest first
+samples-column = column { $name }{ $order }
+samples-excluded-by-hand-in-no = excluded by hand, in no figure
+samples-row = row { $sample }, { $what }
+samples-within-the-tolerance = within the tolerance
+samples-outside-the-tolerance = outside the tolerance
+
+## session
+
+session-a-model-nothing-measured = a model, nothing measured
+session-measured = Measured
+session-another-session-or-model = Another session or model
+session-none-this-is-a-model = none: this is a model
+session-reflectors = reflectors
+session-not-given = not given
+session-noise-one = noise, one σ
+session-coordinates = coordinates
+session-x-and-y-z-was = x and y; z was not measured
+session-compensated = compensated
+session-yes-this-shows-what = yes: this shows what is left
+session-new-lines-are-read-as = New lines are read as they are written, and the answer follows
+session-came-since = { $samples } came since
+session-import-log = Import log: { $count }
+session-note = note
+session-warning = warning
+session-error = error
+session-type-a-path-or-drop = type a path, or drop a file
+session-path-of-a-session-or = Path of a session or model
+session-this-is-an-example = This is an example that comes with the program
+session-continue-to-regions = Continue to regions
+
+## standards
+
+standards-accuracy-and-repeatability = Accuracy and repeatability
+standards-the-figures-are-being-worked = The figures are being worked out
+standards-figures = figures
+standards-missing = missing: { $line }
+standards-from-below-from-above = ↑ from below, ↓ from above
+standards-measured = measured, { $group }
+
+## status
+
+status-model-of-open-a-session = model of { $robot } · open a session measured on this robot to see what the model does
+status-rms-error = RMS error { $gaps } { $unit }
+status-rms-error-2 = RMS error { $rms } { $unit }
+status-no-sample-can-be-used = no sample can be used
+status-floor = {" "}· floor { $floor } { $unit } ({ $from })
+status-repeats = repeats
+status-identify-again = Identify again
+status-the-identification-was-cancelled = the identification was cancelled
+status-stop-following = Stop following
+status-following-the-file-new = following the file · { $came } new
+status-understood = Understood
+
+## toast
+
+toast-show-in-folder = Show in folder
+
+## unexplained
+
+unexplained-unexplained = Unexplained
+unexplained-what-is-left = what is left
+unexplained-where = where
+unexplained-a-part-of-it-looks = A part of it looks like { $resembles }
+unexplained-it-cannot-be-corrected = It cannot be corrected: { $because }
+unexplained-cross-validated-rms-error-corrected = cross-validated RMS error, corrected
+unexplained-add-smooth-correction = Add smooth correction
+unexplained-smooth-correction-in-the-model = smooth correction in the model
+unexplained-largest-along-the-motion = largest along the motion
+unexplained-largest-along-the-radius = largest along the radius
+unexplained-largest-along-the-axis = largest along the axis
+unexplained-a-smooth-curve-without = A smooth curve without a name. Outside the measured range its end values are held, and nothing is known
+
+## fields
+
+fields-the-value-is-kept = { $because }; the value is kept
+fields-or-none = {""}, or none
+
+## grip
+
+grip-width = width of { $name }
+
+## text
+
+text-usually = usually { $usual_size }
+text-what-means = what { $word } means
+
+## sample
+
+sample-before-after = before → after
+sample-moving-negative = moving negative
+sample-not-known = not known
+sample-approached = approached
+sample-a-value-is-missing = a value is missing
+sample-click-for-more = click for more
+sample-card = card of { $title }: { $parts }
+
+## handles
+
+handles-boundary = boundary at { $at }°
+handles-drag-or-press-the-arrow = drag, or press the arrow keys; shift takes larger steps
+handles-no-samples = { $name }: no samples
+handles-l1-left = { $name }: { $samples }, Δθ { $theta }, Δl1 { $l1 }, left { $left }
+
+## layout
+
+layout-this-computer-draws-in-software = this computer draws in software
+layout-zoom-in-for-more = zoom in for more
+layout-1 = 1 of { $one_of } { $what }: { $why }
+layout-points = points
+
+## paint
+
+paint-workspace-plot-samples = workspace plot, { $samples } samples
+
+## polar
+
+polar-nothing-was-measured-yet = Nothing was measured yet: the polar view shows deviations around the joint’s angle
+polar-this-robot-has-several-joints = This robot has several joints, so that a deviation belongs to no single angle: there is no polar view. The other views show where it is, the chart below over which value of the first joint
+polar-this-joint-slides = This joint slides, and a length does not close a circle: there is no polar view. The chart below shows the deviation along the joint’s way
+polar-1-division = 1 division = { $length } { $unit }
+polar-polar-view-samples = polar view, { $component }, { $samples } samples, { $polar }
+polar-deviation-around-the-angle = { $component } deviation around the angle
+polar-1-division-mm-the-thick = 1 division = { $division } mm; the thick circle is nominal
+polar-outline-before = outline: before
+polar-outline-before-filled-after = outline: before, filled: after
+polar-filled-after = filled: after
+polar-tip-up-moving-positive-tip = ; tip up: moving positive, tip down: negative
+polar-dashed-tolerance-mm = ; dashed: tolerance { $tolerance } mm
+polar-1-of-samples = ; 1 of { $stride } samples
+
+## robot
+
+robot-robot-at-sample = robot at sample { $sample }
+robot-robot-at-sample-as = robot at sample { $sample }, as an example
+robot-robot-as-posed = robot as posed
+robot-robot-at-home = robot at home
+robot-and-more = and { $more } more
+
+## scales
+
+scales-legend = legend: { $name }
+
+## pose
+
+pose-pose = Pose
+pose-back-to-sample = Back to sample
+pose-pose-of-joint = Pose of joint { $k }, { $joint }
+pose-from-the-sample = from the sample that is shown
+
+## space
+
+space-3-d-view-samples = 3-D view, { $samples } samples, { $camera }
+space-sample-selected = , sample { $sample } selected
+space-arrow-keys-orbit-plus = arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views
+space-grid = grid { $square } { $unit }
+space-tool = tool
+space-samples-deviations-magnified-times = { $session }: { $samples } samples, { $camera }, deviations { $state } magnified { $magnified } times
+space-grid-mm = grid { $square } mm
+space-colour = ; colour: { $colouring }
+space-base = base
+
+## toolbar
+
+toolbar-fit-to-view = Fit to view
+toolbar-how-it-is-drawn = How it is drawn
+toolbar-vectors = vectors × { $now }
+toolbar-length-of-vectors = Length of vectors
+toolbar-3-d = 3-D
+toolbar-polar = polar
+toolbar-colour = colour
+toolbar-component-of-the-polar-view = Component of the polar view
+toolbar-both = both
+toolbar-only-after = only after
+toolbar-from-before-to-after = From before to after
+toolbar-shown-the-deviation-before-measured = shown: the deviation before, measured − nominal robot
+toolbar-shown-what-is-left-after = shown: what is left after, measured − identified robot
+toolbar-shown-of-the-way = shown: { $percent } % of the way from before to after
+toolbar-how-long-vectors-are-drawn = how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after
+toolbar-scale = scale for
+toolbar-free = free
+toolbar-standard-view = Standard view
+toolbar-pose = pose
+toolbar-sliders-that-pose-the-robot = sliders that pose the robot
+toolbar-pose-the-robot = Pose the robot
+toolbar-the-root-mean-square-deviation = the root mean square deviation between the samples, fading away from them
+toolbar-colour-of-vectors = Colour of vectors
+
+## chart words
+
+chart-word-before = before
+chart-word-after = after
+chart-word-as-measured = As measured
+chart-word-against-the-model = Against the model
+chart-word-moving-positive = moving positive
+chart-word-negative = negative
+chart-word-tolerance = tolerance
+chart-word-noise-floor = noise floor
+chart-word-cross-validated = cross-validated
+chart-word-on-samples-that-no-fit-has-seen = on samples that no fit has seen
+chart-word-the-gap-step-by-step = the gap step by step
+chart-word-rms-error = RMS error
+
+## examples
+
+example-lamp = Lamp commissioning
+example-lamp-what = two reflectors, both sides, noise, while the machine warms up
+example-samples = The paper's 30 samples
+example-samples-what = six regions of five samples, without noise
+example-run = The paper's full run
+example-run-what = 361 samples, every half degree
+
+## effects
+
+effect-on-joint = { $effect }, joint { $joint }
+effect-axis-tilt = Axis tilt
+effect-axis-wobble = Axis wobble
+effect-backlash = Backlash
+effect-base-offset = Base offset
+effect-bearing-runout = Bearing runout
+effect-encoder-eccentricity = Encoder eccentricity
+effect-encoder-two-cycle = Encoder two-cycle error
+effect-foundation-compliance = Foundation compliance
+effect-frame-drift = Frame drift
+effect-frame-shift = Frame shift
+effect-gear-transmission-error = Gear transmission error
+effect-instrument-scale = Instrument scale
+effect-joint-compliance = Joint compliance
+effect-joint-scale = Joint scale
+effect-joint-zero-offset = Joint zero offset
+effect-link-droop = Link droop
+effect-link-geometry = Link geometry
+effect-link-length = Link length
+effect-lost-motion = Lost motion
+effect-measuring-frame = Measuring frame
+effect-screw-pitch = Screw pitch error
+effect-thermal-growth = Thermal growth
+effect-thermal-zero-drift = Thermal zero drift
+effect-tool-lateral-offset = Tool lateral offset
+effect-tool-orientation = Tool orientation
+effect-tool-position = Tool position
+effect-tracking-lag = Tracking lag
+effect-unexplained-directions = Directions of what is unexplained
+effect-unknown-anchor = Anchor
+effect-unknown-plane = Plane
+effect-unknown-socket = Socket
+effect-unknown-station = Station
+effect-wrist-coupling = Wrist coupling
+
+## glossary words
+
+word-deviation = Deviation
+word-deviation-means = Where the reflector was measured, minus where the simulation says it should be
+word-gap = RMS error
+word-gap-means = Root mean square of the length of the deviation over all samples. Suspected outliers do not count in it, but they do in the largest deviation
+word-largest = Largest deviation
+word-largest-means = The one sample that is furthest off, suspected outliers included
+word-tolerance = Tolerance
+word-tolerance-means = How far a measured position may be off. Samples within it are marked with a disc, those outside with a diamond
+word-noise = Noise, one σ
+word-noise-means = How much the instrument's own reading scatters along one axis, as its maker or a repeatability check says. Two of three readings are nearer than this. Without it, it is estimated from the samples
+word-floor = Noise floor
+word-floor-means = The RMS error of a perfect model: the scatter of repeated poses, or of the instrument. No model can come below it, and one that comes close has nothing left to explain
+word-interval = Interval, ±
+word-interval-means = The true value lies within it in 19 of 20 calibrations like this one. It shrinks with more samples and with poses that differ more
+word-held-out = Held out
+word-held-out-means = Samples that no fit has seen. The model has to predict them: an RMS error that falls there too is proof, one that falls only on the others is chance
+word-p-family = By chance
+word-p-family-means = How often noise alone would make some name of the whole list look at least this good. 1 of 2000 is hard evidence, 1 of 20 is not
+word-odds = Odds over the next candidate
+word-odds-means = How many times more likely this name is than the next best one, given the samples. Below about 20 : 1 both stay possible, and the poses that would decide are listed
+word-share = Share
+word-share-means = Which part of what the identification left over this name explains
+word-unexplained = Unexplained
+word-unexplained-means = Something regular is left that no name of the list fits. It is shown where it is, so that somebody can look there
+word-limit = Detection limit
+word-limit-means = The smallest size of an effect that these samples would have shown. What was not found is smaller than this, not necessarily nothing
+word-region = Region
+word-region-means = A range of the joint that gets a constant correction of its own, as older controllers want it
+word-correction = Correction
+word-correction-means = What to add to the command or the position: the deviation with the opposite sign
+word-exact = Exact fit
+word-exact-means = One model for the whole range: all parameters at once, in the frame of the instrument
+word-outlier = Suspected outlier
+word-outlier-means = A sample so far from the model that it is at least four times likelier to be a mistake of the measurement than noise. It is excluded from the fit, stays on the screen, and is worth measuring again
+word-slow-noise = Slow noise
+word-slow-noise-means = A part of the error that wanders in time, whatever the robot does: a tripod that settles, air, a tracker that warms up. The intervals allow for it, and no effect of the robot is read into it
+word-not-identifiable = Not identifiable
+word-not-identifiable-means = Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart
+word-targets = Compensated targets
+word-targets-means = Targets of a table or a program whose numbers were changed, so that the real tool goes where the nominal robot would. A target that is singular, beyond the limits or ambiguous is named and left as it is
+word-predicted = Position error, as the model predicts it
+word-predicted-means = How far the real tool, as the model knows it, is from the targets of the file: with their numbers as they are, and with the corrected ones
+word-language = Read as
+word-language-means = The language of the file, by its ending, else by what it looks like
+word-remainder = Not correctable by joint commands
+word-remainder-means = RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing
+word-planar = Planar session
+word-planar-means = Only x and y were measured; nothing can be said about what happens along z
+word-direction = Direction
+word-direction-means = The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible
+word-polar = Polar view
+word-polar-means = A component of the deviation around the angle of the joint, as circles of a ballbar test are shown (ISO 230-4): on the nominal circle there is none, and one ring stands for the length that is written above. An oval is a tilted or wobbling axis, a shifted circle a wrong centre, two circles play between both directions
+word-drawn-robot = The robot in the workspace
+word-drawn-robot-means = The nominal robot in outline at the sample that is chosen or under the pointer, and beside it as a line the real one, as it was measured or identified, displaced as many times as is written beside it. Without a choice it stands faintly at a sample in the middle
+word-over-time = Deviation over time
+word-over-time-means = The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when somebody touched one of them
+word-over-load = Deviation over load
+word-over-load-means = The deviation over the weight that the arm carried. A slope is an arm or a joint that gives way; it needs poses measured with different loads
+word-over-temperature = Deviation over temperature
+word-over-temperature-means = The deviation over the temperature that was logged. A slope is a link that grows, or a joint whose zero moves, as the machine gets warm
+word-orders = Order spectrum
+word-orders-means = How large the part of the deviation is that comes back once, twice, three times … with every turn of the joint. Once is an eccentric encoder or bearing, twice an oval one, and a gear shows at its number of teeth. Bars below the noise line mean nothing
+word-histogram = Histogram
+word-histogram-means = How many samples deviate by how much. If only noise is left, the bars fill the dashed curve; two heaps are two states, as with backlash. A click on a bar marks its samples everywhere
+word-effect-curve = Effect's own curve
+word-effect-curve-means = What is left when the model knows everything but this one effect, and what the effect does according to its fitted size. Where the curve runs through the points the name is right
+word-setup = Setup
+word-setup-means = One position of the instrument. Each has a measuring frame of its own, which is fitted
+word-tool = Tool pose
+word-tool-means = Position and orientation of the tool frame in the base frame when every joint is at zero
+word-robot = Robot
+word-robot-means = The description that the session was measured on: axes, reflectors and links as the drawing has them. Everything is measured against it
+word-samples = Samples
+word-samples-means = Poses that were measured. More of them, and poses that differ more, make every number surer
+word-reflectors = Reflectors
+word-reflectors-means = Points on the tool that the instrument sees. A second one at another radius tells causes apart that one alone cannot
+word-instrument = Instrument
+word-instrument-means = What the positions were measured with. Its noise is the smallest RMS error that any model can reach
+word-compensated = Compensated
+word-compensated-means = The commands were already corrected by a table while this was measured: what is seen here is what that table left
+word-range = Measured range
+word-range-means = The smallest and the largest position of the joint that was measured. Outside it nothing is known, and a table holds its end values there
+word-hole = Widest hole
+word-hole-means = A part of the range, much wider than the other steps, in which there is no sample. Whatever happens there stays unseen: measure a few poses in it
+word-speed = Speed
+word-speed-means = How fast the joint moved while it was measured. Lag behind the command shows only at different speeds
+word-load = Load
+word-load-means = The mass at the tool while it was measured. Bending of links and joints shows only at different loads
+word-temperature = Temperature
+word-temperature-means = Of the robot while it was measured. Growth with warmth shows only where it changes by some degrees
+word-took = Time it took
+word-took-means = From the first sample to the last. What drifts, or was knocked, shows only where samples have a time
+word-shows = Testable effects
+word-shows-means = How many of the physical causes that this program knows would leave a trace in these samples. What cannot be tested can be there all the same
+word-without = Without it
+word-without-means = RMS error of the nominal robot: what remains if nothing is corrected
+word-modelled = Model and measurement
+word-modelled-means = RMS error between the measurement and the identified model: what a perfect controller could reach if every direction could be corrected
+word-corrected = With corrected commands
+word-corrected-means = RMS error that remains on this session when the commands are corrected by the model
+word-entries = Entries
+word-entries-means = Lines of the table. More of them follow the curve more closely; a controller may allow only so many
+word-source = Where it comes from
+word-source-means = The file, and the session that the model was identified from. A model is worth what its session covers
+word-place = Where
+word-place-means = The part of the range, or the number of cycles per turn, at which what is left stands out: look at the machine there
+word-curve = Largest of the curve
+word-curve-means = The most that the smooth correction moves the point, in this direction
+word-axis = Axis
+word-axis-means = The line about which, or along which, a joint moves when every joint is at zero: a direction and any point on it, in the base frame
+figure-a = Accuracy: from the lowest to the highest deviation anywhere on the axis, with twice the scatter on both sides
+figure-a-one-way = The same for one direction of approach only: what is left where a program always comes from one side
+figure-e = Systematic deviation: from the lowest to the highest mean deviation, without the scatter. This is what a table can remove
+figure-e-one-way = The same for one direction of approach only
+figure-m = From the lowest to the highest mean of both directions: the shape of the error along the axis
+figure-r = Repeatability: how far returns to one position scatter at worst, both directions together. No table can remove it
+figure-b = Reversal: how far the two directions of approach differ at worst. Backlash and lost motion show here
+figure-b-mean = The same on average along the axis
+figure-ap = Pose accuracy: from the commanded point to the middle of the measured ones
+figure-rp = Pose repeatability: the radius of the sphere that holds the returns to one pose, mean plus three standard deviations
+figure-vap = How far the middles differ when one pose is approached from different sides

@@ -1,0 +1,171 @@
+//! The language of the window: every text that it shows is a message of a table, one file of Fluent
+//! per language ([Project Fluent](https://projectfluent.org)), and is looked up by its key when it is
+//! shown. English is complete; what another language lacks is shown in English.
+//!
+//! The language is chosen once per frame, for the thread: windows of tests that run side by side have
+//! languages of their own, and a job takes that of the window that starts it. Numbers come written, by
+//! [`crate::present`]: no language changes them.
+
+pub(crate) mod names;
+mod table;
+
+use std::cell::Cell;
+use std::fmt::Display;
+
+use serde::{Deserialize, Serialize};
+
+use table::table;
+
+macro_rules! languages {
+    ($($name:ident, $code:literal, $own:literal;)*) => {
+        /// A language of the window.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum Language {
+            $(
+                #[doc = $own]
+                #[serde(rename = $code)]
+                $name,
+            )*
+            /// English with every message in ⟦ ⟧, to find texts that are in no table.
+            #[serde(skip)]
+            Marked,
+            /// English with every message made longer by half, to find what would be cut.
+            #[serde(skip)]
+            Long,
+        }
+
+        /// The languages that are offered: each with the code of ISO 639, its own name and its file.
+        pub(crate) const LANGUAGES: &[(Language, &str, &str)] = &[$((Language::$name, $code, $own)),*];
+
+        /// The text of its file.
+        fn source(language: Language) -> &'static str {
+            match language {
+                $(Language::$name => include_str!(concat!("../../../assets/languages/", $code, ".ftl")),)*
+                Language::Marked | Language::Long => source(Language::English),
+            }
+        }
+    };
+}
+
+languages! {
+    English, "en", "English";
+    German, "de", "Deutsch";
+    Chinese, "zh", "中文";
+}
+
+impl Default for Language {
+    fn default() -> Self {
+        Self::English
+    }
+}
+
+thread_local! {
+    static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
+}
+
+impl Language {
+    /// That of the system, by the environment variables of POSIX; English where it is not offered.
+    pub(crate) fn of_system() -> Self {
+        let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
+        let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(set);
+        locale.map_or(Self::English, |locale| Self::of_locale(&locale))
+    }
+
+    fn of_locale(locale: &str) -> Self {
+        let code = locale
+            .split(['_', '-', '.', '@'])
+            .next()
+            .unwrap_or_default();
+        let code = code.to_ascii_lowercase();
+        let offered = LANGUAGES.iter().find(|(_, offered, _)| *offered == code);
+        offered.map_or(Self::English, |(language, ..)| *language)
+    }
+
+    /// Its own name.
+    pub(crate) fn own_name(self) -> &'static str {
+        let offered = LANGUAGES.iter().find(|(language, ..)| *language == self);
+        offered.map_or("", |(_, _, own)| own)
+    }
+
+    /// The characters of its messages that no bundled font has: those of East Asian scripts.
+    pub(crate) fn letters(self) -> impl Iterator<Item = char> {
+        source(self).chars().filter(|c| *c >= '\u{2e80}')
+    }
+}
+
+/// Speaks this language on this thread from now on.
+pub(crate) fn choose(language: Language) {
+    CURRENT.set(language);
+}
+
+/// The language of this thread.
+pub(crate) fn current() -> Language {
+    CURRENT.get()
+}
+
+/// A message without arguments.
+pub(crate) fn text(key: &'static str) -> &'static str {
+    table(current()).plain(key)
+}
+
+/// A message with arguments. Those that are whole numbers choose the form for their count.
+pub(crate) fn said(key: &'static str, arguments: &[(&'static str, &dyn Display)]) -> String {
+    table(current()).filled(key, arguments)
+}
+
+/// What the core calls `english`, of this kind and with this id: an effect, a column. Where the
+/// language has no word for it, it stays English.
+pub(crate) fn named(kind: &str, id: &str, english: &'static str) -> &'static str {
+    known(kind, id).unwrap_or(english)
+}
+
+/// The word for what has this id, among things of this kind, where the language has one.
+pub(crate) fn known(kind: &str, id: &str) -> Option<&'static str> {
+    table(current()).named(kind, id)
+}
+
+/// The message of a key in the language of the window: text that lives as long as the program, or,
+/// with arguments, a `String`.
+macro_rules! say {
+    ($key:expr) => {
+        $crate::gui::language::text($key)
+    };
+    ($key:expr, $($name:ident = $value:expr),+ $(,)?) => {
+        $crate::gui::language::said($key, &[$((stringify!($name), &$value as &dyn std::fmt::Display)),+])
+    };
+}
+
+pub(crate) use names::within;
+pub(crate) use say;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_language_of_the_system_is_taken_where_it_is_offered() {
+        for (locale, language) in [
+            ("de_AT.UTF-8", Language::German),
+            ("zh_CN", Language::Chinese),
+            ("en_GB.UTF-8", Language::English),
+            ("C", Language::English),
+            ("fr_FR", Language::English),
+        ] {
+            assert_eq!(Language::of_locale(locale), language, "{locale}");
+        }
+    }
+
+    #[test]
+    fn threads_have_languages_of_their_own_and_counts_their_forms() {
+        choose(Language::German);
+        let there = std::thread::spawn(current).join().expect("it ends");
+        assert_eq!((there, current()), (Language::English, Language::German));
+        assert_eq!(say!("samples", count = 1), "1 Messpunkt");
+        assert_eq!(
+            say!("samples", count = "1\u{202f}200"),
+            "1\u{202f}200 Messpunkte"
+        );
+        choose(Language::English);
+        assert_eq!(say!("samples", count = 1), "1 sample");
+    }
+}

@@ -1,0 +1,43 @@
+//! Names of effects, as [`crate::present::names`] has them, in the language of the window. Where a
+//! language has no name for an effect, it is shown in English.
+
+use std::borrow::Cow;
+
+use super::{Language, current, named, said};
+use crate::effects::find;
+
+/// The title of an effect; what is no effect stays as it is.
+pub(crate) fn title(id: &str) -> &str {
+    find(id).map_or(id, |effect| named("effect", id, effect.about().title))
+}
+
+/// The title with the joint, counted from 1, where the robot has several.
+pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
+    match joint.filter(|_| joints > 1) {
+        Some(joint) => on_joint(id, &joint.to_string()),
+        None => title(id).to_owned(),
+    }
+}
+
+/// The title of a name that may end with its joint, `id joint`.
+pub(crate) fn title_of(name: &str) -> String {
+    match name.split_once(' ') {
+        Some((id, joint)) => on_joint(id, joint),
+        None => title(name).to_owned(),
+    }
+}
+
+fn on_joint(id: &str, joint: &str) -> String {
+    said(
+        "effect-on-joint",
+        &[("effect", &title(id)), ("joint", &joint)],
+    )
+}
+
+/// A name as it stands within a sentence: English begins it with a small letter.
+pub(crate) fn within(name: &str) -> Cow<'_, str> {
+    match current() {
+        Language::English | Language::Long => name.to_lowercase().into(),
+        Language::Marked | Language::German | Language::Chinese => name.into(),
+    }
+}
