@@ -1300,6 +1300,7 @@ results-sample-is-an-outlier = Messpunkt { $sample } ist ein Ausreißer: { $devi
 results-sample-is-excluded = Messpunkt { $sample } ist ausgeschlossen: { $because }
 results-and-more = und { $more } weitere
 results-notes = Hinweise
+results-region = Region
 
 ## samples
 

@@ -1300,6 +1300,7 @@ results-sample-is-an-outlier = sample { $sample } is an outlier: { $deviation } 
 results-sample-is-excluded = sample { $sample } is excluded: { $because }
 results-and-more = and { $more } more
 results-notes = Notes
+results-region = region
 
 ## samples
 

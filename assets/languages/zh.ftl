@@ -1276,6 +1276,7 @@ results-sample-is-an-outlier = 样本 { $sample } 是异常值：与模型相差
 results-sample-is-excluded = 样本 { $sample } 已排除：{ $because }
 results-and-more = 以及另外 { $more } 个
 results-notes = 备注
+results-region = 区域
 
 ## samples
 

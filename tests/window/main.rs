@@ -27,6 +27,7 @@ mod friction;
 mod gap;
 mod identify;
 mod import;
+mod languages;
 mod letters;
 mod many;
 mod models;

@@ -85,11 +85,20 @@ impl Panels {
     fn of(window: &Window, all: &[Thing]) -> Self {
         let tabs = all.iter().filter(|t| t.role == Role::Tab);
         let left = tabs.map(|t| t.rect.right()).fold(0.0, f32::max) + MARGIN;
-        let heads = ["Results", "Diagnosis", "Export"];
+        let heads = [
+            "Results",
+            "Diagnosis",
+            "Export",
+            "Ergebnisse",
+            "Diagnose",
+            "结果",
+            "诊断",
+            "导出",
+        ];
         let head = all
             .iter()
             .filter(|t| t.role == Role::Label && t.rect.left() > left);
-        let head = head.filter(|t| heads.contains(&t.says.as_str()));
+        let head = head.filter(|t| heads.contains(&t.says.trim_end_matches('~')));
         Self {
             left,
             right: head.map(|t| t.rect.left() - MARGIN).next(),
@@ -129,7 +138,7 @@ fn natural_width(window: &Window, text: &str, height: f32) -> Option<f32> {
 }
 
 /// Everything that has to hold wherever the work stands.
-fn look(window: &Window, at: &str) {
+pub(crate) fn look(window: &Window, at: &str) {
     let all = things(window);
     let panels = Panels::of(window, &all);
     let whole = panels.whole;

@@ -30,20 +30,20 @@ impl Example {
 /// Every session that comes with the program; the window opens on the first.
 pub(crate) const EXAMPLES: [Example; 3] = [
     Example {
-        name: "example-run",
-        what: "example-run-what",
+        name: "example-lamp",
+        what: "example-lamp-what",
         document: include_bytes!("../../../sessions/lamp-commissioning.json"),
         samples: include_bytes!("../../../sessions/lamp-commissioning.csv"),
     },
     Example {
-        name: "The paper's 30 samples",
-        what: "six regions of five samples, without noise",
+        name: "example-samples",
+        what: "example-samples-what",
         document: include_bytes!("../../../sessions/paper-30.json"),
         samples: include_bytes!("../../../sessions/paper-30.csv"),
     },
     Example {
-        name: "The paper's full run",
-        what: "361 samples, every half degree",
+        name: "example-run",
+        what: "example-run-what",
         document: include_bytes!("../../../sessions/paper-run.json"),
         samples: include_bytes!("../../../sessions/paper-run.csv"),
     },

@@ -23,7 +23,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         true => own,
         false => plain,
     };
-    let languages = LANGUAGES.iter().map(|(one, _, own)| (Some(*one), drawn(own, "Chinese")));
+    let languages = LANGUAGES
+        .iter()
+        .map(|(one, _, own)| (Some(*one), drawn(own, "Chinese")));
     let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
         .chain(languages)
         .collect();

@@ -8,89 +8,18 @@
 
 pub(crate) mod names;
 mod table;
+mod which;
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt::Display;
 
-use serde::{Deserialize, Serialize};
-
 use table::table;
-
-macro_rules! languages {
-    ($($name:ident, $code:literal, $own:literal;)*) => {
-        /// A language of the window.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-        pub enum Language {
-            $(
-                #[doc = $own]
-                #[serde(rename = $code)]
-                $name,
-            )*
-            /// English with every message in ⟦ ⟧, to find texts that are in no table.
-            #[serde(skip)]
-            Marked,
-            /// English with every message made longer by half, to find what would be cut.
-            #[serde(skip)]
-            Long,
-        }
-
-        /// The languages that are offered: each with the code of ISO 639, its own name and its file.
-        pub(crate) const LANGUAGES: &[(Language, &str, &str)] = &[$((Language::$name, $code, $own)),*];
-
-        /// The text of its file.
-        fn source(language: Language) -> &'static str {
-            match language {
-                $(Language::$name => include_str!(concat!("../../../assets/languages/", $code, ".ftl")),)*
-                Language::Marked | Language::Long => source(Language::English),
-            }
-        }
-    };
-}
-
-languages! {
-    English, "en", "English";
-    German, "de", "Deutsch";
-    Chinese, "zh", "中文";
-}
-
-impl Default for Language {
-    fn default() -> Self {
-        Self::English
-    }
-}
+pub(crate) use which::LANGUAGES;
+pub use which::Language;
 
 thread_local! {
     static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
-}
-
-impl Language {
-    /// That of the system, by the environment variables of POSIX; English where it is not offered.
-    pub(crate) fn of_system() -> Self {
-        let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
-        let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(set);
-        locale.map_or(Self::English, |locale| Self::of_locale(&locale))
-    }
-
-    fn of_locale(locale: &str) -> Self {
-        let code = locale
-            .split(['_', '-', '.', '@'])
-            .next()
-            .unwrap_or_default();
-        let code = code.to_ascii_lowercase();
-        let offered = LANGUAGES.iter().find(|(_, offered, _)| *offered == code);
-        offered.map_or(Self::English, |(language, ..)| *language)
-    }
-
-    /// Its own name.
-    pub(crate) fn own_name(self) -> &'static str {
-        let offered = LANGUAGES.iter().find(|(language, ..)| *language == self);
-        offered.map_or("", |(_, _, own)| own)
-    }
-
-    /// The characters of its messages that no bundled font has: those of East Asian scripts.
-    pub(crate) fn letters(self) -> impl Iterator<Item = char> {
-        source(self).chars().filter(|c| *c >= '\u{2e80}')
-    }
 }
 
 /// Speaks this language on this thread from now on.
@@ -124,6 +53,14 @@ pub(crate) fn known(kind: &str, id: &str) -> Option<&'static str> {
     table(current()).named(kind, id)
 }
 
+/// A name as it stands within a sentence: English begins it with a small letter.
+pub(crate) fn within(name: &str) -> Cow<'_, str> {
+    match current() {
+        Language::English | Language::Long => name.to_lowercase().into(),
+        Language::Marked | Language::German | Language::Chinese => name.into(),
+    }
+}
+
 /// The message of a key in the language of the window: text that lives as long as the program, or,
 /// with arguments, a `String`.
 macro_rules! say {
@@ -135,7 +72,6 @@ macro_rules! say {
     };
 }
 
-pub(crate) use names::within;
 pub(crate) use say;
 
 #[cfg(test)]

@@ -1,9 +1,7 @@
 //! Names of effects, as [`crate::present::names`] has them, in the language of the window. Where a
 //! language has no name for an effect, it is shown in English.
 
-use std::borrow::Cow;
-
-use super::{Language, current, named, said};
+use super::{named, said};
 use crate::effects::find;
 
 /// The title of an effect; what is no effect stays as it is.
@@ -32,12 +30,4 @@ fn on_joint(id: &str, joint: &str) -> String {
         "effect-on-joint",
         &[("effect", &title(id)), ("joint", &joint)],
     )
-}
-
-/// A name as it stands within a sentence: English begins it with a small letter.
-pub(crate) fn within(name: &str) -> Cow<'_, str> {
-    match current() {
-        Language::English | Language::Long => name.to_lowercase().into(),
-        Language::Marked | Language::German | Language::Chinese => name.into(),
-    }
 }

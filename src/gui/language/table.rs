@@ -8,7 +8,7 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use unic_langid::LanguageIdentifier;
 
-use super::{LANGUAGES, Language, source};
+use super::which::{LANGUAGES, Language, source};
 
 /// See the module.
 pub(super) struct Table {

@@ -253,7 +253,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
             let (angle, length) = (units.angle_name().trim(), units.length_name());
             let of = |quantity: &str, unit: &str| format!("{quantity}, {unit}");
             for head in [
-                "region".to_owned(),
+                say!("results-region").to_owned(),
                 of("Δθ", angle),
                 of("Δl1", length),
                 of(say!("common-rms-error"), length),

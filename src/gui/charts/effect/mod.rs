@@ -208,7 +208,7 @@ fn note(scene: &Scene, curve: &EffectCurve) -> String {
     if curve.lines.is_empty() {
         notes.push(say!("curve-it-depends-on-the-pose").to_owned());
     }
-    notes.extend(thinned(stride(curve.spots.len(), FEW), "point"));
+    notes.extend(thinned(stride(curve.spots.len(), FEW), "scale-point"));
     let problems = scene.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
         notes.push(say!("curve-a-set-up-error").to_owned());

@@ -1,0 +1,386 @@
+//! The window in every language: one file of texts each, complete; no text outside of them; and
+//! nothing that is cut because it is longer.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use fluent_syntax::ast;
+use truepose::fonts::Library;
+use truepose::gui::{App, Language, Runner};
+
+use crate::sizes::look;
+use crate::tiny_font::Tiny;
+use crate::touring::texts;
+use crate::window::{Window, keys, press, there};
+
+const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+/// An argument that English alone needs.
+const ONLY_ENGLISH: &str = "ordinal";
+
+fn file(language: &str) -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    root.join(format!("assets/languages/{language}.ftl"))
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// A window that speaks this language from the beginning; a font of boxes has the letters of Chinese.
+fn window(language: Language, size: [f32; 2], path: Option<PathBuf>) -> Window {
+    let chinese = read(&file("zh")) + "中文";
+    let chinese: String = chinese.chars().filter(|c| *c >= '\u{2e80}').collect();
+    let fonts = [Tiny::new("SimHei", Box::leak(chinese.into_boxed_str()))];
+    let library = Arc::new(Library::of(fonts.iter().map(Tiny::file)));
+    let mut window = Harness::builder()
+        .with_size(size)
+        .allow_missing_glyphs()
+        .build_eframe(|cc| {
+            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
+            app.reading(library).speaking(language)
+        });
+    window.run_steps(6);
+    window
+}
+
+/// Every message of a file with the arguments that it takes.
+fn messages(language: &str) -> BTreeMap<String, BTreeSet<String>> {
+    fn of_pattern(pattern: &ast::Pattern<&str>, found: &mut BTreeSet<String>) {
+        for element in &pattern.elements {
+            if let ast::PatternElement::Placeable { expression } = element {
+                of_expression(expression, found);
+            }
+        }
+    }
+    fn of_expression(expression: &ast::Expression<&str>, found: &mut BTreeSet<String>) {
+        let inline = match expression {
+            ast::Expression::Select { selector, variants } => {
+                variants.iter().for_each(|v| of_pattern(&v.value, found));
+                selector
+            }
+            ast::Expression::Inline(inline) => inline,
+        };
+        match inline {
+            ast::InlineExpression::VariableReference { id } => {
+                found.insert(id.name.to_owned());
+            }
+            ast::InlineExpression::StringLiteral { .. } => {}
+            other => panic!("only arguments and letters are expected, found {other:?}"),
+        }
+    }
+    let text = read(&file(language));
+    let resource = fluent_syntax::parser::parse(&*text);
+    let resource = resource.unwrap_or_else(|(_, errors)| panic!("{language}: {errors:?}"));
+    let mut found = BTreeMap::new();
+    for entry in &resource.body {
+        let ast::Entry::Message(message) = entry else {
+            continue;
+        };
+        let mut arguments = BTreeSet::new();
+        let pattern = message.value.as_ref().expect("a message has a text");
+        of_pattern(pattern, &mut arguments);
+        let before = found.insert(message.id.name.to_owned(), arguments);
+        assert!(
+            before.is_none(),
+            "{language}: {} is there twice",
+            message.id.name
+        );
+    }
+    assert!(
+        found.len() > 1000,
+        "{language}: only {} messages",
+        found.len()
+    );
+    found
+}
+
+#[test]
+fn every_language_has_every_message_with_the_same_arguments_and_none_of_its_own() {
+    let english = messages("en");
+    for language in ["de", "zh"] {
+        let own = messages(language);
+        for (key, arguments) in &english {
+            let translated = own
+                .get(key)
+                .unwrap_or_else(|| panic!("{language} lacks {key}"));
+            let differ: Vec<_> = arguments.symmetric_difference(translated).collect();
+            assert!(
+                differ.iter().all(|name| *name == ONLY_ENGLISH),
+                "{language}: {key} differs in {differ:?}"
+            );
+        }
+        let more = own.keys().find(|key| !english.contains_key(*key));
+        assert_eq!(more, None, "{language} has what English lacks");
+    }
+}
+
+#[test]
+fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message() {
+    fn sources(folder: &Path, text: &mut String) {
+        for entry in std::fs::read_dir(folder).expect("the sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                sources(&path, text);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                *text += &read(&path);
+            }
+        }
+    }
+    let mut code = String::new();
+    sources(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src/gui"),
+        &mut code,
+    );
+    let english = messages("en");
+    // Of these the code has the end of the key only.
+    let built = ["word-", "effect-", "plot-", "chart-word-"];
+    for key in english
+        .keys()
+        .filter(|key| !built.iter().any(|b| key.starts_with(b)))
+    {
+        assert!(
+            code.contains(&format!("\"{key}\"")),
+            "nothing asks for {key}"
+        );
+    }
+    for rest in code.split("say!(").skip(1) {
+        if let Some(key) = rest.trim_start().strip_prefix('"') {
+            let key = key.split('"').next().unwrap_or_default();
+            assert!(english.contains_key(key), "there is no message {key}");
+        }
+    }
+}
+
+/// Goes to what is in the window by keys, which are the same in every language, and looks at each.
+fn visit(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
+    let numbers = [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5];
+    let work = [
+        ("as opened", None),
+        ("identified", Some(Key::I)),
+        ("diagnosed", Some(Key::G)),
+    ];
+    for (stage, key) in work {
+        if let Some(key) = key {
+            keys(window, Modifiers::COMMAND, key);
+            window.run_steps(4);
+        }
+        for (k, number) in numbers.into_iter().enumerate() {
+            keys(window, Modifiers::COMMAND, number);
+            see(window, &format!("{stage}, step {}", k + 1));
+        }
+    }
+    for (k, number) in numbers.into_iter().enumerate() {
+        keys(window, SHIFTED, number);
+        see(window, &format!("view {}", k + 1));
+    }
+    keys(window, Modifiers::COMMAND, Key::Num4);
+    choose_everything(window, see);
+}
+
+/// Presses every choice and check box of the step, once each.
+fn choose_everything(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
+    let mut tried: BTreeSet<String> = BTreeSet::new();
+    for _ in 0..80 {
+        let next = window.root().children_recursive().find_map(|node| {
+            let node = node.accesskit_node();
+            let choice = matches!(node.role(), Role::RadioButton | Role::CheckBox);
+            let label = node.label()?;
+            let fresh = choice && !node.is_disabled() && !tried.contains(&label);
+            fresh.then_some(label)
+        });
+        let Some(label) = next else {
+            return;
+        };
+        let node = window.query_all_by_label(&label).next();
+        node.expect("it was there").click();
+        window.run_steps(3);
+        see(window, &format!("chosen: {label}"));
+        tried.insert(label);
+    }
+    panic!("there is no end to what can be chosen: {tried:?}");
+}
+
+/// Opens every sheet that a key opens, and each menu.
+fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
+    for (name, modifiers, key) in [
+        ("simulation", Modifiers::COMMAND, Key::N),
+        ("path", SHIFTED, Key::P),
+        ("preferences", Modifiers::COMMAND, Key::Comma),
+        ("keys", SHIFTED, Key::K),
+        ("glossary", Modifiers::NONE, Key::F1),
+        ("about", Modifiers::SHIFT, Key::F1),
+        ("palette", Modifiers::COMMAND, Key::K),
+    ] {
+        keys(window, modifiers, key);
+        see(window, name);
+        keys(window, Modifiers::NONE, Key::Escape);
+    }
+    let bar = window.root().children_recursive().filter_map(|node| {
+        let inner = node.accesskit_node();
+        let button = inner.role() == Role::Button && node.rect().bottom() < 42.0;
+        let label = inner.label().filter(|_| button)?;
+        Some((node.rect().left(), label))
+    });
+    let mut bar: Vec<(f32, String)> = bar.collect();
+    bar.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, menu) in bar.into_iter().take(4) {
+        window
+            .query_all_by_label(&menu)
+            .next()
+            .expect("it was there")
+            .click();
+        window.run_steps(4);
+        see(window, &format!("menu {menu}"));
+        keys(window, Modifiers::NONE, Key::Escape);
+    }
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/programs");
+    window.state_mut().compensate(&data.join("cell.mod"));
+    window.run_steps(4);
+    see(window, "compensation");
+    keys(window, Modifiers::NONE, Key::Escape);
+    window.state_mut().type_export_path(Path::new("table.csv"));
+    window.run_steps(4);
+    see(window, "export to a path");
+    keys(window, Modifiers::NONE, Key::Escape);
+}
+
+/// What stands outside of ⟦ ⟧.
+fn outside(text: &str) -> String {
+    let mut depth = 0_u32;
+    let mut outside = String::new();
+    for c in text.chars() {
+        match c {
+            '⟦' => depth += 1,
+            '⟧' => depth = depth.saturating_sub(1),
+            _ if depth == 0 => outside.push(c),
+            _ => {}
+        }
+    }
+    outside
+}
+
+/// Texts that are in no table, and why: what the core says, names of files and data, units.
+fn exceptions() -> Vec<String> {
+    let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/untranslated.txt");
+    let lines = read(&list);
+    let lines = lines
+        .lines()
+        .filter(|l| !l.is_empty() && !l.starts_with('#'));
+    lines.map(str::to_owned).collect()
+}
+
+/// Adds the words of these texts that are in no table.
+fn untranslated(
+    window: &Window,
+    at: &str,
+    allowed: &[String],
+    found: &mut BTreeMap<String, String>,
+) {
+    for text in texts(window) {
+        let rest = outside(&text);
+        let mut rest = rest.as_str().trim().to_owned();
+        for line in allowed {
+            // A line that ends with … allows whatever begins like it.
+            match line.strip_suffix('…') {
+                Some(begin) if rest.starts_with(begin) => rest.clear(),
+                Some(_) => {}
+                None if rest == *line => rest.clear(),
+                None => {}
+            }
+        }
+        let mut words = rest.split(|c: char| !c.is_alphabetic());
+        let units = [
+            "mm", "µm", "in", "deg", "rad", "mrad", "kg", "°C", "min", "Nm", "ppm", "CSV",
+        ];
+        if words.any(|word| word.chars().count() > 1 && !units.contains(&word)) {
+            found.entry(text).or_insert_with(|| at.to_owned());
+        }
+    }
+}
+
+#[test]
+fn no_text_of_the_window_is_outside_of_the_table() {
+    let allowed = exceptions();
+    let mut found = BTreeMap::new();
+    let mut window = window(Language::Marked, [1280.0, 800.0], None);
+    let mut see = |window: &Window, at: &str| untranslated(window, at, &allowed, &mut found);
+    visit(&mut window, &mut see);
+    open_all(&mut window, &mut see);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("messung.csv");
+    std::fs::write(&path, "winkel;x;y\n0;250;0\n10;246;43\n20;235;85\n").expect("written");
+    let import = self::window(Language::Marked, [1280.0, 800.0], Some(path));
+    see(&import, "import");
+    let list: Vec<String> = found
+        .iter()
+        .map(|(text, at)| format!("{at}: {text}"))
+        .collect();
+    assert!(
+        list.is_empty(),
+        "{} texts are in no table:\n{}",
+        list.len(),
+        list.join("\n")
+    );
+}
+
+#[test]
+fn every_step_fits_in_german_in_chinese_and_in_what_is_longer_still() {
+    for language in [Language::German, Language::Chinese, Language::Long] {
+        let mut window = window(language, [1024.0, 700.0], None);
+        let mut see = |window: &Window, at: &str| look(window, &format!("{language:?}, {at}"));
+        for (stage, key) in [
+            ("opened", None),
+            ("identified", Some(Key::I)),
+            ("diagnosed", Some(Key::G)),
+        ] {
+            if let Some(key) = key {
+                keys(&mut window, Modifiers::COMMAND, key);
+            }
+            for number in [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5] {
+                keys(&mut window, Modifiers::COMMAND, number);
+                window.run_steps(4);
+                see(&window, &format!("{stage}, {number:?}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_language_is_chosen_in_the_preferences_and_the_next_frame_speaks_it() {
+    let mut window = window(Language::English, [1280.0, 800.0], None);
+    keys(&mut window, Modifiers::COMMAND, Key::Comma);
+    press(&mut window, "Deutsch");
+    assert!(there(&window, "Einstellungen") && !there(&window, "Preferences"));
+    press(&mut window, "中文");
+    assert!(there(&window, "首选项"));
+    press(&mut window, "English");
+    assert!(there(&window, "Preferences"));
+    press(&mut window, "Deutsch");
+    press(&mut window, "Fertig");
+    assert!(there(&window, "1 Messung") && !there(&window, "1 Session"));
+    keys(&mut window, Modifiers::COMMAND, Key::I);
+    assert!(there(&window, "Identifizierte Parameter"));
+}
+
+#[test]
+fn where_no_font_has_chinese_the_window_says_so_and_can_be_read() {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .allow_missing_glyphs()
+        .build_eframe(|cc| {
+            let none = Arc::new(Library::of(std::iter::empty::<Vec<u8>>()));
+            App::new(&cc.egui_ctx, None, Runner::AtOnce).reading(none)
+        });
+    window.run_steps(4);
+    keys(&mut window, Modifiers::COMMAND, Key::Comma);
+    assert!(!there(&window, "中文"), "it could not be drawn");
+    press(&mut window, "Chinese");
+    press(&mut window, "Done");
+    assert!(there(&window, "1 Session"));
+    assert!(crate::window::says(&window, "no font here has"));
+}
