@@ -429,13 +429,6 @@ loaded-session-tangential = tangential
 loaded-session-radial = radial
 loaded-session-axial = axial
 
-## scale
-
-scale-every-shown = jeder { $stride }. { $what } gezeigt
-scale-point = Punkt
-scale-entry = Eintrag
-scale-every-shown = jeder { $stride }. { $what } gezeigt
-
 ## search
 
 search-set-up-errors = Aufbaufehler
@@ -997,7 +990,6 @@ coverage-not-identified-yet-the-identified = Noch nicht identifiziert. Hier steh
 coverage-what-the-samples-cover = Abdeckung der Messpunkte
 coverage-measured-range = gemessener Bereich
 coverage-widest-hole = größte Lücke
-coverage-speed = Geschwindigkeit
 coverage-not-recorded = nicht aufgezeichnet
 coverage-took = Dauer
 coverage-throughout = durchgehend { $decimals } { $unit }
@@ -1062,6 +1054,7 @@ export-what-the-numbers-mean = Bedeutung der Zahlen
 export-and-more-lines = und { $more } weitere Zeilen
 export-go-to-identify = Zum Identifizieren
 export-save-as = { $what } als .{ $title } speichern …
+export-without-it = ohne Korrektur
 
 ## found
 
@@ -1335,7 +1328,7 @@ session-import-log = Importprotokoll: { $count }
 session-note = Hinweis
 session-warning = Warnung
 session-error = Fehler
-session-type-a-path-or-drop = Pfad eingeben oder Datei ablegen
+session-type-a-path-or-drop = Pfad, oder Datei ablegen
 session-path-of-a-session-or = Pfad einer Messung oder eines Modells
 session-this-is-an-example = Dies ist ein Beispiel, das mit dem Programm kommt
 session-continue-to-regions = Weiter zu den Regionen
@@ -1496,6 +1489,7 @@ toolbar-sliders-that-pose-the-robot = Regler, die den Roboter stellen
 toolbar-pose-the-robot = Roboter stellen
 toolbar-the-root-mean-square-deviation = das quadratische Mittel der Abweichung zwischen den Messpunkten, das mit der Entfernung verblasst
 toolbar-colour-of-vectors = Farbe der Vektoren
+toolbar-from = Blick
 
 ## chart words
 
@@ -1511,6 +1505,15 @@ chart-word-cross-validated = kreuzvalidiert
 chart-word-on-samples-that-no-fit-has-seen = an nicht angepassten Messpunkten
 chart-word-the-gap-step-by-step = die Abweichung Schritt für Schritt
 chart-word-rms-error = RMS-Fehler
+chart-word-nominal-robot = Sollroboter
+chart-word-exact-identification = exakte Identifikation
+chart-word-by-region = nach Regionen
+
+## scale
+
+scale-point = Punkt
+scale-entry = Eintrag
+scale-every-shown = jeder { $stride }. { $what } gezeigt
 
 ## examples
 

@@ -429,13 +429,6 @@ loaded-session-tangential = tangential
 loaded-session-radial = radial
 loaded-session-axial = axial
 
-## scale
-
-scale-every-shown = every { $stride }{ $ordinal } { $what } shown
-scale-point = point
-scale-entry = entry
-scale-every-shown = every { $stride }{ $ordinal } { $what } shown
-
 ## search
 
 search-set-up-errors = set-up errors
@@ -997,7 +990,6 @@ coverage-not-identified-yet-the-identified = Not identified yet. The identified 
 coverage-what-the-samples-cover = What the samples cover
 coverage-measured-range = measured range
 coverage-widest-hole = widest hole
-coverage-speed = speed{ $of_joint }
 coverage-not-recorded = not recorded
 coverage-took = took
 coverage-throughout = { $decimals } { $unit } throughout
@@ -1062,6 +1054,7 @@ export-what-the-numbers-mean = What the numbers mean
 export-and-more-lines = and { $more } more lines
 export-go-to-identify = Go to identify
 export-save-as = Save { $what } as .{ $title }…
+export-without-it = without it
 
 ## found
 
@@ -1496,6 +1489,7 @@ toolbar-sliders-that-pose-the-robot = sliders that pose the robot
 toolbar-pose-the-robot = Pose the robot
 toolbar-the-root-mean-square-deviation = the root mean square deviation between the samples, fading away from them
 toolbar-colour-of-vectors = Colour of vectors
+toolbar-from = from
 
 ## chart words
 
@@ -1511,6 +1505,15 @@ chart-word-cross-validated = cross-validated
 chart-word-on-samples-that-no-fit-has-seen = on samples that no fit has seen
 chart-word-the-gap-step-by-step = the gap step by step
 chart-word-rms-error = RMS error
+chart-word-nominal-robot = nominal robot
+chart-word-exact-identification = exact identification
+chart-word-by-region = by region
+
+## scale
+
+scale-point = point
+scale-entry = entry
+scale-every-shown = every { $stride }{ $ordinal } { $what } shown
 
 ## examples
 

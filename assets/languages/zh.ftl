@@ -417,13 +417,6 @@ loaded-session-tangential = 切向
 loaded-session-radial = 径向
 loaded-session-axial = 轴向
 
-## scale
-
-scale-every-shown = 每 { $stride } 个{ $what }显示 1 个
-scale-point = 点
-scale-entry = 条目
-scale-every-shown = 每 { $stride } 个{ $what }显示 1 个
-
 ## search
 
 search-set-up-errors = 安装错误
@@ -973,7 +966,6 @@ coverage-not-identified-yet-the-identified = 尚未辨识。辨识出的参数�
 coverage-what-the-samples-cover = 样本覆盖范围
 coverage-measured-range = 测量范围
 coverage-widest-hole = 最大空缺
-coverage-speed = 速度
 coverage-not-recorded = 未记录
 coverage-took = 时长
 coverage-throughout = 始终 { $decimals } { $unit }
@@ -1038,6 +1030,7 @@ export-what-the-numbers-mean = 数值含义
 export-and-more-lines = 以及另外 { $more } 行
 export-go-to-identify = 前往辨识
 export-save-as = 将{ $what }保存为 .{ $title }…
+export-without-it = 不修正时
 
 ## found
 
@@ -1472,6 +1465,7 @@ toolbar-sliders-that-pose-the-robot = 用滑块设定机器人位姿
 toolbar-pose-the-robot = 设定机器人位姿
 toolbar-the-root-mean-square-deviation = 样本之间的均方根偏差，离样本越远越淡
 toolbar-colour-of-vectors = 矢量颜色
+toolbar-from = 视角
 
 ## chart words
 
@@ -1487,6 +1481,15 @@ chart-word-cross-validated = 交叉验证
 chart-word-on-samples-that-no-fit-has-seen = 未参与拟合的样本
 chart-word-the-gap-step-by-step = 逐步误差
 chart-word-rms-error = RMS 误差
+chart-word-nominal-robot = 名义机器人
+chart-word-exact-identification = 完整辨识
+chart-word-by-region = 按区域
+
+## scale
+
+scale-point = 点
+scale-entry = 条目
+scale-every-shown = 每 { $stride } 个{ $what }显示 1 个
 
 ## examples
 

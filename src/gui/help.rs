@@ -155,7 +155,7 @@ const NAMES: &[(&[&str], Word)] = &[
     (&["coverage-widest-hole"], HOLE),
     (&["coverage-took"], TOOK),
     (&["common-testable-effects"], SHOWS),
-    (&["common-without"], WITHOUT),
+    (&["export-without-it"], WITHOUT),
     (
         &["export-model-and-measurement", "model-measured-and-model"],
         MODELLED,

@@ -277,10 +277,11 @@ fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
 #[test]
 fn the_glossary_has_the_windows_words() {
     let page = fs::read_to_string(root().join("docs/glossary.md")).expect("the page");
-    let words = fs::read_to_string(root().join("src/gui/help.rs")).expect("the words");
-    let (_, table) = words.split_once("words! {\n").expect("the table");
-    let (table, _) = table.split_once("\n}").expect("its end");
-    let texts: Vec<&str> = table.split('"').skip(1).step_by(2).collect();
+    let english = fs::read_to_string(root().join("assets/languages/en.ftl")).expect("the words");
+    let words = english.lines().filter(|line| line.starts_with("word-"));
+    let texts = words.map(|line| line.split_once(" = ").expect("a text").1);
+    let texts: Vec<&str> = texts.collect();
+    assert!(texts.len() > 80, "only {} texts", texts.len());
     for word in texts.chunks(2) {
         let row = format!("| {} | {} |\n", word[0], word[1]);
         assert!(page.contains(&row), "docs/glossary.md lacks: {row}");

@@ -281,7 +281,16 @@ fn untranslated(
     allowed: &[String],
     found: &mut BTreeMap<String, String>,
 ) {
-    for text in texts(window) {
+    let nodes = window.root().children_recursive();
+    let named = nodes.flat_map(|node| {
+        let node = node.accesskit_node();
+        [node.label(), node.value(), node.description()]
+    });
+    let named: Vec<String> = named.flatten().collect();
+    // What is painted line by line is named as a whole.
+    let painted = texts(window).into_iter();
+    let painted = painted.filter(|line| !named.iter().any(|whole| whole.contains(line)));
+    for text in painted.chain(named.iter().cloned()) {
         let rest = outside(&text);
         let mut rest = rest.as_str().trim().to_owned();
         for line in allowed {
@@ -295,7 +304,7 @@ fn untranslated(
         }
         let mut words = rest.split(|c: char| !c.is_alphabetic());
         let units = [
-            "mm", "µm", "in", "deg", "rad", "mrad", "kg", "°C", "min", "Nm", "ppm", "CSV",
+            "mm", "µm", "in", "deg", "rad", "mrad", "kg", "°C", "min", "arcsec", "ppm",
         ];
         if words.any(|word| word.chars().count() > 1 && !units.contains(&word)) {
             found.entry(text).or_insert_with(|| at.to_owned());
@@ -332,7 +341,7 @@ fn no_text_of_the_window_is_outside_of_the_table() {
 fn every_step_fits_in_german_in_chinese_and_in_what_is_longer_still() {
     for language in [Language::German, Language::Chinese, Language::Long] {
         let mut window = window(language, [1024.0, 700.0], None);
-        let mut see = |window: &Window, at: &str| look(window, &format!("{language:?}, {at}"));
+        let see = |window: &Window, at: &str| look(window, &format!("{language:?}, {at}"));
         for (stage, key) in [
             ("opened", None),
             ("identified", Some(Key::I)),

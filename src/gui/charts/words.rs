@@ -1,7 +1,7 @@
 //! What the core writes into a chart, in the language of the window.
 
 use crate::gui::language::known;
-use crate::present::chart::{Chart, Item};
+use crate::present::chart::{Chart, Item, Ticks};
 
 /// Words of the core that a number may follow.
 const BEFORE_NUMBERS: [&str; 3] = ["noise floor", "tolerance", "RMS error,"];
@@ -14,6 +14,11 @@ pub(super) fn translated(mut chart: Chart) -> Chart {
     }
     for text in [&mut chart.title, &mut chart.across.label] {
         translate(text);
+    }
+    for axis in [&mut chart.across, &mut chart.upwards] {
+        if let Ticks::Words(words) = &mut axis.ticks {
+            words.iter_mut().for_each(|(_, word)| translate(word));
+        }
     }
     for item in &mut chart.items {
         if let Item::Word(word) = item {

@@ -53,6 +53,15 @@ pub(crate) fn known(kind: &str, id: &str) -> Option<&'static str> {
     table(current()).named(kind, id)
 }
 
+/// How much wider than in English what stands in one row may be, at most.
+pub(crate) fn stretch() -> f32 {
+    match current() {
+        Language::English | Language::Marked | Language::Chinese => 1.0,
+        Language::German => 1.1,
+        Language::Long => 1.35,
+    }
+}
+
 /// A name as it stands within a sentence: English begins it with a small letter.
 pub(crate) fn within(name: &str) -> Cow<'_, str> {
     match current() {

@@ -121,8 +121,8 @@ fn argument(text: &str) -> FluentValue<'static> {
     }
 }
 
-/// What makes a text longer by half; a word that cannot be broken grows too.
+/// What makes a text longer by a third; a word that cannot be broken grows too.
 fn longer(text: &str) -> String {
     let letters = text.chars().filter(|c| c.is_alphabetic()).count();
-    "~".repeat(letters.div_ceil(2).min(12))
+    "~".repeat(letters.div_ceil(3).min(12))
 }

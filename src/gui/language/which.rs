@@ -15,7 +15,7 @@ macro_rules! languages {
             /// English with every message in ⟦ ⟧, to find texts that are in no table.
             #[serde(skip)]
             Marked,
-            /// English with every message made longer by half, to find what would be cut.
+            /// English with every message made longer by a third, to find what would be cut.
             #[serde(skip)]
             Long,
         }

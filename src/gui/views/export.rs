@@ -250,7 +250,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             widgets::hint(ui, says);
         }
         if let Some(before) = workbench.subject().gap_before {
-            widgets::fact(ui, say!("common-without"), units.length(before.rms_mm));
+            widgets::fact(ui, say!("export-without-it"), units.length(before.rms_mm));
         }
         if let Some(answer) = workbench.answer().filter(|_| measured) {
             let after = answer.identification.gap.after.rms_mm;

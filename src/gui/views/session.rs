@@ -103,7 +103,11 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         );
     }
     if subject.is_empty() {
-        widgets::fact(ui, "samples", say!("session-none-this-is-a-model"));
+        widgets::fact(
+            ui,
+            say!("common-samples"),
+            say!("session-none-this-is-a-model"),
+        );
         return;
     }
     let mut samples = grouped(subject.len());
@@ -115,7 +119,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
-    widgets::fact(ui, "samples", samples);
+    widgets::fact(ui, say!("common-samples"), samples);
     if let Some(kinds) = &subject.overview.kinds {
         widgets::fact(ui, say!("common-measured"), kinds);
     }
@@ -260,7 +264,14 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     let id = ui.scope_id().with("typed path");
     let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
     ui.horizontal(|ui| {
-        let width = ui.available_width() - 64.0;
+        let open = say!("common-open-2");
+        let font = egui::TextStyle::Button.resolve(ui.style());
+        let open_width = ui
+            .painter()
+            .layout_no_wrap(open.to_owned(), font, Palette::of(ui).text);
+        let spacing = ui.spacing();
+        let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
+        let width = ui.available_width() - (open_width.size().x + around).max(64.0);
         let field = TextEdit::singleline(&mut typed)
             .hint_text(say!("session-type-a-path-or-drop"))
             .desired_width(width)
@@ -272,7 +283,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
         });
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
-        let button = ui.add_enabled(!path.is_empty(), egui::Button::new(say!("common-open-2")));
+        let button = ui.add_enabled(!path.is_empty(), egui::Button::new(open));
         if (entered || button.clicked()) && !path.is_empty() {
             commands.push(Command::OpenFile(path.into()));
         }

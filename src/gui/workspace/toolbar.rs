@@ -1,6 +1,6 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
-use crate::gui::language::say;
+use crate::gui::language::{say, stretch};
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
 use crate::gui::core::loaded_session::Component;
@@ -40,15 +40,24 @@ pub(crate) fn show(
     let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
     let room = ui.available_size();
+    let stretch = stretch();
     let fold = match room {
-        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
-        _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
+        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW * stretch => Fold::Tight,
+        _ if room.x
+            < if view.in_space() {
+                SPACE_WIDE * stretch
+            } else {
+                WIDE * stretch
+            } =>
+        {
+            Fold::Narrow
+        }
         _ => Fold::Open,
     };
     let least = if fold == Fold::Tight {
-        ROOMY_FOLDED
+        ROOMY_FOLDED * stretch
     } else {
-        ROOMY
+        ROOMY * stretch
     };
     let roomy = room.x > least && beside.is_none();
     if let Some(beside) = beside {
@@ -62,7 +71,11 @@ pub(crate) fn show(
         });
     }
     widgets::row(ui, |ui| {
-        let least = if blends { WITH_BLEND } else { TITLED };
+        let least = if blends {
+            WITH_BLEND * stretch
+        } else {
+            TITLED * stretch
+        };
         if ui.available_width() > least && beside.is_none() {
             title(ui, say!("common-workspace"));
         }
@@ -337,7 +350,7 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         heat(ui, workbench, commands);
         return;
     }
-    caption(ui, say!("common-from"));
+    caption(ui, say!("toolbar-from"));
     let shown = view.camera.standard();
     let text = RichText::new(shown.map_or(say!("toolbar-free"), Standard::name)).size(size::SMALL);
     let list = ComboBox::from_id_salt("view in space").selected_text(text);
