@@ -217,7 +217,7 @@ mod tests {
         }
     }
 
-    /// Keys of names that stand before a number in a source file: `fact(ui, say!("key"), …)`.
+    /// Keys of names that stand before a number in a source file: `fact(ui, say!(…), …)`.
     fn names_in(source: &str) -> Vec<&str> {
         let calls = source.split("fact(").skip(1);
         calls

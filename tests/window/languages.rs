@@ -60,7 +60,9 @@ fn messages(language: &str) -> BTreeMap<String, BTreeSet<String>> {
     fn of_expression(expression: &ast::Expression<&str>, found: &mut BTreeSet<String>) {
         let inline = match expression {
             ast::Expression::Select { selector, variants } => {
-                variants.iter().for_each(|v| of_pattern(&v.value, found));
+                for variant in variants {
+                    of_pattern(&variant.value, found);
+                }
                 selector
             }
             ast::Expression::Inline(inline) => inline,
@@ -282,31 +284,36 @@ fn untranslated(
     found: &mut BTreeMap<String, String>,
 ) {
     let nodes = window.root().children_recursive();
-    let named = nodes.flat_map(|node| {
+    // What is painted line by line is named as a whole.
+    let whole = nodes.filter(|node| node.accesskit_node().role() != Role::TextRun);
+    let named = whole.flat_map(|node| {
         let node = node.accesskit_node();
         [node.label(), node.value(), node.description()]
     });
     let named: Vec<String> = named.flatten().collect();
-    // What is painted line by line is named as a whole.
+    let lines = window.root().children_recursive();
+    let lines = lines.filter(|node| node.accesskit_node().role() == Role::TextRun);
+    let lines: BTreeSet<String> = lines.filter_map(|n| n.accesskit_node().value()).collect();
     let painted = texts(window).into_iter();
-    let painted = painted.filter(|line| !named.iter().any(|whole| whole.contains(line)));
+    let painted = painted
+        .filter(|line| !lines.contains(line) && !named.iter().any(|whole| whole.contains(line)));
     for text in painted.chain(named.iter().cloned()) {
         let rest = outside(&text);
-        let mut rest = rest.as_str().trim().to_owned();
-        for line in allowed {
-            // A line that ends with … allows whatever begins like it.
-            match line.strip_suffix('…') {
-                Some(begin) if rest.starts_with(begin) => rest.clear(),
-                Some(_) => {}
-                None if rest == *line => rest.clear(),
-                None => {}
-            }
-        }
-        let mut words = rest.split(|c: char| !c.is_alphabetic());
         let units = [
-            "mm", "µm", "in", "deg", "rad", "mrad", "kg", "°C", "min", "arcsec", "ppm",
+            "mm", "µm", "in", "deg", "rad", "mrad", "kg", "min", "arcsec", "ppm",
         ];
-        if words.any(|word| word.chars().count() > 1 && !units.contains(&word)) {
+        let foreign = |part: &str| {
+            let part = part.trim_matches([' ', ':', ',', '·']);
+            // A line that ends with … allows whatever begins like it.
+            let allows = |line: &String| match line.strip_suffix('…') {
+                Some(begin) => part.starts_with(begin),
+                None => part == line,
+            };
+            let mut words = part.split(|c: char| !c.is_alphabetic());
+            words.any(|word| word.chars().count() > 1 && !units.contains(&word))
+                && !allowed.iter().any(allows)
+        };
+        if rest.split('·').any(foreign) {
             found.entry(text).or_insert_with(|| at.to_owned());
         }
     }

@@ -17,7 +17,9 @@ pub(super) fn translated(mut chart: Chart) -> Chart {
     }
     for axis in [&mut chart.across, &mut chart.upwards] {
         if let Ticks::Words(words) = &mut axis.ticks {
-            words.iter_mut().for_each(|(_, word)| translate(word));
+            for (_, word) in words {
+                translate(word);
+            }
         }
     }
     for item in &mut chart.items {

@@ -9,31 +9,43 @@ use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
+/// The languages, each in its own name; one that cannot be drawn is written in letters that can.
+fn language(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    next: &mut Preferences,
+    commands: &mut Vec<Command>,
+) {
+    let letters = workbench.letters();
+    if !LANGUAGES
+        .iter()
+        .all(|(_, _, own)| letters.were_asked_for(own))
+    {
+        commands.push(Command::FindNamesOfLanguages);
+    }
+    let name = |own: &'static str| {
+        let drawn = own.is_ascii() || letters.have(own);
+        if drawn { own } else { "Chinese" }
+    };
+    let languages = LANGUAGES
+        .iter()
+        .map(|(one, _, own)| (Some(*one), name(own)));
+    let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
+        .chain(languages)
+        .collect();
+    widgets::form_row(ui, say!("preferences-language"), |ui| {
+        if let Some(language) = widgets::segmented(ui, &languages, next.language) {
+            next.language = language;
+        }
+    });
+}
+
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(440.0);
     widgets::heading(ui, say!("preferences-preferences"));
     let now = workbench.view().preferences;
     let mut next = now;
-    // A name that cannot be drawn is written in letters that can.
-    let asked = |(_, _, own): &(_, _, &str)| workbench.letters().were_asked_for(own);
-    if !LANGUAGES.iter().all(asked) {
-        commands.push(Command::FindNamesOfLanguages);
-    }
-    let drawn = |own: &'static str, plain| match own.is_ascii() || workbench.letters().have(own) {
-        true => own,
-        false => plain,
-    };
-    let languages = LANGUAGES
-        .iter()
-        .map(|(one, _, own)| (Some(*one), drawn(own, "Chinese")));
-    let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
-        .chain(languages)
-        .collect();
-    widgets::form_row(ui, say!("preferences-language"), |ui| {
-        if let Some(language) = widgets::segmented(ui, &languages, now.language) {
-            next.language = language;
-        }
-    });
+    language(ui, workbench, &mut next, commands);
     let lengths = [
         (LengthUnit::Millimetre, "mm"),
         (LengthUnit::Micrometre, "µm"),
@@ -90,7 +102,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
         let slider = ui.add(slider.update_while_editing(false));
         ui.ctx().accesskit_node_builder(slider.id, |node| {
-            node.set_label(say!("preferences-size-of-text"))
+            node.set_label(say!("preferences-size-of-text"));
         });
         // While it is dragged the slider would run away from under the pointer.
         let id = ui.scope_id().with("size of text");

@@ -146,6 +146,6 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
             }
         });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("simulation-add-an-effect-2"))
+        node.set_label(say!("simulation-add-an-effect-2"));
     });
 }

@@ -39,12 +39,6 @@ languages! {
     Chinese, "zh", "中文";
 }
 
-impl Default for Language {
-    fn default() -> Self {
-        Self::English
-    }
-}
-
 impl Language {
     /// That of the system, by the environment variables of POSIX; English where it is not offered.
     pub(crate) fn of_system() -> Self {

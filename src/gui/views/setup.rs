@@ -387,7 +387,7 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: 
             );
         }
         SigmaForm::Three(sigma) => {
-            numbers(ui, (say!("setup-noise"), "mm"), &XYZ, sigma, 0.001, touched)
+            numbers(ui, (say!("setup-noise"), "mm"), &XYZ, sigma, 0.001, touched);
         }
     }
     message(ui, problems, Field::Sigma);

@@ -50,7 +50,7 @@ impl Workbench {
                 self.execute(Command::Edit(edit));
             }
             Err(because) => {
-                self.complain(say!("message-this-change-cannot-be-made"), vec![because])
+                self.complain(say!("message-this-change-cannot-be-made"), vec![because]);
             }
         }
     }

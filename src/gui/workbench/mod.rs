@@ -360,7 +360,7 @@ impl Workbench {
         let before = Arc::clone(self.subject());
         match edit.apply(self.document()) {
             Err(because) => {
-                self.complain(say!("message-this-change-cannot-be-made"), vec![because])
+                self.complain(say!("message-this-change-cannot-be-made"), vec![because]);
             }
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),

@@ -39,25 +39,17 @@ pub(crate) fn show(
     let drawn = measured && !view.polar();
     let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
-    let room = ui.available_size();
-    let stretch = stretch();
+    let mut room = ui.available_size();
+    room.x /= stretch();
     let fold = match room {
-        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW * stretch => Fold::Tight,
-        _ if room.x
-            < if view.in_space() {
-                SPACE_WIDE * stretch
-            } else {
-                WIDE * stretch
-            } =>
-        {
-            Fold::Narrow
-        }
+        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
+        _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
         _ => Fold::Open,
     };
     let least = if fold == Fold::Tight {
-        ROOMY_FOLDED * stretch
+        ROOMY_FOLDED
     } else {
-        ROOMY * stretch
+        ROOMY
     };
     let roomy = room.x > least && beside.is_none();
     if let Some(beside) = beside {
@@ -71,12 +63,8 @@ pub(crate) fn show(
         });
     }
     widgets::row(ui, |ui| {
-        let least = if blends {
-            WITH_BLEND * stretch
-        } else {
-            TITLED * stretch
-        };
-        if ui.available_width() > least && beside.is_none() {
+        let least = if blends { WITH_BLEND } else { TITLED };
+        if ui.available_width() > least * stretch() && beside.is_none() {
             title(ui, say!("common-workspace"));
         }
         ways(ui, workbench, commands);
@@ -120,16 +108,7 @@ pub(crate) fn show(
         Fold::Tight => {}
         Fold::Narrow => {
             widgets::row(ui, |ui| {
-                let now = significant(magnification_of(workbench), 2);
-                folded(
-                    ui,
-                    &say!("toolbar-vectors", now = now),
-                    say!("toolbar-length-of-vectors"),
-                    |ui| {
-                        widgets::row(ui, |ui| magnification(ui, workbench, commands));
-                        widgets::row(ui, |ui| scale_for(ui, workbench, commands));
-                    },
-                );
+                length_folded(ui, workbench, commands);
                 beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
@@ -280,7 +259,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx().accesskit_node_builder(slider.id, |node| {
-        node.set_label(say!("toolbar-from-before-to-after"))
+        node.set_label(say!("toolbar-from-before-to-after"));
     });
     if slider.changed() {
         commands.push(Command::Blend(blend));
@@ -301,6 +280,16 @@ fn blend_says(blend: f32) -> String {
     }
 }
 
+/// How long the vectors are drawn and for whose lengths, where there is little room.
+fn length_folded(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let now = significant(magnification_of(workbench), 2);
+    let name = say!("toolbar-vectors", now = now);
+    folded(ui, &name, say!("toolbar-length-of-vectors"), |ui| {
+        widgets::row(ui, |ui| magnification(ui, workbench, commands));
+        widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+    });
+}
+
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = magnification_of(workbench);
@@ -312,7 +301,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
         .show_value(false);
     let slider = ui.add(slider);
     ui.ctx().accesskit_node_builder(slider.id, |node| {
-        node.set_label(say!("toolbar-length-of-vectors"))
+        node.set_label(say!("toolbar-length-of-vectors"));
     });
     if slider.changed() && factor != now {
         commands.push(Command::Magnify(Some(factor)));
@@ -365,7 +354,7 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("toolbar-standard-view"))
+        node.set_label(say!("toolbar-standard-view"));
     });
     let mut open = posing(ui);
     let text = RichText::new(say!("toolbar-pose")).size(size::SMALL);
@@ -373,7 +362,7 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .checkbox(&mut open, text)
         .on_hover_text(say!("toolbar-sliders-that-pose-the-robot"));
     ui.ctx().accesskit_node_builder(checkbox.id, |node| {
-        node.set_label(say!("toolbar-pose-the-robot"))
+        node.set_label(say!("toolbar-pose-the-robot"));
     });
     if checkbox.changed() {
         ui.data_mut(|data| data.insert_temp(posing_id(), open));
@@ -409,7 +398,8 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     caption(ui, say!("toolbar-colour"));
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
-    let list = list.width(112.0).height(280.0).show_ui(ui, |ui| {
+    let list = list.width(112.0).truncate().height(280.0);
+    let list = list.show_ui(ui, |ui| {
         for colouring in Colouring::ALL {
             if !offers(workbench.subject(), colouring) {
                 continue;
@@ -421,7 +411,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("toolbar-colour-of-vectors"))
+        node.set_label(say!("toolbar-colour-of-vectors"));
     });
 }
 

@@ -282,6 +282,15 @@ fn sizes(random: &mut ChaCha8Rng) -> Sizes {
     }
 }
 
+fn letters(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..3) {
+        0 => Command::DismissLetters,
+        1 => Command::FindNamesOfLanguages,
+        // Private ones: no walk depends on the fonts of the machine.
+        _ => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
+    }
+}
+
 fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     let languages = [
         None,
@@ -440,10 +449,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::Dismiss,
-        149 if random.random() => Command::FindNamesOfLanguages,
-        149 => Command::DismissLetters,
-        // Private ones: no walk depends on the fonts of the machine.
-        150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
+        149 | 150 => letters(random),
         151 => look(random),
         _ => {
             // A session beside which models and regions make sense again.
