@@ -64,11 +64,11 @@ mod tests {
 
     #[test]
     fn a_thinned_plot_says_so() {
-        assert_eq!(thinned(1, "arrow"), None);
-        let says = |n| thinned(n, "arrow").expect("thinned");
-        assert_eq!(says(100), "every 100th arrow shown");
-        assert_eq!(says(22), "every 22nd arrow shown");
-        assert_eq!(says(13), "every 13th arrow shown");
+        assert_eq!(thinned(1, "scale-point"), None);
+        let says = |n| thinned(n, "scale-point").expect("thinned");
+        assert_eq!(says(100), "every 100th point shown");
+        assert_eq!(says(22), "every 22nd point shown");
+        assert_eq!(says(13), "every 13th point shown");
     }
 
     #[test]
