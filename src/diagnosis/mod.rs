@@ -195,6 +195,7 @@ pub(crate) fn searched<'a>(
     if final_set::exchanged(&prepared, &mut found) {
         final_set::test(&prepared, &mut found, watch)?;
     }
+    final_set::as_said(&prepared, &mut found, watch)?;
     base_misfit::withdraw(&prepared, &mut found);
     Ok((prepared, found))
 }

@@ -79,7 +79,7 @@ impl<'a> Prepared<'a> {
         } else {
             single_joint(session, &problem, &survey, options)
         };
-        let nominal = observed::places_alone(&start);
+        let nominal = observed::nominal_of(session, &start);
         let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
         {
             let fitted = base_model::fit(&mut problem, &start, true);

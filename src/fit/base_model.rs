@@ -110,6 +110,12 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
     }
 }
 
+/// A robot as it was drawn, seen from each setup where the best rigid motion puts it: a session with
+/// setups does not say where its instrument stands, and that is no error of the robot.
+pub(crate) fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
+    Model::new(robot.clone(), free_frames(session, problem))
+}
+
 /// A frame for each setup, or the one of the instrument; `motion` says where it is from the samples
 /// that it is asked for.
 pub(super) fn frames_from(

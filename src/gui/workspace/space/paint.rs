@@ -287,8 +287,9 @@ fn frames(ui: &Ui, workbench: &Workbench, robot: Option<&Drawn>, space: &Space, 
         show("tool", space.base * session.robot.base_from_tool(&robot.q));
     }
     let instrument = &session.instrument;
+    let own_frame = workbench.found_base().or(workbench.subject().base);
     let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);
-    if let Some(at) = stands.or(workbench.found_base().map(|_| Vector3::zeros())) {
+    if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
         // A tracker that stands aside is seen from farther away.
         show(
             &instrument.name,
