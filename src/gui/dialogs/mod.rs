@@ -25,6 +25,8 @@ macro_rules! register {
 register! {
     about,
     compensation,
+    details,
+    history,
     keys,
     palette,
     preferences,

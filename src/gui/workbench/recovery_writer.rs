@@ -23,6 +23,7 @@ impl Workbench {
         let (settings, damaged) = settings::read(&home);
         self.view.preferences = settings.preferences;
         self.desk.recent = settings.recent;
+        self.desk.machines = settings.machines;
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();
         details.extend(damaged.map(|says| format!("Preferences could not be read: {says}")));

@@ -31,7 +31,9 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             actions::SAVE_MODEL,
             actions::SAVE_TABLE,
             actions::COMPENSATE,
+            actions::REPORT_DETAILS,
             actions::REPORT,
+            actions::HISTORY,
         ],
     );
     ui.separator();

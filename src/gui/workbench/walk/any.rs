@@ -29,6 +29,8 @@ use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};
 use crate::units::rad_from_deg;
 
+use super::record;
+
 /// Files that the walk opens and writes.
 pub(super) struct Files {
     /// Written by the walk: sessions and models.
@@ -40,7 +42,7 @@ pub(super) struct Files {
 }
 
 impl Files {
-    fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
+    pub(super) fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
         match random.random_range(0..6) {
             0 => self.folder.clone(),
             1 => self.folder.join("there is no such file.json"),
@@ -423,6 +425,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137 | 138 => Command::Prefer(preferences(random)),
+        139 if random.random() => record::command(random, workbench, files),
         139 => Command::Resize(sizes(random)),
         140..=142 => Command::Draft(
             random

@@ -1,0 +1,34 @@
+//! Commands about the record of a machine, sensible or not.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+use super::any::{Files, one_of};
+use crate::compensation::decision::Rule;
+use crate::gui::core::stated::Stated;
+use crate::gui::view::Sheet;
+use crate::gui::workbench::{Command, Workbench};
+use crate::report::Details;
+
+pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
+    match random.random_range(0..5) {
+        0 => Command::CompareSessions(files.any(random)),
+        1 => Command::Sheet(Some(Sheet::DETAILS)),
+        2 => Command::Sheet(Some(Sheet::HISTORY)),
+        _ => Command::State(Box::new(stated(random, workbench, files))),
+    }
+}
+
+fn stated(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Stated {
+    let mut stated = workbench.stated();
+    let texts = ["", "L-17", "<b>ß·∆\u{202e}", "22 Nov 2026"];
+    if let (Some(line), Some(text)) = (one_of(random, Details::LINES), one_of(random, &texts)) {
+        *(line.of)(&mut stated.details) = (*text).to_owned();
+    }
+    stated.details.rule = one_of(random, &Rule::ALL).copied();
+    stated.details.tolerance_mm = one_of(random, &[None, Some(0.2)]).copied().flatten();
+    if random.random_range(0..4) == 0 {
+        stated.logo = files.any(random).display().to_string();
+    }
+    stated
+}
