@@ -6,6 +6,8 @@
 //! - of a session that was measured with a table active, as it was measured;
 //! - of any other, with corrected commands ([`Verification::compensated`]), which is a prediction.
 //!
+//! Suspected outliers count in it, because a suspicion is no proof; samples that were excluded by hand do not.
+//!
 //! Its expanded uncertainty (GUM 6.2.1, coverage factor 2) is
 //!
 //! ```text
@@ -22,7 +24,6 @@
 //! d − U > T, between them neither is), and simple acceptance, JCGM 106:2012, 8.2 (d ≤ T).
 
 use super::verification::Verification;
-use crate::present::numbers::{mm, short};
 use crate::sessions::{Session, Sigma};
 
 /// Coverage factor of the expanded uncertainty, for about 95 %.
@@ -161,23 +162,6 @@ impl Measured {
         } else {
             Outcome::Undecided
         }
-    }
-
-    /// What a decision rests on, in words.
-    pub fn says(&self, rule: Rule, tolerance_mm: f64) -> String {
-        let of = if self.predicted {
-            "predicted with corrected commands"
-        } else {
-            "as measured with the table active"
-        };
-        format!(
-            "largest deviation {} ({of}), expanded uncertainty U = {} (k = 2), tolerance {} mm; \
-             decision rule: {}",
-            mm(self.largest_mm),
-            mm(self.expanded_mm),
-            short(tolerance_mm),
-            rule.title()
-        )
     }
 }
 

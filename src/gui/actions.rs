@@ -194,6 +194,8 @@ actions! {
         |_| "Report details…".into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
     HISTORY: SHIFTED, H, "compare the sessions of this machine", |_| "History of the machine…".into(),
         |now| now.workbench.compare_here();
+    RECORD: SHIFTED, L, "record from an instrument", |_| "Record from instrument…".into(),
+        |_| sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),
         |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), "The session is in no file yet"))];
     FOLLOW: COMMAND, L, "follow the file, or stop", follow_says,

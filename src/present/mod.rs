@@ -3,6 +3,7 @@
 
 pub mod chart;
 pub mod compensation_v1;
+pub mod decision;
 pub mod diagnosis_v1;
 pub mod drawing;
 pub mod effects_v1;

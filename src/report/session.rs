@@ -11,6 +11,7 @@ use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::present::decision::rests_on;
 use crate::present::kinds;
 use crate::present::names::{figure, title, title_on};
 use crate::sessions::{Session, hash_of_samples};
@@ -201,7 +202,7 @@ impl Told<'_> {
             Err(because) => none(because),
             Ok(measured) => (
                 measured.decided(rule, tolerance),
-                measured.says(rule, tolerance),
+                rests_on(&measured, rule, tolerance),
             ),
         }
     }

@@ -19,6 +19,7 @@ pub(crate) mod loaded_model;
 pub(crate) mod loaded_session;
 pub(crate) mod overview;
 pub(crate) mod past;
+pub(crate) mod recording;
 pub(crate) mod region_sums;
 pub(crate) mod scale;
 pub(crate) mod search;

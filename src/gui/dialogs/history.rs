@@ -96,8 +96,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// All sessions: their errors, their parameters, and one of these as a chart.
 fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &mut Choice) {
     widgets::section(ui, "Errors");
-    let mut nothing = 0;
-    table(ui, "errors", &entries(robot), &mut nothing, None);
+    table(ui, "errors", &entries(robot), None);
     let rows = rows(robot);
     let Some(row) = rows.get(choice.row.min(rows.len().saturating_sub(1))) else {
         return widgets::hint(ui, "No parameter was identified");
@@ -107,7 +106,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
     let all = parameters(robot, &shown);
-    table(ui, "parameters", &all, &mut choice.row, Some(&names));
+    table(ui, "parameters", &all, Some((&mut choice.row, &names)));
     let mut says = format!("± half the 95 % interval; {CHANGED} changed by more than its interval");
     if shown.len() < last {
         says += &format!("; the last {} of {last} sessions", shown.len());
@@ -159,8 +158,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
         both.rows.len()
     );
     ui.label(RichText::new(says).font(strong(size::BODY)));
-    let mut nothing = 0;
-    table(ui, "before and after", &both, &mut nothing, None);
+    table(ui, "before and after", &both, None);
     let errors = |k: usize| {
         let entry = &robot.entries[k];
         let [before, after] = [entry.before_mm, entry.after_mm].map(crate::present::numbers::mm);
@@ -197,7 +195,7 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
 }
 
 /// A table; where its rows have names, one of them can be chosen.
-fn table(ui: &mut Ui, id: &str, table: &Table, chosen: &mut usize, names: Option<&[&str]>) {
+fn table(ui: &mut Ui, id: &str, table: &Table, mut choice: Option<(&mut usize, &[&str])>) {
     let palette = Palette::of(ui);
     ScrollArea::both()
         .id_salt(id)
@@ -223,14 +221,14 @@ fn table(ui: &mut Ui, id: &str, table: &Table, chosen: &mut usize, names: Option
                             palette.text
                         };
                         let text = RichText::new(&one.shown).size(size::SMALL).color(color);
-                        let is_name = names.is_some_and(|all| all.get(k) == Some(&&*one.shown));
-                        if is_name {
-                            let button = Button::selectable(*chosen == k, text);
-                            if ui.add(button).clicked() {
-                                *chosen = k;
+                        match &mut choice {
+                            Some((chosen, names)) if names.get(k) == Some(&&*one.shown) => {
+                                let button = Button::selectable(**chosen == k, text);
+                                if ui.add(button).clicked() {
+                                    **chosen = k;
+                                }
                             }
-                        } else {
-                            cell(ui, column.right, text);
+                            _ => cell(ui, column.right, text),
                         }
                     }
                     ui.end_row();

@@ -30,6 +30,7 @@ register! {
     keys,
     palette,
     preferences,
+    recording,
     recovery,
     words,
 }

@@ -41,6 +41,8 @@ impl Sheet {
     pub(crate) const DETAILS: Self = Self::Named("details");
     /// What became of the machine.
     pub(crate) const HISTORY: Self = Self::Named("history");
+    /// Recording from an instrument.
+    pub(crate) const RECORDING: Self = Self::Named("recording");
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
 }

@@ -7,6 +7,7 @@ use crate::gui::core::boundary_entry::End;
 use crate::gui::core::compensated::Wanted;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
+use crate::gui::core::recording;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::core::stated::Stated;
@@ -96,6 +97,9 @@ pub(crate) enum Command {
     CompareSessions(PathBuf),
     /// Ask for a folder of sessions.
     ChooseFolder,
+    /// Record what an instrument sends.
+    Record(Box<recording::Wanted>),
+    StopRecording,
     /// Ask for a picture for the head of the report.
     ChooseLogo,
     /// Ask for a table of targets or a robot program to be corrected.

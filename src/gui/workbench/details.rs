@@ -3,11 +3,12 @@
 
 use std::path::Path;
 
-use crate::compensation::decision::Outcome;
+use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::{self, Machine, Of};
 use crate::gui::file_state::settings;
 use crate::gui::files;
+use crate::present::decision::rests_on;
 
 use super::Workbench;
 
@@ -15,15 +16,18 @@ impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
     pub(crate) fn stated(&self) -> Stated {
         let typed = self.desk.stated.get(&self.subject().lineage).cloned();
-        typed.unwrap_or_else(|| machines::proposed(&self.desk.machines, self.machine()))
+        typed.unwrap_or_else(|| {
+            let folder = self.folder().unwrap_or_default();
+            machines::proposed(&self.desk.machines, self.machine(&folder))
+        })
     }
 
-    fn machine(&self) -> Of<'_> {
+    fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
         let session = &self.subject().session;
         Of {
             robot: &session.robot.name,
             session: &session.name,
-            folder: self.file().and_then(Path::parent).unwrap_or(Path::new("")),
+            folder,
             instrument: &session.instrument.name,
         }
     }
@@ -39,7 +43,8 @@ impl Workbench {
             return;
         };
         stated.details.tolerance_mm = self.document().tolerance_mm;
-        let machine = Machine::new(self.machine(), &stated);
+        let folder = self.folder().unwrap_or_default();
+        let machine = Machine::new(self.machine(&folder), &stated);
         machines::remember(&mut self.desk.machines, machine.clone());
         if let Some(home) = self.desk.home.clone() {
             self.jobs.quietly(
@@ -74,10 +79,10 @@ impl Workbench {
             Ok(made) => made.measured.clone(),
             Err(because) => Err(because.clone()),
         };
-        Some(measured.map(|m| (m.decided(rule, tolerance), m.says(rule, tolerance))))
+        Some(measured.map(|m| (m.decided(rule, tolerance), rests_on(&m, rule, tolerance))))
     }
 
-    pub(super) fn rule_and_tolerance(&self) -> Option<(crate::compensation::decision::Rule, f64)> {
+    pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
     }
 }

@@ -20,6 +20,7 @@ mod imports;
 mod leaving;
 mod papers;
 mod past;
+mod recording;
 mod recovering;
 mod recovery_writer;
 mod state;
@@ -225,6 +226,8 @@ impl Workbench {
             Command::State(stated) => self.state(*stated),
             Command::CompareSessions(folder) => self.compare_sessions(folder),
             Command::ChooseFolder => self.choose_folder(),
+            Command::Record(wanted) => self.record(*wanted),
+            Command::StopRecording => self.stop_recording(),
             Command::ChooseLogo => self.choose_logo(),
             Command::ChooseTargets => self.choose_targets(),
             Command::Compensate(wanted) => self.compensate(wanted),

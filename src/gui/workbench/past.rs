@@ -20,8 +20,8 @@ impl Workbench {
 
     /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
     pub(crate) fn compare_here(&self) -> Command {
-        match self.file().and_then(Path::parent) {
-            Some(folder) => Command::CompareSessions(folder.to_path_buf()),
+        match self.folder() {
+            Some(folder) => Command::CompareSessions(folder),
             None => Command::ChooseFolder,
         }
     }

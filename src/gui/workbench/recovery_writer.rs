@@ -73,7 +73,7 @@ impl Workbench {
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
     /// that it came from.
-    fn folder(&self) -> Option<PathBuf> {
+    pub(super) fn folder(&self) -> Option<PathBuf> {
         let came_from = match &self.subject().origin {
             Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
             Origin::Recovered(path) => path.as_ref(),
@@ -126,8 +126,10 @@ impl Workbench {
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
         let subject = Arc::clone(self.subject());
+        let mut opened = None;
         match &subject.origin {
             Origin::File(path) => {
+                opened = Some(path.clone());
                 let place = Place {
                     path: path.clone(),
                     files: subject.files.clone(),
@@ -144,6 +146,7 @@ impl Workbench {
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
+        self.follow_recording(opened);
     }
 
     /// Another opening is looked at now.

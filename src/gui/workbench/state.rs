@@ -12,6 +12,7 @@ use crate::gui::core::document::{Document, Question};
 use crate::gui::core::past::Past;
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::Machine;
+use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{Keeper, LeftBehind};
 use crate::gui::jobs::Latest;
 use crate::gui::view::Then;
@@ -36,6 +37,9 @@ pub(super) struct Desk {
     pub(super) recent: Vec<PathBuf>,
     /// What the reports of machines state, newest first.
     pub(super) machines: Vec<Machine>,
+    pub(super) recording: Option<UnderWay>,
+    /// The session of a recording, which is followed once it is open.
+    pub(super) to_follow: Option<PathBuf>,
     /// Sessions that were compared.
     pub(super) past: Option<Arc<Past>>,
     /// What was typed for the report of an opening.

@@ -37,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
         ],
     );
     ui.separator();
-    menu.items(ui, &[actions::RELOAD, actions::FOLLOW]);
+    menu.items(ui, &[actions::RELOAD, actions::FOLLOW, actions::RECORD]);
     ui.separator();
     menu.items(ui, &[actions::QUIT]);
 }

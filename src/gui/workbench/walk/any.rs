@@ -54,7 +54,7 @@ impl Files {
         }
     }
 
-    fn to_write(&self, random: &mut ChaCha8Rng, ending: &str) -> PathBuf {
+    pub(super) fn to_write(&self, random: &mut ChaCha8Rng, ending: &str) -> PathBuf {
         match random.random_range(0..12) {
             0 => self.folder.clone(),
             1 => self.folder.join("no folder").join("a.json"),
