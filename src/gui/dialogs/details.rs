@@ -31,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show(ui, |ui| {
             for line in Details::LINES {
                 let hint = if line.key == "date" {
-                    "22 Nov 2026"
+                    "such as 22 Nov 2026"
                 } else {
                     ""
                 };
@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
             ui.label(RichText::new("Logo").color(muted));
             ui.horizontal(|ui| {
-                let width = ui.available_width() - 96.0;
+                let width = ui.available_width() - 86.0;
                 field(ui, "Logo", &mut stated.logo, "a PNG file", width);
                 if ui.button("Choose…").clicked() {
                     commands.push(Command::ChooseLogo);

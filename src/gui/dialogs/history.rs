@@ -9,7 +9,7 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::history::{Entry, RobotHistory};
 use crate::present::history::{
-    CHANGED, chart as chart_of, compared, entries, parameters, rows, short_name,
+    CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name,
 };
 use crate::present::table::Table;
 
@@ -28,8 +28,8 @@ struct Choice {
     two: bool,
     /// Their places; `None`: the newest and the one before.
     ends: [Option<usize>; 2],
-    /// The parameter that is charted.
-    row: usize,
+    /// The parameter that is charted; `None`: the first that changed.
+    row: Option<usize>,
 }
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -98,7 +98,10 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     widgets::section(ui, "Errors");
     table(ui, "errors", &entries(robot), None);
     let rows = rows(robot);
-    let Some(row) = rows.get(choice.row.min(rows.len().saturating_sub(1))) else {
+    let is_changed = |row: &Row<'_>| row.values.iter().flatten().any(|value| value.changed);
+    let changed = || rows.iter().position(is_changed);
+    let mut charted = choice.row.or_else(changed).unwrap_or(0);
+    let Some(row) = rows.get(charted).or(rows.first()) else {
         return widgets::hint(ui, "No parameter was identified");
     };
     widgets::section(ui, "Parameters");
@@ -106,7 +109,10 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
     let all = parameters(robot, &shown);
-    table(ui, "parameters", &all, Some((&mut choice.row, &names)));
+    table(ui, "parameters", &all, Some((&mut charted, &names)));
+    if rows.get(charted).is_some_and(|now| now.name != row.name) {
+        choice.row = Some(charted);
+    }
     let mut says = format!("± half the 95 % interval; {CHANGED} changed by more than its interval");
     if shown.len() < last {
         says += &format!("; the last {} of {last} sessions", shown.len());

@@ -56,7 +56,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (
             "Columns",
             &mut wanted.columns,
-            "q1_deg,x_mm,y_mm,z_mm; empty: the first line names them",
+            "empty: the first line names them",
         ),
         ("File", &mut path, "a new CSV table"),
     ];
@@ -77,10 +77,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     let problem = placed.problem();
     let empty = matches!(wanted.address.trim(), "tcp://" | "udp://" | "");
-    if let Some(problem) = problem.as_ref().filter(|_| !empty) {
-        widgets::wrong(ui, problem);
+    match &problem {
+        Some(_) if empty => widgets::hint(
+            ui,
+            "Type where the instrument's software sends, such as tcp://192.168.0.10:4000",
+        ),
+        Some(problem) => widgets::wrong(ui, problem),
+        None => {}
     }
-    let small = RichText::new("Cells may be separated by commas, semicolons, tabs or spaces");
+    let small = RichText::new(
+        "Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces",
+    );
     ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
     ui.data_mut(|data| data.insert_temp(id, wanted));
     if super::ends::buttons_without_enter(ui, "Record", problem.is_none(), commands) {

@@ -103,7 +103,7 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
         details.instrument_serial = last.instrument_serial;
         details.instrument_calibrated = last.instrument_calibrated;
     } else {
-        details.instrument = of.instrument.to_owned();
+        of.instrument.clone_into(&mut details.instrument);
     }
     Stated {
         details,

@@ -1,7 +1,7 @@
 //! Recording from an instrument: its lines become the samples of a new session of the robot that is
 //! open, which the window opens and follows.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use crate::gui::core::recording::{Heard, Wanted};
 use crate::gui::file_state::recording::{Recording, UnderWay};
@@ -118,8 +118,8 @@ impl Workbench {
     }
 
     /// A session was opened: the one that is being recorded is followed.
-    pub(super) fn follow_recording(&mut self, path: Option<PathBuf>) {
-        if path.is_some() && self.desk.to_follow.take() == path {
+    pub(super) fn follow_recording(&mut self, path: Option<&Path>) {
+        if path.is_some() && self.desk.to_follow.take().as_deref() == path {
             self.follow(true);
         }
     }

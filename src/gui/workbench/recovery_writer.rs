@@ -146,7 +146,7 @@ impl Workbench {
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
-        self.follow_recording(opened);
+        self.follow_recording(opened.as_deref());
     }
 
     /// Another opening is looked at now.

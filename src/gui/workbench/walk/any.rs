@@ -343,6 +343,14 @@ fn way_to_look(random: &mut ChaCha8Rng) -> Command {
     }
 }
 
+/// What the chart is about.
+fn chart_of(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..2) {
+        0 => Command::ChartJoint(random.random_range(0..7)),
+        _ => Command::ShowEffect(random.random_range(0..4)),
+    }
+}
+
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
@@ -419,8 +427,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
         132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
         134 | 135 => Command::Chart(chart(random)),
-        152 => Command::ChartJoint(random.random_range(0..7)),
-        153 => Command::ShowEffect(random.random_range(0..4)),
+        152 | 153 => chart_of(random),
         154 => way_to_look(random),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
