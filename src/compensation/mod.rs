@@ -17,7 +17,8 @@
 //! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
 //! - [`table`]: the correction of one joint over its limits; [`interpolation`]: reading it fast.
 //! - [`remainder`]: what stays, and which data of the controller would remove it.
-//! - [`verification`]: how well all this does on another session.
+//! - [`verification`]: how well all this does on another session; [`decision`]: whether that is
+//!   within the tolerance.
 //!
 //! Signs: a correction is what to add to the command, minus the deviation to first order.
 //!
@@ -26,6 +27,7 @@
 
 mod carried_over;
 pub mod conditions;
+pub mod decision;
 pub mod interpolation;
 pub mod inverse;
 mod observed;

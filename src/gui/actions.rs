@@ -132,6 +132,7 @@ impl Action {
 
 const PLAIN: Modifiers = Modifiers::NONE;
 const COMMAND: Modifiers = Modifiers::COMMAND;
+const ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 fn sheet(sheet: Sheet) -> Command {
@@ -189,6 +190,12 @@ actions! {
         |_| Command::ChooseWhereToExport(What::Table), [when(ANSWERED)];
     REPORT: SHIFTED, R, "save the report", |_| "Report…".into(),
         |_| Command::ChooseWhereToExport(What::Report(About::Session)), [when(MEASURED)];
+    REPORT_DETAILS: ALT, R, "what the report states: customer, serial numbers, tolerance",
+        |_| "Report details…".into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
+    HISTORY: SHIFTED, H, "compare the sessions of this machine", |_| "History of the machine…".into(),
+        |now| now.workbench.compare_here();
+    RECORD: SHIFTED, L, "record from an instrument", |_| "Record from instrument…".into(),
+        |_| sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),
         |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), "The session is in no file yet"))];
     FOLLOW: COMMAND, L, "follow the file, or stop", follow_says,

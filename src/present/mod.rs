@@ -3,9 +3,11 @@
 
 pub mod chart;
 pub mod compensation_v1;
+pub mod decision;
 pub mod diagnosis_v1;
 pub mod drawing;
 pub mod effects_v1;
+pub mod history;
 pub mod history_v1;
 pub mod identification_v1;
 pub mod import_v1;

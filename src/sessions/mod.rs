@@ -49,6 +49,6 @@ pub use references::{
     Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };
 pub use save::{
-    Replacing, commanded_heading, samples_path, save, save_watched, write_csv, write_inline,
-    write_robot,
+    Replacing, commanded_heading, samples_path, save, save_document, save_watched, write_csv,
+    write_inline, write_robot,
 };

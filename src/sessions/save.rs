@@ -70,15 +70,7 @@ pub fn save_watched(
     refuse_one_file_for_two(path, &csv)?;
     refuse_to_replace_inputs(path, replacing.inputs)?;
     refuse_to_replace_inputs(&csv, replacing.inputs)?;
-    let Some(csv_name) = csv.file_name().and_then(|name| name.to_str()) else {
-        return Err(WriteError::Io {
-            path: path.to_path_buf(),
-            source: io::Error::new(
-                io::ErrorKind::InvalidFilename,
-                "a file name in UTF-8 is needed",
-            ),
-        });
-    };
+    let csv_name = name_of(path, &csv)?;
     let document = Document {
         head: head::write(session),
         samples: object! { "file": csv_name },
@@ -93,6 +85,41 @@ pub fn save_watched(
     done.map_err(|Cancelled| WriteError::Cancelled(path.to_path_buf()))?;
     commit_both(samples, document)?;
     Ok(csv)
+}
+
+/// Saves the document of a session of which the samples stand beside it already, or will: as a CSV
+/// file of the same name ([`samples_path`]).
+///
+/// # Errors
+/// As [`save`].
+pub fn save_document(
+    session: &Session,
+    path: &Path,
+    replacing: Replacing<'_>,
+) -> Result<(), WriteError> {
+    let csv = samples_path(path);
+    refuse_one_file_for_two(path, &csv)?;
+    refuse_to_replace_inputs(path, replacing.inputs)?;
+    let document = Document {
+        head: head::write(session),
+        samples: object! { "file": name_of(path, &csv)? },
+    };
+    Prepared::write(path, replacing.force, |output| {
+        write_document(output, &document)
+    })?
+    .commit()
+}
+
+/// How a session at `path` names its samples.
+fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
+    let name = csv.file_name().and_then(|name| name.to_str());
+    name.ok_or_else(|| WriteError::Io {
+        path: path.to_path_buf(),
+        source: io::Error::new(
+            io::ErrorKind::InvalidFilename,
+            "a file name in UTF-8 is needed",
+        ),
+    })
 }
 
 /// Writes the session as a single document, samples inline: what goes to standard output.
