@@ -55,17 +55,17 @@
 //! Inside, lengths are in mm, angles in rad, times in s, masses in kg, temperatures in °C. A
 //! deviation is measured − simulated; a correction is what to add, the deviation's negative.
 
-pub mod atomic;
+pub(crate) mod atomic;
 pub mod diagnostic;
 pub(crate) mod document;
 pub mod fonts;
-pub mod lanes;
+pub(crate) mod lanes;
 pub(crate) mod linear;
 pub mod progress;
 pub mod recorder;
-pub mod sincos;
+pub(crate) mod sincos;
 pub mod units;
-pub mod wide;
+pub(crate) mod wide;
 
 pub mod kinematics;
 pub mod sessions;
@@ -76,7 +76,7 @@ pub mod model;
 
 pub mod observations;
 
-pub mod answers;
+pub(crate) mod answers;
 pub mod fit;
 pub mod simulation;
 
@@ -86,7 +86,7 @@ pub mod diagnosis;
 
 pub mod design;
 
-pub mod paper;
+pub(crate) mod paper;
 pub mod present;
 
 pub mod compensation;
@@ -101,5 +101,24 @@ pub mod standards;
 
 pub mod report;
 
+/// Steps inside the library that the benches time and the tests of `tests` look at; they change
+/// with any version.
+#[doc(hidden)]
+pub mod inside {
+    pub use crate::compensation::interpolation::{SortedTable, UniformTable};
+    pub use crate::effects::inputs::reflectors_at_home;
+    pub use crate::export::lerobot_calibration;
+    pub use crate::fit::base_model::{fit as fit_base_model, start as start_of_base_model};
+    pub use crate::fit::plane::sum_by_region;
+    pub use crate::fit::problem::Problem;
+    pub use crate::fit::solver::solve;
+    pub use crate::sessions::regions::Assignment;
+    pub use crate::sessions::write_csv;
+    pub use crate::sincos::{sin_cos, sin_cos_all};
+}
+
+#[doc(hidden)]
+pub mod cli;
 #[cfg(feature = "gui")]
+#[doc(hidden)]
 pub mod gui;

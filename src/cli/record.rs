@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use clap::Args;
 
-use truepose::recorder::{RecordError, Recorder};
+use crate::recorder::{RecordError, Recorder};
 
 use super::failure::Failure;
 use super::output;

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::diagnosis::{DiagnoseError, Options};
-use truepose::fonts;
-use truepose::pipeline;
-use truepose::report::exported::sidecar_of;
-use truepose::report::{ExportedTable, Extras, Kind, ReportError};
+use crate::diagnosis::{DiagnoseError, Options};
+use crate::fonts;
+use crate::pipeline;
+use crate::report::exported::sidecar_of;
+use crate::report::{ExportedTable, Extras, Kind, ReportError};
 
 use super::failure::Failure;
 use super::output;
@@ -43,7 +43,7 @@ impl Report {
         }
         // A long diagnosis is not begun for a file that cannot be written.
         output::can_be_written(&self.out, self.force)?;
-        truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+        crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
         let tables = self.tables.iter().map(|path| ExportedTable::read(path));
         let tables = tables.collect::<Result<_, _>>();
         let extras = Extras {
@@ -55,7 +55,7 @@ impl Report {
         } else {
             let loaded = output::session(&self.file)?;
             inputs.extend(loaded.files);
-            truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+            crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
             pipeline::report(&loaded.session, &Options::default(), &extras, &|_| true)?
         };
         let written =

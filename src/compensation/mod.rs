@@ -25,20 +25,21 @@
 //! robot; it is left out of the model before the model is inverted.
 
 mod carried_over;
-pub mod conditions;
-pub mod interpolation;
-pub mod inverse;
+pub(crate) mod conditions;
+pub(crate) mod interpolation;
+pub(crate) mod inverse;
 mod observed;
-pub mod plan;
-pub mod pose;
-pub mod regional;
-pub mod remainder;
-pub mod table;
-pub mod verification;
+pub(crate) mod plan;
+pub(crate) mod pose;
+pub(crate) mod regional;
+pub(crate) mod remainder;
+pub(crate) mod table;
+pub(crate) mod verification;
 
 pub use conditions::{Conditions, Side};
-pub use interpolation::{SortedTable, UniformTable};
+pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
+pub use regional::Regional;
 pub use remainder::{Remainder, Share};
 pub use table::{JointTable, TableError};
-pub use verification::{Compensated, Verification, WithinTolerance, verify};
+pub use verification::{Compensated, Verification, VerifyError, WithinTolerance, verify};

@@ -22,12 +22,12 @@
     reason = "indices come from small non-negative numbers, simulated residuals are single precision"
 )]
 
-pub mod aliases;
-pub mod candidates;
-pub mod familywise;
-pub mod limits;
+pub(crate) mod aliases;
+pub(crate) mod candidates;
+pub(crate) mod familywise;
+pub(crate) mod limits;
 mod memo;
-pub mod smooth;
+pub(crate) mod smooth;
 
 mod base_misfit;
 pub(crate) mod classes;
@@ -54,9 +54,9 @@ mod unseen;
 mod values;
 mod verdict;
 
-pub use crate::answers::diagnosis::Correction;
 pub use crate::answers::diagnosis::{
-    Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
+    Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
+    NotTestable, Unexplained, Verdict,
 };
 pub use crate::answers::limits::{Limit, Sight};
 pub use crate::answers::pose::NextPose;

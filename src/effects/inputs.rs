@@ -52,7 +52,7 @@ pub struct Inputs<'a> {
 }
 
 /// The temperature to which all models refer, °C.
-pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+pub(crate) const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 
 impl<'a> Inputs<'a> {
     /// The inputs of a session's samples.

@@ -55,12 +55,10 @@ pub struct Survey {
     pub link_masses: bool,
     /// Number of reflectors that samples use.
     pub targets: usize,
-    /// Number of samples.
-    pub samples: usize,
 }
 
 /// Different values are counted only so far.
-pub const ENOUGH: usize = 16;
+pub(crate) const ENOUGH: usize = 16;
 
 impl Survey {
     /// Looks through a session.
@@ -85,7 +83,6 @@ impl Survey {
             gravity: gravity.is_some_and(|g| g.norm() > 0.0),
             link_masses: session.robot.joints.iter().any(|j| j.link.is_some()),
             targets: used.len(),
-            samples: inputs.len(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A C99 header: the table as constants, and an inline function that looks a correction up.
 //!
 //! One multiplication finds the interval; the arithmetic is that of
-//! [`UniformTable`](crate::compensation::UniformTable), so that both give the same number.
+//! [`UniformTable`](crate::compensation::interpolation::UniformTable), so that both give the same number.
 
 use std::fmt::Write;
 

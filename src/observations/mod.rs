@@ -26,15 +26,15 @@
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
 //! it, with exact derivatives, and none has to say how.
 
-pub mod block;
-pub mod figures;
-pub mod gauge;
+pub(crate) mod block;
+pub(crate) mod figures;
+pub(crate) mod gauge;
 pub(crate) mod held;
-pub mod layer;
-pub mod outliers;
-pub mod rows;
-pub mod start;
-pub mod streams;
+pub(crate) mod layer;
+pub(crate) mod outliers;
+pub(crate) mod rows;
+pub(crate) mod start;
+pub(crate) mod streams;
 
 pub(crate) mod kinds;
 
@@ -42,8 +42,10 @@ use crate::effects::places::{MOST, Place};
 use crate::sessions::{Instrument, Session};
 
 pub use block::RowBlock;
+pub use figures::{Deviations, Errors, KindFigures};
 pub use kinds::KINDS;
 pub use layer::Layer;
+pub use rows::ObservedRows;
 pub use streams::Item;
 
 /// Where an angle has no distance of its own it is as many mm as at one metre.

@@ -16,13 +16,13 @@
 //! outliers: another noise does not change the poses. The same scenario and seed give the same
 //! session to the last bit.
 
-pub mod circumstances;
-pub mod format_v1;
-pub mod measured;
-pub mod motion;
-pub mod noise;
-pub mod scenario;
-pub mod truth;
+pub(crate) mod circumstances;
+pub(crate) mod format_v1;
+pub(crate) mod measured;
+pub(crate) mod motion;
+pub(crate) mod noise;
+pub(crate) mod scenario;
+pub(crate) mod truth;
 
 use std::ops::ControlFlow;
 

@@ -11,18 +11,20 @@
 //! without another pose between them are one approach; the first counts. What the session cannot
 //! give is named, never guessed.
 
-pub mod axis;
-pub mod path;
-pub mod pose;
-pub mod positioning;
-pub mod test_cube;
+pub(crate) mod axis;
+pub(crate) mod path;
+pub(crate) mod pose;
+pub(crate) mod positioning;
+pub(crate) mod test_cube;
 
 mod grouping;
 mod points;
 
-pub use axis::{AxisTest, Series};
-pub use pose::PoseTest;
-pub use positioning::Positioning;
+pub use axis::{AxisTest, Fixed, Series};
+pub use path::{PathAttained, PathFigures};
+pub use pose::{Attained, Largest, PoseFigures, PoseTest, Turned, Variation};
+pub use positioning::{AtPosition, Position, Positioning};
+pub use test_cube::{NoCube, TestCube, TestPose};
 
 use crate::compensation::verification::VerifyError;
 use crate::model::Calibration;

@@ -24,7 +24,7 @@ use super::points::Points;
 use super::positioning::{mean, sample_deviation};
 
 /// Cycles that ISO 9283 asks for.
-pub const STANDARD_CYCLES: usize = 30;
+pub(crate) const STANDARD_CYCLES: usize = 30;
 
 /// What the attained positions of one pose from one direction give, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -136,7 +136,7 @@ fn region_sums([samples, dx, l1_dy, l1_l1, square]: Sums) -> RegionSums {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::sum_by_region;
+    use crate::fit::plane::sum_by_region;
     use crate::gui::testing::workbench;
     use crate::sessions::regions::Assignment;
     use crate::sessions::regions::testing::regions;

@@ -10,7 +10,6 @@ use crate::importers::settings::About;
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
-    about: "any table with a header, or with --columns",
     plainly: "any program: a table with a header, or with columns chosen below",
     asks: Asks::TABLE,
     options: &[],

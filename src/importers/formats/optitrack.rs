@@ -26,7 +26,6 @@ const MOST_HEADER_LINES: usize = 16;
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
-    about: "OptiTrack Motive CSV 1.2x",
     plainly: "OptiTrack Motive",
     asks: Asks {
         table: false,

@@ -16,7 +16,6 @@ use crate::sessions::columns::Quantity;
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
-    about: "laser tracker or SpatialAnalyzer text: names, x, y, z",
     plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
     asks: Asks::TABLE,
     options: &[],

@@ -15,7 +15,6 @@ const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"]
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
-    about: "TUM trajectory",
     plainly: "a TUM trajectory: time, position, quaternion",
     asks: Asks {
         columns: Meanings::Fixed,

@@ -36,7 +36,7 @@ use crate::sessions::format_v1::robot::{ROBOT, blank};
 use crate::sessions::{files, validation};
 
 /// What the key `format` says.
-pub const FORMAT: &str = "truepose-scenario/1";
+pub(crate) const FORMAT: &str = "truepose-scenario/1";
 
 /// A scenario and the notes and warnings that came up on the way.
 #[derive(Debug, Clone, PartialEq)]

@@ -30,7 +30,6 @@ const JOINT_NAMES: &str = "joint-names";
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
-    about: "MCAP recording (ROS 2 or JSON): joint states and measured poses, points or transforms",
     plainly: "an MCAP recording: joint states and measured poses",
     asks: Asks {
         table: false,
