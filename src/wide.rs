@@ -10,7 +10,6 @@
 pub(crate) trait Loop {
     /// What it gives.
     type Output;
-    /// Runs it.
     fn run(self) -> Self::Output;
 }
 

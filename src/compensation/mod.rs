@@ -7,17 +7,17 @@
 //! ```
 //!
 //! What is left then is what no joint can remove: a link that is too short stays too short however
-//! the joint turns. It is stated as a number, and in words ([`remainder`]).
+//! the joint turns. It is stated as a number, and in words (`remainder`).
 //!
-//! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
-//! - [`inverse`]: the minimisation above, for any model and any number of joints.
-//! - [`pose`]: the same for the whole pose of the tool, position first.
-//! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
+//! - `conditions`: under which a correction holds; the reference is standstill, 20 °C, no load.
+//! - `inverse`: the minimisation above, for any model and any number of joints.
+//! - `pose`: the same for the whole pose of the tool, position first.
+//! - `regional`: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
-//! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
-//! - [`table`]: the correction of one joint over its limits; [`interpolation`]: reading it fast.
-//! - [`remainder`]: what stays, and which data of the controller would remove it.
-//! - [`verification`]: how well all this does on another session.
+//! - `plan`: [`Compensation`], one face for both kinds of model.
+//! - `table`: the correction of one joint over its limits; `interpolation`: reading it fast.
+//! - `remainder`: what stays, and which data of the controller would remove it.
+//! - `verification`: how well all this does on another session.
 //!
 //! Signs: a correction is what to add to the command, minus the deviation to first order.
 //!

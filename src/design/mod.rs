@@ -1,7 +1,7 @@
-//! Poses to measure next: those that tell rival explanations apart ([`next_poses`]), those that
-//! make an effect testable ([`enabling_poses`]), a first measurement of a joint
-//! (`first_measurement`), those that show the geometry of an arm ([`geometry`]), and all of them as a
-//! measuring list ([`plan`]).
+//! Poses to measure next: those that tell rival explanations apart (`next_poses`), those that
+//! make an effect testable (`enabling_poses`), a first measurement of a joint
+//! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them as a
+//! measuring list (`plan`).
 //!
 //! One planner makes them all: candidates, a criterion of what they are worth, and a loop that takes what is
 //! worth most.

@@ -34,7 +34,6 @@ const MOST_FOR_PAIRS: usize = 5;
 pub(crate) struct Rival {
     /// What it replaces.
     pub(crate) removed: Vec<Term>,
-    /// By what.
     pub(crate) instead: Vec<Term>,
     /// The refitted model.
     pub(crate) fit: Fit,

@@ -178,7 +178,6 @@ fn values<'a>(
     values
 }
 
-/// The gap step by step.
 fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
     let mut history = vec![GapStep {
         what: "nominal robot".to_owned(),

@@ -7,7 +7,7 @@
 //! that they ask of it ([`About`]); none of them decides by an effect's name.
 //!
 //! # How effects fit together
-//! A [`Block`](block::Block) of samples flows through the [`Stage`]s: joint effects change the
+//! A [`Block`] of samples flows through the [`Stage`]s: joint effects change the
 //! joints' output angles in the order of the catalogue, then the reflector moves from the tool
 //! outwards through the joints to the base, and at last from the base to the measuring frame.
 //! The equations are those of the contract, exact; the derivatives are exact as well.

@@ -21,7 +21,8 @@ pub struct Term {
     pub joint: usize,
     /// The scanned parameter: an order, a time in s, a fade in rad, the index of a frame.
     pub setting: f64,
-    /// What identification solves for.
+    /// What identification solves for, inner units: rad, mm, or those by what the effect is
+    /// proportional to.
     pub coefficients: Vec<f64>,
     /// The curve of an unexplained correction, which no identification changes.
     pub curve: Option<Arc<Curve>>,
@@ -456,7 +457,7 @@ fn check_setting(
 pub struct JointFrame {
     /// A point on the axis, mm.
     pub origin_mm: [f64; 3],
-    /// Along the axis.
+    /// Along the axis, a unit vector.
     pub along: [f64; 3],
     /// Across the axis: the base frame's x, made perpendicular (y where x is along the axis).
     pub across_1: [f64; 3],

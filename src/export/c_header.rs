@@ -30,19 +30,16 @@ const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "c-header",
-    title: "C99 header with a lookup function",
-    extension: "h",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "C99 header with a lookup function",
+    "h",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter: |_, _| Vec::new(),
     },
-};
+);
 
 /// Numbers in a row of the arrays.
 const PER_ROW: usize = 4;

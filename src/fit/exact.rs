@@ -69,7 +69,6 @@ pub fn identify_watched(
 pub(super) struct Fresh<'a> {
     /// The samples.
     pub(super) problem: Problem<'a>,
-    /// The solution.
     pub(super) fitted: Solution,
     /// The robot without the terms.
     nominal: Model,

@@ -14,7 +14,6 @@ use crate::wide::{Loop, wide};
 use super::noise::{Noise, Step, carried};
 use super::problem::Problem;
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Normal {
     /// `Jᵀ W J`.
@@ -27,7 +26,6 @@ pub(crate) struct Normal {
     pub weight: f64,
 }
 
-/// What to sum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sums {
     /// Everything.

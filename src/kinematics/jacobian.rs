@@ -74,7 +74,7 @@ impl Robot {
 }
 
 fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
-    let columns: Vec<_> = twists.iter().map(Twist::to_vector).collect();
+    let columns: Vec<_> = twists.iter().map(|twist| twist.to_vector()).collect();
     Matrix6xX::from_columns(&columns)
 }
 

@@ -26,8 +26,8 @@ impl Twist {
     }
 
     /// The six components (ω, v).
-    pub(crate) fn to_vector(&self) -> Vector6<f64> {
-        let (w, v) = (&self.angular, &self.linear);
+    pub(crate) fn to_vector(self) -> Vector6<f64> {
+        let (w, v) = (self.angular, self.linear);
         Vector6::new(w.x, w.y, w.z, v.x, v.y, v.z)
     }
 

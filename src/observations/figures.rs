@@ -42,15 +42,16 @@ pub struct KindFigures {
     /// Of what the session holds out.
     pub held_out: Option<Errors>,
     /// Root mean square of measurements that no fit has seen, each fifth predicted by the others; where
-    /// a diagnosis has looked.
+    /// a diagnosis has looked; in `unit`.
     pub unseen_rms: Option<f64>,
     /// Number of suspected outliers.
     pub outliers: usize,
     /// Number of rows that were fitted.
     pub rows: usize,
-    /// σ as the session states it.
+    /// σ as the session states it, in `unit`.
     pub stated_sigma: Option<f64>,
-    /// Root mean square over the rows of what was fitted: what σ seems to be.
+    /// Root mean square over the rows of what was fitted: what σ seems to be, in
+    /// `unit`.
     pub found_sigma: Option<f64>,
 }
 

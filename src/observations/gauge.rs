@@ -25,7 +25,6 @@ use crate::model::Model;
 use super::{KINDS, Layer, Looks};
 use crate::effects::places::{Place, PlaceKind, stated};
 
-/// What is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Open {
     /// Where the base stands.

@@ -12,14 +12,14 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - [`crate::effects::places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
+//! - `crate::effects::places`: anchors, stations, planes and sockets that nobody knows are fitted beside the
 //!   robot, and reported like everything that is fitted.
-//! - [`layer`]: the observations of a session, [`block`] by block, as rows for the normal equations;
-//!   [`streams`]: how they flow through the model.
-//! - [`rows`]: the same as rows of a regression, for the search of names.
-//! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
-//! - [`start`]: from where the fit begins.
-//! - [`figures`]: σ of each kind, outliers, errors by kind.
+//! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
+//!   `streams`: how they flow through the model.
+//! - `rows`: the same as rows of a regression, for the search of names.
+//! - `gauge`: what no kind at hand can show: where the base stands, how large everything is.
+//! - `start`: from where the fit begins.
+//! - `figures`: σ of each kind, outliers, errors by kind.
 //! - `held`: joint values that bring a target to where it is held.
 //!
 //! The orientation of the tool is found from four points of it that go through the same model as the
@@ -104,7 +104,7 @@ pub struct Seen<'a> {
     pub point: [f64; 3],
     /// How the tool is turned: by rows, from the tool's axes to the measuring frame's.
     pub attitude: [[f64; 3]; 3],
-    /// The coefficients of the place that the observation refers to ([`crate::effects::places`]).
+    /// The coefficients of the place that the observation refers to, inner units.
     pub place: &'a [f64],
 }
 
@@ -115,7 +115,7 @@ pub struct Residual {
     pub rows: usize,
     /// Measured − predicted, inner units; as many as there are rows.
     pub left: [f64; 3],
-    /// Derivative of what is predicted with respect to the point, row by row.
+    /// Derivative of what is predicted with respect to the point, row by row, per mm.
     pub by_point: [[f64; 3]; 3],
     /// The same with respect to a small turn of the tool about the measuring frame's axes, rad.
     pub by_turn: [[f64; 3]; 3],

@@ -1,10 +1,10 @@
 //! A robot's accuracy as the standards state it, as measured and with corrected commands.
 //!
-//! - [`positioning`]: one axis after ISO 230-2, from approaches of the same positions from both
+//! - `positioning`: one axis after ISO 230-2, from approaches of the same positions from both
 //!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
-//! - [`pose`]: pose accuracy and repeatability after ISO 9283.
-//! - [`test_cube`]: the cube, poses and paths that ISO 9283 has a robot measured at.
-//! - [`path`]: path accuracy and repeatability after ISO 9283.
+//! - `pose`: pose accuracy and repeatability after ISO 9283.
+//! - `test_cube`: the cube, poses and paths that ISO 9283 has a robot measured at.
+//! - `path`: path accuracy and repeatability after ISO 9283.
 //! - [`crate::present::standards_v1`] is `truepose-standards/1`.
 //!
 //! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings

@@ -17,7 +17,6 @@ use crate::sessions::columns::{Quantity, Unit};
 
 const NOMINAL_LENGTH: &str = "nominal-length";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "ballbar",
     plainly: "a ballbar, a draw-wire or an interferometer: distances",

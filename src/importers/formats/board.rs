@@ -27,7 +27,6 @@ use crate::sessions::table::{Cells, Names};
 
 const CAMERA: &str = "camera";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "board",
     plainly: "a camera that sees a calibration board: rvec and tvec of each image",

@@ -23,7 +23,6 @@ use crate::sessions::table::{Cells, Names};
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
     plainly: "OptiTrack Motive",

@@ -13,7 +13,6 @@ use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::sessions::columns::Quantity;
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
     plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",

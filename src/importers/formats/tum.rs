@@ -12,7 +12,6 @@ use crate::sessions::columns::{Quantity, Unit};
 /// The columns as the format calls them.
 const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
     plainly: "a TUM trajectory: time, position, quaternion",

@@ -27,7 +27,6 @@ use crate::sessions::table::Cells;
 use in_units::{Units, units_of};
 use parts::{Part, headings, parts};
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",
     plainly: "an ISO 230-2 run: targets and positions of one axis",

@@ -27,7 +27,6 @@ const TOPIC_MEASURED: &str = "topic-measured";
 const FRAME_CHILD: &str = "frame-child";
 const JOINT_NAMES: &str = "joint-names";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
     plainly: "an MCAP recording: joint states and measured poses",
