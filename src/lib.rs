@@ -101,6 +101,14 @@
 //! of its files, whose number stands in their `format`. With `default-features = false` nothing of
 //! the window is built.
 
+#![cfg_attr(
+    not(feature = "gui"),
+    allow(
+        dead_code,
+        reason = "some of it only the window uses; the build with it finds what nothing uses"
+    )
+)]
+
 pub(crate) mod atomic;
 pub mod diagnostic;
 pub(crate) mod document;

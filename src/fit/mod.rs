@@ -33,7 +33,6 @@ pub(crate) use base_model::free_frames;
 pub(crate) use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
 pub(crate) use exact::{covariance_of, outliers, parameters_of, report};
-pub(crate) use plane::RegionSums;
 pub use regional::identify_regional;
 
 /// Why an identification could not be made.

@@ -7,14 +7,14 @@
 //!
 //! Sorting costs n log n once, in the background; then a dragged boundary costs a few searches for
 //! each region, however many samples there are. ΔP = nominal − measured along the radial direction
-//! at home and a quarter turn further, as in [`crate::fit::sum_by_region`], with which a
+//! at home and a quarter turn further, as in `fit::plane::sum_by_region`, with which a
 //! test compares it.
 
 use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::fit::RegionSums;
 use crate::fit::gap::Deviations;
+use crate::fit::plane::RegionSums;
 use crate::fit::problem::Problem;
 use crate::lanes::dot;
 use crate::sessions::{Region, Session};
