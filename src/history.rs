@@ -130,7 +130,7 @@ pub struct Change {
     pub parameter: usize,
     /// File of the entry that it is compared with.
     pub since: String,
-    /// What it was.
+    /// What it was, in the parameter's unit.
     pub from: f64,
     /// How much it is more, in the parameter's unit.
     pub difference: f64,

@@ -42,7 +42,7 @@ pub use crate::design::{measuring_list, measuring_program};
 pub use crate::history::{history, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::{is_model, load_model, write_model};
-pub use crate::paper::regional_start;
+pub use crate::paper::{RegionalStart, regional_start};
 pub use crate::programs::compensate;
 pub use crate::sessions::{
     load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, write_inline,

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use clap::Args;
 
-use truepose::recorder::live::{End, Standing, State, connected, record};
-use truepose::recorder::source::{Address, Connection};
-use truepose::recorder::{RecordError, Recorder};
+use crate::recorder::live::{End, Standing, State, connected, record};
+use crate::recorder::source::{Address, Connection};
+use crate::recorder::{RecordError, Recorder};
 
 use super::failure::Failure;
 use super::output;

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::diagnosis::{DiagnoseError, Options};
-use truepose::fonts;
-use truepose::pipeline;
-use truepose::report::exported::sidecar_of;
-use truepose::report::{Details, ExportedTable, Extras, Kind, ReportError};
+use crate::diagnosis::{DiagnoseError, Options};
+use crate::fonts;
+use crate::pipeline;
+use crate::report::exported::sidecar_of;
+use crate::report::{Details, ExportedTable, Extras, Kind, ReportError};
 
 use super::failure::Failure;
 use super::output;
@@ -51,7 +51,7 @@ impl Report {
         }
         // A long diagnosis is not begun for a file that cannot be written.
         output::can_be_written(&self.out, self.force)?;
-        truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+        crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
         let mut details = match &self.details {
             Some(path) => Details::load(path)?,
             None => Details::default(),
@@ -72,7 +72,7 @@ impl Report {
         } else {
             let loaded = output::session(&self.file)?;
             inputs.extend(loaded.files);
-            truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+            crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
             pipeline::report(&loaded.session, &Options::default(), &extras, &|_| true)?
         };
         let written =

@@ -92,14 +92,6 @@ pub enum VerifyError {
         /// Joints of the model's robot.
         model: String,
     },
-    /// Points are wanted, and others were measured.
-    #[error(
-        "positions are compared, and this session has {measured}: what is wanted is measured points (x_mm, y_mm)"
-    )]
-    NoPoints {
-        /// What was measured instead.
-        measured: String,
-    },
     /// No sample is complete.
     #[error(
         "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
@@ -180,7 +172,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 ///
 /// # Errors
 /// If the session's robot is another one.
-pub fn moved_by_correction(
+pub(crate) fn moved_by_correction(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<Option<Positions>, VerifyError> {
@@ -215,7 +207,7 @@ fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Pos
 
 /// The gap that a table leaves on a session, `correction` being what the controller adds for a
 /// sample of this command (rad or mm) and side of one joint. The other joints go uncorrected.
-pub fn gap_with_table(
+pub(crate) fn gap_with_table(
     calibration: &Calibration,
     session: &Session,
     joint: usize,
@@ -242,7 +234,7 @@ pub fn gap_with_table(
 }
 
 /// The gap to another description of the robot, the instrument's own effects being left to it.
-pub fn gap_to_robot(
+pub(crate) fn gap_to_robot(
     calibration: &Calibration,
     session: &Session,
     robot: &crate::kinematics::Robot,

@@ -40,7 +40,6 @@ const MOST_SAMPLES: usize = 500;
 /// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
 const LEAST_MOVE: f64 = 6.0;
 
-/// See the module.
 pub(crate) struct Prepared<'a> {
     /// All samples.
     pub(crate) problem: Rc<Problem<'a>>,

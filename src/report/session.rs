@@ -85,8 +85,6 @@ impl Report {
         sections.push(deviations_of(&stages));
         sections.push(match &evidence.standards {
             Ok(figures) => accuracy::section(figures),
-            // They are figures of points.
-            Err(error @ VerifyError::NoPoints { .. }) => accuracy::none(error),
             Err(error) => return Err(error.clone().into()),
         });
         let history = extras.history.as_ref();

@@ -19,11 +19,9 @@ use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
 use crate::document::{Value, object, write_document, write_number};
-use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
 use crate::sessions::format_v1::head;
-use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::saved_columns::{Column, Values, columns};
 
 /// What an output may replace.
@@ -92,7 +90,7 @@ pub fn save_watched(
 ///
 /// # Errors
 /// As [`save`].
-pub fn save_document(
+pub(crate) fn save_document(
     session: &Session,
     path: &Path,
     replacing: Replacing<'_>,
@@ -133,14 +131,6 @@ pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
         samples: InlineTwin { columns },
     };
     write_document(output, &document)
-}
-
-/// Writes a robot as a document of its own, `ROBOT.json`.
-///
-/// # Errors
-/// What writing to `output` says.
-pub fn write_robot(robot: &Robot, output: impl Write) -> io::Result<()> {
-    write_document(output, &(ROBOT.write)(robot))
 }
 
 /// Writes the samples as CSV.
@@ -221,12 +211,6 @@ impl Serialize for ColumnsTwin<'_> {
         }
         map.end()
     }
-}
-
-/// The headings that a robot's poses are listed under: `q1_deg`, or `q1_mm` for a sliding joint.
-pub fn commanded_heading(robot: &Robot, joint: usize) -> String {
-    let unit = robot.joints[joint].kind.unit();
-    format!("q{}_{unit}", joint + 1)
 }
 
 #[cfg(test)]
