@@ -7,8 +7,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use truepose::compensation::{SortedTable, UniformTable};
-use truepose::sincos::sin_cos;
+use truepose::inside::sin_cos;
+use truepose::inside::{SortedTable, UniformTable};
 
 const POSES: usize = 4096;
 /// One entry for each degree of a full turn.

@@ -22,9 +22,9 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 use truepose::effects::Inputs;
+use truepose::inside::sin_cos_all;
 use truepose::kinematics::{DhConvention, DhRow, JointKind, Robot, robot_from_dh};
 use truepose::model::Model;
-use truepose::sincos::sin_cos_all;
 
 /// So many that the processor learns no pattern, few enough to stay in its first cache; a power of
 /// two.

@@ -22,8 +22,8 @@ use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criteri
 use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use egui_plot::{Arrows, Plot, PlotPoints};
 use truepose::gui::{App, Runner};
+use truepose::inside::Assignment;
 use truepose::sessions::Region;
-use truepose::sessions::regions::Assignment;
 
 const SIZES: [usize; 3] = [1_000, 100_000, 1_000_000];
 

@@ -8,12 +8,13 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Unit, Vector3};
 use truepose::effects::{JointValues, Term, find};
-use truepose::fit::problem::Problem;
-use truepose::fit::solver::solve;
-use truepose::fit::{base_model, identify_exact, sum_by_region};
+use truepose::fit::identify_exact;
+use truepose::inside::Problem;
+use truepose::inside::solve;
+use truepose::inside::{fit_base_model, start_of_base_model, sum_by_region};
 use truepose::kinematics::{Axis, Joint, JointKind, Pose, Range, Robot};
 use truepose::model::Model;
-use truepose::sessions::division::RegionChoice;
+use truepose::sessions::RegionChoice;
 use truepose::sessions::{Instrument, Samples, Session, Target};
 
 /// A small generator (SplitMix64): the same numbers every time, on every machine.
@@ -178,7 +179,7 @@ fn arm_session(n: usize) -> Session {
     session.samples.speed = vec![None; ARM.len()];
     let measured = {
         let problem = Problem::new(&session, JointValues::Commanded);
-        let model = base_model::start(&session, &problem, |_| true);
+        let model = start_of_base_model(&session, &problem, |_| true);
         let off = |term: &Term, k: usize, noise: &mut Noise| {
             let turns = term.effect.about().form.turns(k, JointKind::Revolute);
             noise.next() * if turns { 1e-3 } else { 1.0 }
@@ -201,8 +202,8 @@ fn arm(c: &mut Criterion) {
     group.sample_size(20);
     let session = arm_session(5000);
     let problem = Problem::new(&session, JointValues::Commanded);
-    let start = base_model::start(&session, &problem, |_| true);
-    let whole = || base_model::fit(&mut problem.clone(), black_box(&start), true);
+    let start = start_of_base_model(&session, &problem, |_| true);
+    let whole = || fit_base_model(&mut problem.clone(), black_box(&start), true);
     // What the poses cannot show is held, as it is chosen once; the values are those of the start.
     let gauged = whole().solution.model;
     let same = |own: &Term, other: &Term| {

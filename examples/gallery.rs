@@ -1,7 +1,7 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --example gallery`; with `-- arm` only the picture of the arm
+//! `cargo run --example gallery`; with `-- arm` only the pictures of the arm
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
 //! nothing.
@@ -69,22 +69,41 @@ impl Gallery {
         press(&mut window, "LinuxCNC COMP_FILE");
         self.picture(&mut window, "export")?;
         if self.theme == Theme::Light {
-            self.report(&mut window)?;
+            self.report(&mut window, "report.png")?;
         }
         Ok(())
     }
 
+    /// The walk of the arm (`docs/first-arm.md`), in light.
+    fn arm_walk(&self) -> anyhow::Result<()> {
+        let mut window = walk::window(self.theme, None);
+        walk::arm_asked(&mut window);
+        self.picture(&mut window, "arm-import")?;
+        press(&mut window, "Import");
+        self.picture(&mut window, "arm-session")?;
+        walk::identified(&mut window);
+        self.picture(&mut window, "arm-identify")?;
+        walk::searched(&mut window);
+        self.picture(&mut window, "arm-search")?;
+        walk::added(&mut window);
+        press(&mut window, "4 Export");
+        window.state_mut().compensate(Path::new("cell.mod"));
+        self.picture(&mut window, "arm-compensate")?;
+        press(&mut window, "Cancel");
+        self.report(&mut window, "arm-report.png")
+    }
+
     /// The paper that is signed; there is one for both themes.
-    fn report(&self, window: &mut Window) -> anyhow::Result<()> {
+    fn report(&self, window: &mut Window, name: &str) -> anyhow::Result<()> {
         let folder = tempfile::tempdir()?;
         let pdf = folder.path().join("report.pdf");
         window.state_mut().type_report_path(&pdf);
         window.run_steps(4);
         press(window, "Save");
         window.run_steps(8);
-        let out = self.folder.join("report.png");
+        let out = self.folder.join(name);
         match report::picture(&pdf, [1, 2], &out)? {
-            Some(bytes) => println!("report.png: {} kB", bytes.div_ceil(1000)),
+            Some(bytes) => println!("{name}: {} kB", bytes.div_ceil(1000)),
             None => println!("report: pdftoppm is not there, the picture stays as it was"),
         }
         Ok(())
@@ -144,15 +163,20 @@ fn main() -> anyhow::Result<()> {
     let only_the_arm = std::env::args().any(|argument| argument == "arm");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     // Short names on the sheet, as a person has them who works beside the files.
-    std::env::set_current_dir(root.join("sessions/walk-through"))?;
+    let beside = |folder: &str| std::env::set_current_dir(root.join("sessions").join(folder));
     for theme in [Theme::Light, Theme::Dark] {
         let gallery = Gallery {
             folder: root.join("docs/pictures"),
             theme,
         };
         if !only_the_arm {
+            beside("walk-through")?;
             gallery.walk()?;
             gallery.views()?;
+        }
+        beside("arm")?;
+        if theme == Theme::Light {
+            gallery.arm_walk()?;
         }
         gallery.arm()?;
     }

@@ -59,7 +59,7 @@ impl WriteError {
 ///
 /// # Errors
 /// [`WriteError::ReplacesInput`] for the first such input.
-pub fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), WriteError> {
+pub(crate) fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), WriteError> {
     match inputs.iter().find(|&&input| same_file(output, input)) {
         Some(input) => Err(WriteError::ReplacesInput {
             output: output.to_path_buf(),
@@ -73,7 +73,7 @@ pub fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), W
 ///
 /// # Errors
 /// [`WriteError::SameName`].
-pub fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteError> {
+pub(crate) fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteError> {
     if same_file(first, second) {
         return Err(WriteError::SameName(second.to_path_buf()));
     }
@@ -85,7 +85,7 @@ pub fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteE
 /// # Errors
 /// See [`WriteError`]; an error of `write` is passed on, and the old file, if any, stays. So does it
 /// where `write` ends with [`Cancelled`].
-pub fn write_atomically(
+pub(crate) fn write_atomically(
     path: &Path,
     force: bool,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,

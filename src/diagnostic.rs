@@ -168,11 +168,13 @@ pub struct Rejected {
 }
 
 impl Rejected {
+    pub(crate) fn of(diagnostics: Vec<Diagnostic>) -> Self {
+        Self { diagnostics }
+    }
+
     /// A refusal with a single reason.
     pub fn because(diagnostic: Diagnostic) -> Self {
-        Self {
-            diagnostics: vec![diagnostic],
-        }
+        Self::of(vec![diagnostic])
     }
 }
 

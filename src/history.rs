@@ -13,6 +13,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -24,6 +25,7 @@ use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, identify_exact};
 use crate::model::Calibration;
 use crate::model::format_v1::load_model;
+use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions::{Session, files, hash_of_samples, load};
 
 /// Everything that a folder tells.
@@ -128,7 +130,7 @@ pub struct Change {
     pub parameter: usize,
     /// File of the entry that it is compared with.
     pub since: String,
-    /// What it was.
+    /// What it was, in the parameter's unit.
     pub from: f64,
     /// How much it is more, in the parameter's unit.
     pub difference: f64,
@@ -167,10 +169,25 @@ struct Tag {
 /// # Errors
 /// The folder cannot be read, or nothing in it is a session or a model.
 pub fn history(folder: &Path) -> Result<History, Rejected> {
+    history_watched(folder, &unwatched).map_err(ReadError::rejected)
+}
+
+/// As [`history`]. `watch` hears after each file which part is done (0 to 1), and may break it off.
+///
+/// # Errors
+/// As [`history`], and if `watch` breaks it off.
+pub fn history_watched(
+    folder: &Path,
+    watch: &dyn Fn(f64) -> ControlFlow<()>,
+) -> Result<History, ReadError> {
+    let progress = Progress::new(watch);
+    let whole = progress.whole();
     let mut not_read = Vec::new();
     let mut read = Vec::new();
-    for path in documents(folder)? {
-        let Ok(bytes) = files::read_document(&path) else {
+    let documents = documents(folder)?;
+    for (k, path) in documents.iter().enumerate() {
+        whole.counted(k, documents.len())?;
+        let Ok(bytes) = files::read_document(path) else {
             continue;
         };
         let file = path
@@ -179,8 +196,8 @@ pub fn history(folder: &Path) -> Result<History, Rejected> {
             .to_string_lossy()
             .into_owned();
         let entry = match source_of(&bytes) {
-            Some(Source::Session) => of_session(&path, &file),
-            Some(Source::Model) => of_model(&path, &file),
+            Some(Source::Session) => of_session(path, &file),
+            Some(Source::Model) => of_model(path, &file),
             None => continue,
         };
         match entry {
@@ -198,7 +215,7 @@ pub fn history(folder: &Path) -> Result<History, Rejected> {
         };
         let expected = "a folder with truepose-session/1 or truepose-model/1 documents (*.json)";
         let place = Place::file(folder);
-        return Err(Rejected::because(Diagnostic::error(place, found, expected)));
+        return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
     }
     let mut robots: BTreeMap<String, Vec<Read>> = BTreeMap::new();
     for entry in read {
@@ -374,26 +391,31 @@ fn compared(robot: String, mut read: Vec<Read>) -> RobotHistory {
     }
 }
 
-fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
-    let of_set_up = |estimate: &Estimate| {
-        find(estimate.effect).is_some_and(|effect| effect.about().setting == Setting::Setup)
-    };
-    let key = |e: &Estimate| {
-        let labels = [e.setup.clone(), e.target.clone(), e.place.clone()];
-        (e.effect, e.joint, labels, e.name)
-    };
+/// Whether a parameter belongs to the measuring set-up, which is new in every session.
+pub(crate) fn is_of_set_up(estimate: &Estimate) -> bool {
+    find(estimate.effect).is_some_and(|effect| effect.about().setting == Setting::Setup)
+}
+
+/// Whether two estimates are of one parameter.
+pub(crate) fn is_same(a: &Estimate, b: &Estimate) -> bool {
+    (a.effect, a.joint, a.name) == (b.effect, b.joint, b.name)
+        && (&a.setup, &a.target, &a.place) == (&b.setup, &b.target, &b.place)
+}
+
+/// How the parameters of one entry differ from those of another.
+pub fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
     let each = now
         .parameters
         .iter()
         .enumerate()
         .filter_map(|(parameter, estimate)| {
-            if of_set_up(estimate) {
+            if is_of_set_up(estimate) {
                 return None;
             }
             let was = before
                 .parameters
                 .iter()
-                .find(|other| key(other) == key(estimate))?;
+                .find(|other| is_same(other, estimate))?;
             let plain = estimate.value - was.value;
             let difference = if estimate.name.starts_with("phase") {
                 // A phase of 359° is next to one of 1°.

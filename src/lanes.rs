@@ -2,17 +2,17 @@
 //! the compiler can turn the loops into vector instructions.
 
 /// Samples in a block.
-pub const LANES: usize = 64;
+pub(crate) const LANES: usize = 64;
 
 /// One number for each sample of a block.
-pub type Lanes = [f64; LANES];
+pub(crate) type Lanes = [f64; LANES];
 
 /// A vector for each sample of a block: x, y and z lanes.
-pub type Lanes3 = [Lanes; 3];
+pub(crate) type Lanes3 = [Lanes; 3];
 
 /// Cross product of two vectors.
 #[inline]
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -22,37 +22,37 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// Scalar product of two vectors.
 #[inline]
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// `a + b·k`.
 #[inline]
-pub fn add_scaled(a: [f64; 3], b: [f64; 3], k: f64) -> [f64; 3] {
+pub(crate) fn add_scaled(a: [f64; 3], b: [f64; 3], k: f64) -> [f64; 3] {
     [a[0] + b[0] * k, a[1] + b[1] * k, a[2] + b[2] * k]
 }
 
 /// `a − b`.
 #[inline]
-pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// `a·k`.
 #[inline]
-pub fn scaled(a: [f64; 3], k: f64) -> [f64; 3] {
+pub(crate) fn scaled(a: [f64; 3], k: f64) -> [f64; 3] {
     [a[0] * k, a[1] * k, a[2] * k]
 }
 
 /// `m·v`, m by rows.
 #[inline]
-pub fn times(m: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+pub(crate) fn times(m: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     [dot(m[0], v), dot(m[1], v), dot(m[2], v)]
 }
 
 /// The vector turned about a unit axis by the angle whose sine and cosine are given (Rodrigues).
 #[inline]
-pub fn turned(v: [f64; 3], axis: [f64; 3], sin: f64, cos: f64) -> [f64; 3] {
+pub(crate) fn turned(v: [f64; 3], axis: [f64; 3], sin: f64, cos: f64) -> [f64; 3] {
     let along = dot(axis, v) * (1.0 - cos);
     let across = cross(axis, v);
     [

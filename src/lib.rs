@@ -1,21 +1,13 @@
 //! truepose calibrates robots at commissioning.
 //!
-//! A controller believes in a robot that nobody has built: every joint at its zero, every link as
+//! A controller believes in a robot that was never built: every joint at its zero, every link as
 //! long as drawn, no play, no sag. A technician commands poses, an instrument says where the tool
-//! really went, and this library finds the robot that would have gone there:
+//! really went, and this library finds the robot that would have gone there, says how sure that
+//! is, and writes the table that makes the controller go where it is sent.
 //!
-//! 1. [`sessions`] reads what was measured, and names every problem with its place.
-//! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
-//!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
-//! 3. [`fit`] finds how large the effects are, and how sure that is.
-//! 4. [`set_up_errors`] notices mistakes of setting up, and [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
-//! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
-//!    where it was meant to, and what joint commands cannot correct.
-//! 6. [`standards`] states a robot's accuracy as ISO 230-2 and ISO 9283 define it, and [`report`]
-//!    puts all of it on paper.
-//! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
+//! # Five calls
 //!
-//! A tour on the bundled session of one axis; [`pipeline`] is the only door that is needed:
+//! [`pipeline`] is the only door that is needed; the terminal and the window go through it too.
 //!
 //! ```
 //! use truepose::diagnosis::Options;
@@ -23,49 +15,111 @@
 //! use truepose::export::Job;
 //! use truepose::pipeline::{Method, diagnose, export, identify, load, verify};
 //!
-//! // A session says what the robot is meant to be, and where it was measured instead.
+//! // 1. A session says what the robot is meant to be, and where it was measured instead.
 //! let session = load("sessions/paper-30.json")?.session;
 //! assert_eq!(session.robot.joints.len(), 1);
 //!
-//! // The exact fit: every parameter with its unit and its 95 % interval.
+//! // 2. The exact fit: every parameter with its unit and its 95 % interval.
 //! let (found, calibration) = identify(&session, &Method::default(), JointValues::Commanded)?;
 //! let offset = &found.parameters[0];
 //! println!("{} {} = {} {:?}", offset.effect, offset.name, offset.value, offset.ci95);
 //! assert!(found.gap.after.rms_mm < 1e-9 && found.gap.before.rms_mm > 13.0);
 //!
-//! // What is missing beyond it: nothing here. The closure is told how far the search is and may stop it.
+//! // 3. What is missing beyond it: nothing here. The closure learns how far the search is and may
+//! //    stop it.
 //! let answer = diagnose(&session, &Options::default(), &|_progress| true)?;
 //! assert_eq!(answer.verdict.name(), "noise");
 //!
-//! // What the calibration brings, and the table that a controller loads.
+//! // 4. What the calibration brings on a session: on another one, if there is one.
 //! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
+//!
+//! // 5. The table that a controller loads, in memory: the caller decides where it is written.
 //! let table = export("linuxcnc", &Job::new(&calibration, "pan.comp"))?;
 //! assert!(!table.documents[0].bytes.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Errors name the file, the line, the column and what was expected
-//! ([`Rejected`](diagnostic::Rejected)). `examples/calibrate_an_arm.rs` does the same for an arm. With
-//! `default-features = false` nothing of the window is built.
+//! [`pipeline::report`] puts all of it on paper, [`pipeline::compensate`] corrects the targets of a
+//! robot program in place, [`pipeline::plan_session`] says what to measure next, and
+//! [`pipeline::import`] makes a session of what an instrument wrote. `examples/calibrate_an_arm.rs`
+//! does the whole job for an arm.
 //!
-//! [`programs`] corrects the targets of tables and robot programs in place.
-//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose
-//! errors are known. [`pipeline`] does the whole job; whoever uses the library begins there.
+//! # Where to look
 //!
-//! Inside, lengths are in mm, angles in rad, times in s, masses in kg, temperatures in °C. A
-//! deviation is measured − simulated; a correction is what to add, the deviation's negative.
+//! | for | look into |
+//! | --- | --- |
+//! | what was measured, and every problem of a file with its place | [`sessions`], [`importers`] |
+//! | robots: poses, joint values that reach a pose, URDF, MJCF, Denavit–Hartenberg rows | [`kinematics`] |
+//! | the physics: one file for each way in which a robot differs from its drawing | [`effects`] |
+//! | the calibrated robot: effects along the chain, and its file | [`model`] |
+//! | what an instrument can measure besides points | [`observations`] |
+//! | how large the effects are, and how sure that is | [`fit`] |
+//! | mistakes of setting up; what is missing, its name, and what cannot be decided | [`set_up_errors`], [`diagnosis`] |
+//! | which poses to measure | [`design`] |
+//! | what to add to a command, and what no command can correct | [`compensation`], [`programs`] |
+//! | tables and robot descriptions for controllers, read back to see what they do | [`export`] |
+//! | accuracy as ISO 230-2 and ISO 9283 define it | [`standards`] |
+//! | sessions of robots whose errors are known | [`simulation`] |
+//! | the report, and the JSON documents that the commands print | [`report`], [`present`] |
+//! | sessions of one robot over time; a stream of lines that grows | [`history`], [`recorder`] |
+//!
+//! # Units, frames, signs
+//!
+//! Inside, lengths are in mm, angles in rad, times in s, masses in kg, temperatures in °C; names in
+//! files carry their unit (`offset_deg`, `x_mm`), and [`units`] converts at the edge. Joint values
+//! and axes are those of the robot at home in its base frame; measured points are in the measuring
+//! frame of the session, which `effects` may move against the base. Joints count from 0 here and
+//! from 1 in files and texts. A deviation is measured − simulated; a correction is what to add to a
+//! command, the deviation's negative.
+//!
+//! ```
+//! use nalgebra::Point3;
+//! use truepose::pipeline::load;
+//! use truepose::units::rad_from_deg;
+//!
+//! let robot = load("sessions/paper-30.json")?.session.robot;
+//! let tool_mm = robot.point_in_base(&[rad_from_deg(90.0)], &Point3::origin());
+//! let home_mm = robot.point_in_base(&[0.0], &Point3::origin());
+//! // A quarter turn about z.
+//! assert!((tool_mm.y - home_mm.x).abs() < 1e-9 && (tool_mm.z - home_mm.z).abs() < 1e-9);
+//! # Ok::<(), truepose::diagnostic::Rejected>(())
+//! ```
+//!
+//! # Errors
+//!
+//! What is wrong with a file is a [`Rejected`](diagnostic::Rejected): every problem at once, with file, line, column
+//! and what was expected.
+//!
+//! ```
+//! let error = truepose::pipeline::parse(br#"{"format": "truepose-session/1"}"#).unwrap_err();
+//! assert!(error.to_string().contains("expected"), "{error}");
+//! ```
+//!
+//! # Versions
+//!
+//! What these pages show is the library's promise and follows semantic versioning; so do the formats
+//! of its files, whose number stands in their `format`. With `default-features = false` nothing of
+//! the window is built.
 
-pub mod atomic;
+#![cfg_attr(
+    not(feature = "gui"),
+    allow(
+        dead_code,
+        reason = "some of it only the window uses; the build with it finds what nothing uses"
+    )
+)]
+
+pub(crate) mod atomic;
 pub mod diagnostic;
 pub(crate) mod document;
 pub mod fonts;
-pub mod lanes;
+pub(crate) mod lanes;
 pub(crate) mod linear;
 pub mod progress;
 pub mod recorder;
-pub mod sincos;
+pub(crate) mod sincos;
 pub mod units;
-pub mod wide;
+pub(crate) mod wide;
 
 pub mod kinematics;
 pub mod sessions;
@@ -76,7 +130,7 @@ pub mod model;
 
 pub mod observations;
 
-pub mod answers;
+pub(crate) mod answers;
 pub mod fit;
 pub mod simulation;
 
@@ -86,7 +140,7 @@ pub mod diagnosis;
 
 pub mod design;
 
-pub mod paper;
+pub(crate) mod paper;
 pub mod present;
 
 pub mod compensation;
@@ -101,5 +155,24 @@ pub mod standards;
 
 pub mod report;
 
+/// Steps inside the library that the benches time and the tests of `tests` look at; they change
+/// with any version.
+#[doc(hidden)]
+pub mod inside {
+    pub use crate::compensation::interpolation::{SortedTable, UniformTable};
+    pub use crate::effects::inputs::reflectors_at_home;
+    pub use crate::export::lerobot_calibration;
+    pub use crate::fit::base_model::{fit as fit_base_model, start as start_of_base_model};
+    pub use crate::fit::plane::sum_by_region;
+    pub use crate::fit::problem::Problem;
+    pub use crate::fit::solver::solve;
+    pub use crate::sessions::regions::Assignment;
+    pub use crate::sessions::write_csv;
+    pub use crate::sincos::{sin_cos, sin_cos_all};
+}
+
+#[doc(hidden)]
+pub mod cli;
 #[cfg(feature = "gui")]
+#[doc(hidden)]
 pub mod gui;

@@ -22,6 +22,7 @@
 
 use std::borrow::Cow;
 
+use crate::compensation::decision::{Fitted, Measured};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find};
@@ -38,10 +39,10 @@ use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 pub use crate::compensation::verify;
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
-pub use crate::history::{history, sessions_of_folder};
+pub use crate::history::{history, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::{is_model, load_model, write_model};
-pub use crate::paper::regional_start;
+pub use crate::paper::{RegionalStart, regional_start};
 pub use crate::programs::compensate;
 pub use crate::sessions::{
     load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, write_inline,
@@ -230,6 +231,11 @@ pub fn report_of_diagnosis(
     options: &Options,
     extras: &Extras,
 ) -> Result<Report, ReportError> {
+    let mut session = Cow::Borrowed(session);
+    if let Some(tolerance_mm) = extras.details.tolerance_mm {
+        session.to_mut().tolerance_mm = Some(tolerance_mm);
+    }
+    let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
     let mended = mend(session, options.joint_values).session;
     let all_found = found.calibration(&mended);
@@ -249,6 +255,19 @@ pub fn report_of_diagnosis(
 /// The report of a model alone.
 pub fn report_of_model(calibration: &Calibration, extras: &Extras) -> Report {
     Report::of_model(calibration, extras)
+}
+
+/// The deviation that is held against a tolerance, with its uncertainty.
+///
+/// # Errors
+/// Why nothing can be decided.
+pub fn conformity(
+    session: &Session,
+    calibration: &Calibration,
+    fitted: Fitted,
+) -> Result<Measured, String> {
+    let verification = verify(calibration, session).map_err(|error| error.to_string())?;
+    Measured::of(session, &verification, fitted).map_err(str::to_owned)
 }
 
 /// A report as a file of this kind, with the fonts of this machine where the bundled ones do not do.

@@ -47,9 +47,7 @@ impl ReadError {
     pub(crate) fn rejected(self) -> Rejected {
         match self {
             Self::Rejected(rejected) => rejected,
-            Self::Cancelled(_) => Rejected {
-                diagnostics: Vec::new(),
-            },
+            Self::Cancelled(_) => Rejected::of(Vec::new()),
         }
     }
 }

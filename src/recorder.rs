@@ -4,7 +4,10 @@
 //! complete goes to the file before the next bytes are waited for, so that whoever follows the file
 //! (the window does) and whoever pulls the plug find whole lines only. The file begins with headings:
 //! the stream's own first line, or those that a person gives. Cells between semicolons, tabs or
-//! spaces come out between commas, with a decimal point.
+//! spaces come out between commas, with a decimal point. [`source`] connects, [`live`] keeps at it.
+
+pub mod live;
+pub mod source;
 
 use std::io::{self, Write};
 
@@ -68,6 +71,10 @@ pub struct Recorder<F, W> {
     lines: u64,
     recorded: u64,
     complaints: Vec<String>,
+    /// Whether a line that is none is left out where it would else be an error.
+    tolerant: bool,
+    /// Whether a line that is too long goes on.
+    skipping: bool,
 }
 
 /// What the lines of a stream are like.
@@ -128,7 +135,15 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             lines: 0,
             recorded: 0,
             complaints: Vec::new(),
+            tolerant: false,
+            skipping: false,
         }
+    }
+
+    /// Leaves out lines that are too long, and first lines that do not have the headings that were
+    /// given, rather than to end at them.
+    pub fn tolerate(&mut self) {
+        self.tolerant = true;
     }
 
     /// Lines that are in the file, without the headings.
@@ -159,12 +174,26 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             if self.recorded >= most || taken.is_err() {
                 break;
             }
-            self.pending.extend_from_slice(&rest[..end]);
+            let own = &rest[..end];
             rest = &rest[end + 1..];
+            if std::mem::take(&mut self.skipping) {
+                continue;
+            }
+            self.pending.extend_from_slice(own);
             let line = std::mem::take(&mut self.pending);
-            taken = self.line(&line, &mut text);
+            taken = match self.line(&line, &mut text) {
+                Err(RecordError::Width {
+                    line,
+                    cells,
+                    headings,
+                }) if self.tolerant => {
+                    self.complain(line, &format!("has {cells} cells, not {headings}"));
+                    Ok(())
+                }
+                taken => taken,
+            };
         }
-        if self.recorded < most && taken.is_ok() {
+        if self.recorded < most && taken.is_ok() && !self.skipping {
             self.pending.extend_from_slice(rest);
         }
         // What was sound before something wrong is put down too.
@@ -172,7 +201,13 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         taken?;
         if self.pending.len() > LONGEST_LINE {
             let line = self.lines + 1;
-            return Err(RecordError::LongLine { line });
+            if !self.tolerant {
+                return Err(RecordError::LongLine { line });
+            }
+            self.lines = line;
+            self.complain(line, "is longer than a megabyte");
+            self.pending = Vec::new();
+            self.skipping = true;
         }
         Ok(())
     }
@@ -200,6 +235,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             self.complaints.push(says);
         }
         self.pending.clear();
+        self.skipping = false;
     }
 
     fn write(&mut self, text: &str) -> Result<(), RecordError> {

@@ -72,7 +72,7 @@ pub fn sin_cos(angle_rad: f64) -> (f64, f64) {
     clippy::inline_always,
     reason = "the loop above becomes vector code only with this body inside it"
 )]
-pub fn sin_cos_small(x: f64) -> (f64, f64) {
+pub(crate) fn sin_cos_small(x: f64) -> (f64, f64) {
     let shifted = x * FRAC_2_PI + ROUNDING;
     let quadrant = shifted.to_bits();
     let k = shifted - ROUNDING;

@@ -7,16 +7,15 @@
 
 /// A hot loop. `run` has to be `#[inline(always)]`, and what it calls inlined as well: only what
 /// stands inside the caller is compiled for wide vectors.
-pub trait Loop {
+pub(crate) trait Loop {
     /// What it gives.
     type Output;
-    /// Runs it.
     fn run(self) -> Self::Output;
 }
 
 /// Runs a loop with the widest vectors that the processor has.
 #[inline]
-pub fn wide<L: Loop>(work: L) -> L::Output {
+pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     #[cfg(target_arch = "x86_64")]
     {
         #[target_feature(enable = "avx2")]

@@ -82,6 +82,20 @@ pub fn filled_in(window: &mut Window) {
     window.run_steps(8);
 }
 
+/// The arm's raw file on the import sheet, filled in.
+pub fn arm_asked(window: &mut Window) {
+    open(window, Path::new("tracker.csv"));
+    type_into(window, "Name of the session", "cell arm");
+    for answer in ["The columns are right", "the one in this file"] {
+        if there(window, answer) {
+            press(window, answer);
+        }
+    }
+    type_into(window, "File of the robot", "robot.json");
+    type_into(window, "File of the commands", "commands.csv");
+    press(window, "by name");
+}
+
 pub fn imported(window: &mut Window) {
     asked(window);
     filled_in(window);
@@ -93,19 +107,26 @@ pub fn identified(window: &mut Window) {
     let step = ["3 Identify", "2 Identify"].into_iter();
     let mut step = step.filter(|step| there(window, step));
     press(window, step.next().unwrap_or("3 Identify"));
-    press(window, "Full model");
+    if there(window, "Full model") {
+        press(window, "Full model");
+    }
     if there(window, "Identify") {
         press(window, "Identify");
     }
 }
 
 pub fn searched(window: &mut Window) {
-    press(window, "4 Diagnose");
+    let step = ["4 Diagnose", "3 Diagnose"].into_iter();
+    let mut step = step.filter(|step| there(window, step));
+    press(window, step.next().unwrap_or("4 Diagnose"));
     press(window, "Run diagnosis");
 }
 
 /// Everything that was found, in the model.
 pub fn added(window: &mut Window) {
-    press(window, "Add all 3 to the model");
+    let all = window.get_by_label_contains("Add all ");
+    all.scroll_to_me();
+    window.run_steps(6);
+    window.get_by_label_contains("Add all ").click();
     window.run_steps(8);
 }

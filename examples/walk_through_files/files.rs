@@ -53,7 +53,7 @@ pub struct Files {
 }
 
 /// Where the tracker stands.
-fn base_from_tracker() -> Isometry3<f64> {
+pub fn base_from_tracker() -> Isometry3<f64> {
     Isometry3::from_parts(
         Translation3::new(1840.0, -1325.0, 412.0),
         UnitQuaternion::from_euler_angles(0.004, -0.007, 2.51),

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use truepose::export::lerobot_calibration;
+use truepose::inside::lerobot_calibration;
 
 fuzz_target!(|bytes: &[u8]| {
     let _ = lerobot_calibration(bytes, "motors.json");

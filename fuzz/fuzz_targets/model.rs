@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use truepose::compensation::{Conditions, JointTable};
-use truepose::model::format_v1::{read_model, write_model};
+use truepose::model::{read_model, write_model};
 
 fuzz_target!(|text: &str| {
     if let Ok(calibration) = read_model(text) {

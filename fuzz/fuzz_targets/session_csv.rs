@@ -2,7 +2,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use truepose::sessions::{parse_with_csv, write_csv};
+use truepose::inside::write_csv;
+use truepose::sessions::parse_with_csv;
 
 const DOCUMENT: &[u8] =
     br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[

@@ -129,7 +129,7 @@ pub struct Equivalent {
 pub struct Unexplained {
     /// Whether something is.
     pub present: bool,
-    /// Chance that noise alone would look as much like it.
+    /// Chance (0 to 1) that noise alone would look as much like it.
     pub p: f64,
     /// Root mean square of what is left, mm.
     pub rms_mm: f64,

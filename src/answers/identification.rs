@@ -27,9 +27,9 @@ pub struct Estimate {
     pub place: Option<String>,
     /// The parameter's name with its unit.
     pub name: &'static str,
-    /// Its value.
+    /// Its value, in the unit that ends its name.
     pub value: f64,
-    /// 95 % interval; `None` where the samples leave it open.
+    /// 95 % interval from the lower to the upper end, the same unit; `None` where the samples leave it open.
     pub ci95: Option<[f64; 2]>,
 }
 

@@ -2,9 +2,9 @@
 //! computed from samples. Terminal, window, report and exports read these; [`crate::fit`] and
 //! [`crate::diagnosis`] fill them.
 
-pub mod diagnosis;
-pub mod errors;
-pub mod identification;
-pub mod limits;
-pub mod noise;
-pub mod pose;
+pub(crate) mod diagnosis;
+pub(crate) mod errors;
+pub(crate) mod identification;
+pub(crate) mod limits;
+pub(crate) mod noise;
+pub(crate) mod pose;

@@ -5,7 +5,7 @@
 pub struct NextPose {
     /// Joint values, rad or mm.
     pub q: Vec<f64>,
-    /// Side from which each joint comes.
+    /// Side from which each joint comes: +1 while its value grows, −1 while it shrinks.
     pub dir: Vec<f64>,
     /// Name of a reflector of the session, or of a new one; `None` where there is only one.
     pub target: Option<String>,

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use truepose::kinematics::{Pose, Robot, pose_from_parts};
-use truepose::pipeline;
-use truepose::present::compensation_v1::{self, Summary};
-use truepose::present::json::Json;
-use truepose::programs::{
+use crate::kinematics::{Pose, Robot, pose_from_parts};
+use crate::pipeline;
+use crate::present::compensation_v1::{self, Summary};
+use crate::present::json::Json;
+use crate::programs::{
     Answer, CompensateError, LANGUAGES, Language, ModelTool, Request, find, language_of,
 };
 
@@ -164,7 +164,7 @@ impl Compensate {
         // Nothing is written when something cannot be.
         for place in [&self.out, &sidecar] {
             output::can_be_written(place, self.force)?;
-            truepose::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
+            crate::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
         }
         let mut text = serde_json::to_string_pretty(document).map_err(anyhow::Error::from)?;
         text.push('\n');

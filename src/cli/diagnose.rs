@@ -6,19 +6,17 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use truepose::diagnosis::{
-    Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict, Watch,
-};
-use truepose::effects::JointValues;
-use truepose::fit::{Estimate, IMPLAUSIBLE};
-use truepose::paper::RegionalStart;
-use truepose::pipeline;
-use truepose::present::diagnosis_v1::document;
-use truepose::present::kinds;
-use truepose::present::names::figure;
-use truepose::present::numbers::significant;
-use truepose::present::table::Table;
-use truepose::sessions::Session;
+use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict, Watch};
+use crate::effects::JointValues;
+use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::paper::RegionalStart;
+use crate::pipeline;
+use crate::present::diagnosis_v1::document;
+use crate::present::kinds;
+use crate::present::names::figure;
+use crate::present::numbers::significant;
+use crate::present::table::Table;
+use crate::sessions::Session;
 
 use super::failure::Failure;
 use super::{fleet, geometry, output};

@@ -2,9 +2,9 @@
 
 use clap::Args;
 
-use truepose::effects::term::parameter_names;
-use truepose::effects::{CATALOGUE, Effect};
-use truepose::present::effects_v1::document;
+use crate::effects::term::parameter_names;
+use crate::effects::{CATALOGUE, Effect};
+use crate::present::effects_v1::document;
 
 use super::failure::Failure;
 use super::output;

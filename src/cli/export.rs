@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use truepose::export::{
+use crate::export::{
     EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gap_after_export,
 };
-use truepose::kinematics::DhConvention;
-use truepose::pipeline;
+use crate::kinematics::DhConvention;
+use crate::pipeline;
 
 use super::failure::Failure;
 use super::output;
@@ -129,7 +129,7 @@ impl Export {
             // Nothing is written when something cannot be.
             for place in &places {
                 output::can_be_written(place, self.force)?;
-                truepose::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
+                crate::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
             }
             for (place, document) in places.iter().zip(&export.documents) {
                 output::document(place, &document.bytes, self.force, &inputs)?;
@@ -144,7 +144,7 @@ impl Export {
         let Some(path) = &self.reference else {
             return Ok(None);
         };
-        let bytes = truepose::sessions::read_whole(path)?;
+        let bytes = crate::sessions::read_whole(path)?;
         Ok(Some((path.display().to_string(), bytes)))
     }
 

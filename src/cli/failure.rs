@@ -4,9 +4,9 @@ use std::fmt;
 use std::io::Write;
 use std::process::ExitCode;
 
-use truepose::atomic::WriteError;
-use truepose::diagnostic::Rejected;
-use truepose::fit::IdentifyError;
+use crate::atomic::WriteError;
+use crate::diagnostic::Rejected;
+use crate::fit::IdentifyError;
 
 use super::output::plain;
 

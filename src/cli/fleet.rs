@@ -14,13 +14,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::anyhow;
 
-use truepose::diagnosis::Diagnosis;
-use truepose::pipeline::{load, sessions_of_folder};
-use truepose::present::diagnosis_v1::document;
-use truepose::present::json::{Json, keyed};
-use truepose::present::numbers::number_of;
-use truepose::present::table::Table;
-use truepose::sessions::Session;
+use crate::diagnosis::Diagnosis;
+use crate::pipeline::{load, sessions_of_folder};
+use crate::present::diagnosis_v1::document;
+use crate::present::json::{Json, keyed};
+use crate::present::numbers::number_of;
+use crate::present::table::Table;
+use crate::sessions::Session;
 
 use super::diagnose::{Asked, named};
 use super::failure::Failure;

@@ -3,10 +3,10 @@
 
 use std::fmt::Write as _;
 
-use truepose::effects::{Role, role};
-use truepose::fit::Estimate;
-use truepose::present::numbers::decimals_of;
-use truepose::present::table::Table;
+use crate::effects::{Role, role};
+use crate::fit::Estimate;
+use crate::present::numbers::decimals_of;
+use crate::present::table::Table;
 
 /// The columns of a joint's row: parameter and heading. A joint that slides has its zero in mm.
 const COLUMNS: [(&[&str], &str); 5] = [

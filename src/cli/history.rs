@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::history::{Change, Entry, History as Told};
-use truepose::pipeline::history;
-use truepose::present::history_v1::document;
-use truepose::present::numbers::decimals_of;
+use crate::history::{Change, Entry, History as Told};
+use crate::pipeline::history;
+use crate::present::history_v1::document;
+use crate::present::numbers::decimals_of;
 
 use super::failure::Failure;
 use super::output;

@@ -4,18 +4,18 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use truepose::effects::JointValues;
-use truepose::fit::noise::StatedNoise;
-use truepose::fit::problem::Unusable;
-use truepose::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
-use truepose::pipeline;
-use truepose::present::identification_v1::{degrees, document};
-use truepose::present::kinds;
-use truepose::present::table::{Cell, Table};
-use truepose::sessions::Session;
-use truepose::sessions::division::RegionChoice;
-use truepose::set_up_errors::DataProblem;
-use truepose::units::rad_from_deg;
+use crate::effects::JointValues;
+use crate::fit::noise::StatedNoise;
+use crate::fit::problem::Unusable;
+use crate::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
+use crate::pipeline;
+use crate::present::identification_v1::{degrees, document};
+use crate::present::kinds;
+use crate::present::table::{Cell, Table};
+use crate::sessions::Session;
+use crate::sessions::division::RegionChoice;
+use crate::set_up_errors::DataProblem;
+use crate::units::rad_from_deg;
 
 use super::failure::Failure;
 use super::{geometry, levels, output};

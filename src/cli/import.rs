@@ -6,13 +6,13 @@ use anyhow::Context;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use truepose::importers::{
+use crate::importers::{
     AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
     Settings, find,
 };
-use truepose::pipeline::{import, save, write_inline};
-use truepose::present::import_v1::document;
-use truepose::sessions::{Replacing, read_whole};
+use crate::pipeline::{import, save, write_inline};
+use crate::present::import_v1::document;
+use crate::sessions::{Replacing, read_whole};
 
 use super::failure::Failure;
 use super::output;

@@ -3,9 +3,9 @@
 
 use std::fmt::Write as _;
 
-use truepose::fit::Identification;
-use truepose::present::identification_v1::worst_pose;
-use truepose::present::table::Table;
+use crate::fit::Identification;
+use crate::present::identification_v1::worst_pose;
+use crate::present::table::Table;
 
 /// Both in words; empty where there is nothing to say.
 pub(super) fn in_words(answer: &Identification) -> String {

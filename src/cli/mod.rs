@@ -88,7 +88,7 @@ enum Command {
 }
 
 /// Runs the program with the process's arguments.
-pub(crate) fn run() -> ExitCode {
+pub fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return complain_about_arguments(&error),

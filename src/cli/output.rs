@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use serde::Serialize;
 
-use truepose::atomic::WriteError;
-use truepose::kinematics::Robot;
-use truepose::pipeline::{load, load_robot};
-use truepose::sessions::Loaded;
+use crate::atomic::WriteError;
+use crate::kinematics::Robot;
+use crate::pipeline::{load, load_robot};
+use crate::sessions::Loaded;
 
 use super::failure::Failure;
 
@@ -123,8 +123,8 @@ pub(crate) fn document(
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
         return Ok(written.context("cannot write to standard output")?);
     }
-    truepose::atomic::refuse_to_replace_inputs(out, &paths(inputs))?;
-    Ok(truepose::atomic::write_atomically(out, force, |file| {
+    crate::atomic::refuse_to_replace_inputs(out, &paths(inputs))?;
+    Ok(crate::atomic::write_atomically(out, force, |file| {
         file.write_all(bytes)
     })?)
 }

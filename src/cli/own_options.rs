@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
 
-use truepose::importers::{IMPORTERS, OwnOption};
+use crate::importers::{IMPORTERS, OwnOption};
 
 /// What was given of them, by their names without dashes.
 #[derive(Debug, Default)]

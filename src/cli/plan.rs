@@ -9,15 +9,15 @@ use nalgebra::Point3;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use truepose::design::geometry::Geometry;
-use truepose::design::needs::Untestable;
-use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
-use truepose::diagnosis::NextPose;
-use truepose::diagnosis::{Options, Sight};
-use truepose::pipeline::{self, measuring_list, measuring_program};
-use truepose::present::numbers::significant;
-use truepose::present::plan_v1::document;
-use truepose::programs::language_of;
+use crate::design::geometry::Geometry;
+use crate::design::needs::Untestable;
+use crate::design::plan::{self, PlanError, PlanOptions, Subject};
+use crate::diagnosis::NextPose;
+use crate::diagnosis::{Options, Sight};
+use crate::pipeline::{self, measuring_list, measuring_program};
+use crate::present::numbers::significant;
+use crate::present::plan_v1::document;
+use crate::programs::language_of;
 
 use super::failure::Failure;
 use super::output;

@@ -1,14 +1,16 @@
 //! `truepose record`: a stream of lines, as a CSV file that grows.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, ErrorKind, Read, Write};
-use std::net::{TcpStream, UdpSocket};
+use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Args;
 
-use truepose::recorder::{RecordError, Recorder};
+use crate::recorder::live::{End, Standing, State, connected, record};
+use crate::recorder::source::{Address, Connection};
+use crate::recorder::{RecordError, Recorder};
 
 use super::failure::Failure;
 use super::output;
@@ -27,15 +29,12 @@ pub(crate) struct Record {
     /// Stop after so many lines
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     lines: Option<u64>,
+    /// Connect again where the connection ends or breaks, until Ctrl-C
+    #[arg(long)]
+    reconnect: bool,
     /// Replace a file that exists
     #[arg(long)]
     force: bool,
-}
-
-/// Where lines come from.
-enum Source {
-    Tcp(TcpStream),
-    Udp(UdpSocket),
 }
 
 impl Record {
@@ -43,7 +42,9 @@ impl Record {
         if !output::is_standard_output(Some(&self.out)) {
             output::can_be_written(&self.out, self.force)?;
         }
-        let mut source = Source::open(&self.source)?;
+        let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
+        let once = !self.reconnect;
+        let connection = once.then(|| self.connect(&address)).transpose()?;
         output::messages(&[format!(
             "recording {} to {}; Ctrl-C ends it, and every line that is complete is in the file",
             self.source,
@@ -53,7 +54,7 @@ impl Record {
         let columns = self.columns.iter().map(|name| name.trim().to_owned());
         let mut recorder = Recorder::new(move || open(&out, force), columns.collect());
         let most = self.lines.unwrap_or(u64::MAX);
-        let done = source.record(&mut recorder, most);
+        let done = Self::listen(&address, connection, &mut recorder, most);
         output::messages(&recorder.complaints());
         output::messages(&[format!("{} lines recorded", recorder.recorded())]);
         done?;
@@ -67,6 +68,57 @@ impl Record {
             )));
         }
         Ok(())
+    }
+}
+
+impl Record {
+    fn connect(&self, address: &Address) -> Result<Connection, Failure> {
+        let failed = match address {
+            Address::Tcp(_) => "cannot connect",
+            Address::Udp(_) => "cannot listen",
+        };
+        let connection = address.connect();
+        let connection = connection.with_context(|| format!("{}: {failed}", self.source))?;
+        // Port 0 is any: whoever sends has to know which.
+        if let (Some(here), true) = (connection.listens_on(), self.source.ends_with(":0")) {
+            output::messages(&[format!("listening on {here}")]);
+        }
+        Ok(connection)
+    }
+
+    /// Records until the stream ends or has brought enough; with `--reconnect`, until it has.
+    fn listen<F: FnOnce() -> io::Result<Out>>(
+        address: &Address,
+        connection: Option<Connection>,
+        recorder: &mut Recorder<F, Out>,
+        most: u64,
+    ) -> Result<(), Failure> {
+        let mut before = State::Connecting;
+        let mut hear = |standing: &Standing| {
+            output::messages(&standing.left_out);
+            if let (State::Waiting(why), true) = (&standing.state, standing.state != before) {
+                output::messages(&[format!("not connected, tries again: {why}")]);
+            }
+            before.clone_from(&standing.state);
+            ControlFlow::Continue(())
+        };
+        let Some(connection) = connection else {
+            record(address, recorder, most, &mut hear)?;
+            return Ok(());
+        };
+        match connected(
+            connection,
+            recorder,
+            most,
+            &mut Standing::default(),
+            &mut hear,
+        )? {
+            End::Broken(error) => {
+                let error = anyhow::Error::new(error).context("the stream broke off");
+                Err(Failure::Failed(error))
+            }
+            End::Unwanted | End::Closed => Ok(()),
+        }
     }
 }
 
@@ -114,74 +166,4 @@ fn open(out: &Path, force: bool) -> io::Result<Out> {
         options.create_new(true);
     }
     options.open(out).map(Out::File)
-}
-
-impl Source {
-    fn open(source: &str) -> Result<Self, Failure> {
-        let expected = "expected tcp://HOST:PORT or udp://:PORT";
-        let wrong = || Failure::WrongInput(format!("{source}: no such source; {expected}"));
-        let (kind, address) = source.split_once("://").ok_or_else(wrong)?;
-        let port = address.rsplit_once(':').ok_or_else(wrong)?.1;
-        if port.parse::<u16>().is_err() {
-            let found =
-                format!("{source}: {port:?} is no port; {expected}, with PORT from 0 to 65535");
-            return Err(Failure::WrongInput(found));
-        }
-        match kind {
-            "tcp" => {
-                let stream = TcpStream::connect(address);
-                let stream = stream.with_context(|| format!("{source}: cannot connect"))?;
-                Ok(Self::Tcp(stream))
-            }
-            "udp" => {
-                let address = match address.strip_prefix(':') {
-                    Some(port) => format!("0.0.0.0:{port}"),
-                    None => address.to_owned(),
-                };
-                let socket = UdpSocket::bind(&address);
-                let socket = socket.with_context(|| format!("{source}: cannot listen"))?;
-                // Port 0 is any: whoever sends has to know which.
-                if let (Ok(here), "0") = (socket.local_addr(), port) {
-                    output::messages(&[format!("listening on {here}")]);
-                }
-                Ok(Self::Udp(socket))
-            }
-            _ => Err(wrong()),
-        }
-    }
-
-    /// Records until the stream ends or has brought enough.
-    fn record<F: FnOnce() -> io::Result<Out>>(
-        &mut self,
-        recorder: &mut Recorder<F, Out>,
-        most: u64,
-    ) -> Result<(), Failure> {
-        // No datagram is longer.
-        let mut bytes = vec![0; 1 << 16];
-        while recorder.recorded() < most {
-            let read = match self {
-                Self::Tcp(stream) => stream.read(&mut bytes),
-                Self::Udp(socket) => socket.recv(&mut bytes),
-            };
-            let count = match read {
-                Ok(count) => count,
-                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => {
-                    return Err(Failure::Failed(
-                        anyhow::Error::new(error).context("the stream broke off"),
-                    ));
-                }
-            };
-            if count == 0 && matches!(self, Self::Tcp(_)) {
-                recorder.end_of_stream();
-                return Ok(());
-            }
-            recorder.take(&bytes[..count], most)?;
-            if matches!(self, Self::Udp(_)) {
-                recorder.end_of_message(most)?;
-            }
-            output::messages(&recorder.complaints());
-        }
-        Ok(())
-    }
 }

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::diagnosis::{DiagnoseError, Options};
-use truepose::fonts;
-use truepose::pipeline;
-use truepose::report::exported::sidecar_of;
-use truepose::report::{ExportedTable, Extras, Kind, ReportError};
+use crate::diagnosis::{DiagnoseError, Options};
+use crate::fonts;
+use crate::pipeline;
+use crate::report::exported::sidecar_of;
+use crate::report::{Details, ExportedTable, Extras, Kind, ReportError};
 
 use super::failure::Failure;
 use super::output;
@@ -24,7 +24,14 @@ pub(crate) struct Report {
     /// Name a table that was exported, with its hash; may be given several times
     #[arg(long = "table", value_name = "FILE")]
     tables: Vec<PathBuf>,
-    /// Date to print; without it there is a line to fill in
+    /// Customer, serial numbers, tolerance, decision rule and so on, a truepose-details/1 document;
+    /// what it lacks is a line to fill in
+    #[arg(long, value_name = "DETAILS.json")]
+    details: Option<PathBuf>,
+    /// Add what became of the machine: the sessions and models of its robot in this folder
+    #[arg(long, value_name = "FOLDER")]
+    history: Option<PathBuf>,
+    /// Date to print, in place of the one of the details
     #[arg(long, value_name = "TEXT")]
     date: Option<String>,
     /// Replace the file if it exists
@@ -38,16 +45,26 @@ impl Report {
             Failure::WrongInput(format!("--out {}: {expected}", self.out.display()))
         })?;
         let mut inputs = vec![self.file.clone()];
+        inputs.extend(self.details.clone());
         for table in &self.tables {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }
         // A long diagnosis is not begun for a file that cannot be written.
         output::can_be_written(&self.out, self.force)?;
-        truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+        crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+        let mut details = match &self.details {
+            Some(path) => Details::load(path)?,
+            None => Details::default(),
+        };
+        if let Some(date) = self.date {
+            details.date = date;
+        }
+        inputs.extend(details.logo.as_ref().map(|logo| logo.path.clone()));
         let tables = self.tables.iter().map(|path| ExportedTable::read(path));
         let tables = tables.collect::<Result<_, _>>();
         let extras = Extras {
-            date: self.date,
+            details,
+            history: self.history.as_deref().map(pipeline::history).transpose()?,
             tables: tables.map_err(|error| Failure::WrongInput(error.to_string()))?,
         };
         let report = if pipeline::is_model(&self.file) {
@@ -55,7 +72,7 @@ impl Report {
         } else {
             let loaded = output::session(&self.file)?;
             inputs.extend(loaded.files);
-            truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
+            crate::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
             pipeline::report(&loaded.session, &Options::default(), &extras, &|_| true)?
         };
         let written =

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use anyhow::Context;
 use clap::Args;
 
-use truepose::pipeline::{load_scenario, save, simulate, write_inline};
-use truepose::sessions::{Replacing, samples_path};
-use truepose::simulation::{SimulateError, unwatched};
+use crate::pipeline::{load_scenario, save, simulate, write_inline};
+use crate::sessions::{Replacing, samples_path};
+use crate::simulation::{SimulateError, unwatched};
 
 use super::failure::Failure;
 use super::output;
@@ -51,7 +51,7 @@ impl Simulate {
             if !to_stdout {
                 let samples = samples_path(&self.out);
                 for other in [self.out.as_path(), samples.as_path()] {
-                    truepose::atomic::refuse_one_file_for_two(path, other)?;
+                    crate::atomic::refuse_one_file_for_two(path, other)?;
                 }
             }
             if !truth_to_stdout {

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::pipeline;
-use truepose::present::standards::groups;
-use truepose::present::standards_v1::document;
-use truepose::standards::Standards as Figures;
+use crate::pipeline;
+use crate::present::standards::groups;
+use crate::present::standards_v1::document;
+use crate::standards::Standards as Figures;
 
 use super::failure::Failure;
 use super::output;

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use truepose::kinematics::Robot;
-use truepose::pipeline::measuring_list;
-use truepose::present::test_cube_v1::document;
-use truepose::standards::test_cube::TestCube;
+use crate::kinematics::Robot;
+use crate::pipeline::measuring_list;
+use crate::present::test_cube_v1::document;
+use crate::standards::test_cube::TestCube;
 
 use super::failure::Failure;
 use super::output;

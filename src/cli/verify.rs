@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use truepose::compensation::Verification;
-use truepose::pipeline::{load_model, verify};
-use truepose::present::verification_v1::document;
+use crate::compensation::Verification;
+use crate::pipeline::{load_model, verify};
+use crate::present::verification_v1::document;
 
 use super::failure::Failure;
 use super::output;

@@ -7,7 +7,7 @@ use super::failure::Failure;
 /// Opens the window, on a file or on the bundled session.
 #[cfg(feature = "gui")]
 pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Failure> {
-    Ok(truepose::gui::run(file)?)
+    Ok(crate::gui::run(file)?)
 }
 
 /// Says what there is instead.

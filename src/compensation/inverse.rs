@@ -41,10 +41,10 @@ const MOST_ROTATIONS: usize = 1000;
 const NO_LEVER: f64 = 1e-9;
 
 /// Where some model puts every reflector: one set of positions for each reflector.
-pub type Places = Vec<Positions>;
+pub(crate) type Places = Vec<Positions>;
 
 /// Where a model puts every reflector at each pose of `inputs`.
-pub fn places(model: &Model, inputs: &Inputs) -> Places {
+pub(crate) fn places(model: &Model, inputs: &Inputs) -> Places {
     let mut one = inputs.clone();
     one.target = None;
     let homes = inputs.reflectors_at_home.iter();
@@ -58,7 +58,7 @@ pub fn places(model: &Model, inputs: &Inputs) -> Places {
 
 /// The commands, joint by joint, that bring the reflectors of `inputs` closest to `wanted`,
 /// starting from the commands of `inputs`. Only the joints in `free` (counted from 0) move.
-pub fn closest_commands(
+pub(crate) fn closest_commands(
     model: &Model,
     inputs: &Inputs,
     wanted: &Places,

@@ -7,17 +7,18 @@
 //! ```
 //!
 //! What is left then is what no joint can remove: a link that is too short stays too short however
-//! the joint turns. It is stated as a number, and in words ([`remainder`]).
+//! the joint turns. It is stated as a number, and in words (`remainder`).
 //!
-//! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
-//! - [`inverse`]: the minimisation above, for any model and any number of joints.
-//! - [`pose`]: the same for the whole pose of the tool, position first.
-//! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
+//! - `conditions`: under which a correction holds; the reference is standstill, 20 °C, no load.
+//! - `inverse`: the minimisation above, for any model and any number of joints.
+//! - `pose`: the same for the whole pose of the tool, position first.
+//! - `regional`: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
-//! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
-//! - [`table`]: the correction of one joint over its limits; [`interpolation`]: reading it fast.
-//! - [`remainder`]: what stays, and which data of the controller would remove it.
-//! - [`verification`]: how well all this does on another session.
+//! - `plan`: [`Compensation`], one face for both kinds of model.
+//! - `table`: the correction of one joint over its limits; `interpolation`: reading it fast.
+//! - `remainder`: what stays, and which data of the controller would remove it.
+//! - `verification`: how well all this does on another session; `decision`: whether that is
+//!   within the tolerance.
 //!
 //! Signs: a correction is what to add to the command, minus the deviation to first order.
 //!
@@ -25,20 +26,22 @@
 //! robot; it is left out of the model before the model is inverted.
 
 mod carried_over;
-pub mod conditions;
-pub mod interpolation;
-pub mod inverse;
+pub(crate) mod conditions;
+pub mod decision;
+pub(crate) mod interpolation;
+pub(crate) mod inverse;
 mod observed;
-pub mod plan;
-pub mod pose;
-pub mod regional;
-pub mod remainder;
-pub mod table;
-pub mod verification;
+pub(crate) mod plan;
+pub(crate) mod pose;
+pub(crate) mod regional;
+pub(crate) mod remainder;
+pub(crate) mod table;
+pub(crate) mod verification;
 
 pub use conditions::{Conditions, Side};
-pub use interpolation::{SortedTable, UniformTable};
+pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
+pub use regional::Regional;
 pub use remainder::{Remainder, Share};
 pub use table::{JointTable, TableError};
-pub use verification::{Compensated, Verification, WithinTolerance, verify};
+pub use verification::{Compensated, Verification, VerifyError, WithinTolerance, verify};

@@ -5,6 +5,7 @@
 
 use crate::effects::JointValues;
 use crate::effects::places::{Place, PlaceKind, name};
+use crate::fit::base_model;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
@@ -22,13 +23,13 @@ pub(super) fn verify(
     let mut problem = Problem::observing(session, JointValues::Commanded);
     problem.fit.clone_from(&problem.usable);
     let full = model_for(calibration, session, &problem, &mut notes);
+    let bare = base_model::nominal(&calibration.model.robot, session, &problem);
     let Some(layer) = problem.observed.as_mut() else {
         return Err(VerifyError::NothingToVerify);
     };
     layer.fit.fill(true);
     layer.used.fill(true);
     let placed = placed(layer, &full, session, Some(&mut notes));
-    let bare = Model::nominal(calibration.model.robot.clone());
     let nominal = self::placed(layer, &bare, session, None);
     let before = deviations(&problem, &nominal);
     let after = deviations(&problem, &placed);

@@ -14,7 +14,7 @@ use super::regional::Regional;
 
 /// Whether a term is none of the robot's: the instrument's, or the own error of a target that only
 /// the measurement knows.
-pub fn is_of_the_measurement(term: &Term) -> bool {
+pub(crate) fn is_of_the_measurement(term: &Term) -> bool {
     let about = term.effect.about();
     let own_target = about.setting == Setting::Target && term.setting > 0.0;
     own_target || about.owner != Owner::Robot

@@ -34,7 +34,7 @@ const MOST_ROTATIONS: usize = 1000;
 
 /// Where the commands of one pose ended.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reached {
+pub(crate) struct Reached {
     /// The commands, rad or mm.
     pub q: Vec<f64>,
     /// What is missing of the position, mm.
@@ -48,14 +48,14 @@ pub struct Reached {
 }
 
 /// Where a model has the tool at each pose of `inputs`; its targets play no part.
-pub fn tool_poses(model: &Model, inputs: &Inputs) -> Vec<Pose> {
+pub(crate) fn tool_poses(model: &Model, inputs: &Inputs) -> Vec<Pose> {
     let seen = seen(model, inputs);
     (0..inputs.len()).map(|i| seen[i].pose()).collect()
 }
 
 /// The commands that bring the tool of `model` to `wanted`, starting from the commands of `inputs`.
 /// Only the joints in `free` (counted from 0) move.
-pub fn commands_for_poses(
+pub(crate) fn commands_for_poses(
     model: &Model,
     inputs: &Inputs,
     wanted: &[Pose],
@@ -101,13 +101,13 @@ pub fn commands_for_poses(
 }
 
 /// Whether the nominal tool can hardly be moved in some direction at these joint values (rad or mm).
-pub fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
+pub(crate) fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
     conditioning(robot, q, free) <= FLATTEST
 }
 
 /// How evenly the free joints move the nominal tool at these joint values (rad or mm): least over
 /// largest singular value of its Jacobian, 0 where it is singular, at most 1.
-pub fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
+pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     let scale = Scale::of(robot, free);
     let jacobian = scale.nominal(robot, q, free);
     let (rows, rank) = if scale.whole {

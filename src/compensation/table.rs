@@ -24,7 +24,7 @@ use super::inverse::{closest_commands, places};
 use super::plan::Compensation;
 
 /// More entries than this are a slip of the keyboard.
-pub const MOST_ENTRIES: usize = 1_000_000;
+pub(crate) const MOST_ENTRIES: usize = 1_000_000;
 /// Lever of the point that stands for the angle of a joint of an arm, mm.
 const LEVER_MM: f64 = 1000.0;
 
@@ -172,11 +172,6 @@ impl JointTable {
         };
         let (from, step) = (inner(self.commanded_outer[0]), inner(self.step_outer));
         UniformTable::new(from, step, &values)
-    }
-
-    /// Whether the two columns differ.
-    pub fn has_sides(&self) -> bool {
-        self.forward != self.reverse
     }
 
     fn describe(&mut self, calibration: &Calibration, travel: Range) {

@@ -1,6 +1,6 @@
 //! How well a calibration does on a session: its own, or another one of the same robot.
 //!
-//! - *nominal*: measured − nominal robot. *model*: measured − model.
+//! - *nominal*: measured − nominal robot, of a session with setups seen from where each stands best. *model*: measured − model.
 //! - *within tolerance*: poses whose deviation is at most the tolerance, before (nominal) and after
 //!   (model); the tolerance is the session's, else the calibration's.
 //! - *compensated*: what would be measured with the table active, measured − model + what the model
@@ -21,6 +21,7 @@
 //! paper's method everything is in the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MeasuringFrame, Owner, Role, Term};
+use crate::fit::base_model;
 use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
@@ -91,14 +92,6 @@ pub enum VerifyError {
         /// Joints of the model's robot.
         model: String,
     },
-    /// Points are wanted, and others were measured.
-    #[error(
-        "positions are compared, and this session has {measured}: what is wanted is measured points (x_mm, y_mm)"
-    )]
-    NoPoints {
-        /// What was measured instead.
-        measured: String,
-    },
     /// No sample is complete.
     #[error(
         "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
@@ -127,7 +120,8 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     });
     let inputs = &problem.inputs;
     let compensation = Compensation::new(calibration);
-    let nominal = Model::nominal(calibration.model.robot.clone()).predict(inputs);
+    let nominal = base_model::nominal(&calibration.model.robot, session, &problem);
+    let nominal = nominal.predict(inputs);
 
     let applied = applied_corrections(&by, session, &compensation, inputs, &mut notes);
     let full = model_for(calibration, session, &problem, &mut notes);
@@ -139,7 +133,8 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     let compensated = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
         let moved = moved(&compensation, inputs, &model);
-        let expected = |i: usize| minus(nominal.get(i), moved.get(i));
+        let drawn = compensation.nominal.predict(inputs);
+        let expected = |i: usize| minus(drawn.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
         let left: Vec<f64> = left_over(&compensation, inputs)
             .iter()
@@ -177,7 +172,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 ///
 /// # Errors
 /// If the session's robot is another one.
-pub fn moved_by_correction(
+pub(crate) fn moved_by_correction(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<Option<Positions>, VerifyError> {
@@ -212,7 +207,7 @@ fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Pos
 
 /// The gap that a table leaves on a session, `correction` being what the controller adds for a
 /// sample of this command (rad or mm) and side of one joint. The other joints go uncorrected.
-pub fn gap_with_table(
+pub(crate) fn gap_with_table(
     calibration: &Calibration,
     session: &Session,
     joint: usize,
@@ -239,7 +234,7 @@ pub fn gap_with_table(
 }
 
 /// The gap to another description of the robot, the instrument's own effects being left to it.
-pub fn gap_to_robot(
+pub(crate) fn gap_to_robot(
     calibration: &Calibration,
     session: &Session,
     robot: &crate::kinematics::Robot,

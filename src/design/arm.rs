@@ -32,7 +32,6 @@ const ENDS: f64 = 0.25;
 /// So many tries for each candidate that is wanted.
 const TRIES: usize = 12;
 
-/// See the module.
 pub(crate) struct Arm {
     /// What was measured, and planned before.
     pub(crate) session: Session,

@@ -256,7 +256,6 @@ impl Refit {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Comparison {
     refit: Refit,

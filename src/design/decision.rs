@@ -34,7 +34,6 @@ const WIDEST: f64 = 10.0;
 /// A pair that stays open in nearly every draw is not parted by any pose.
 const HOPELESS: f64 = 0.05;
 
-/// One explanation.
 pub(crate) struct Explanation {
     pub(crate) fit: Fit,
     /// Whether the samples leave it open; the others are ruled out and have to stay so.
@@ -49,7 +48,6 @@ struct Truth {
     first: usize,
 }
 
-/// See the module.
 pub(crate) struct Decision {
     /// Each explanation as it is refitted in every draw, relative to the first.
     refits: Vec<Refit>,

@@ -9,7 +9,7 @@ use super::plan::PlanError;
 /// The expected error is told for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
 /// A wanted accuracy is looked for up to so many poses.
-pub const MOST: usize = 400;
+pub(crate) const MOST: usize = 400;
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;
 

@@ -1,7 +1,7 @@
-//! Poses to measure next: those that tell rival explanations apart ([`next_poses`]), those that
-//! make an effect testable ([`enabling_poses`]), a first measurement of a joint
-//! (`first_measurement`), those that show the geometry of an arm ([`geometry`]), and all of them as a
-//! measuring list ([`plan`]).
+//! Poses to measure next: those that tell rival explanations apart (`next_poses`), those that
+//! make an effect testable (`enabling_poses`), a first measurement of a joint
+//! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them as a
+//! measuring list (`plan`).
 //!
 //! One planner makes them all: candidates, a criterion of what they are worth, and a loop that takes what is
 //! worth most.
@@ -19,15 +19,15 @@
     reason = "indices come from small non-negative numbers"
 )]
 
-pub mod enabling_poses;
-pub mod expected_information;
-pub mod geometry;
-pub mod measuring_list;
-pub mod needs;
-pub mod next_poses;
-pub mod outlook;
-pub mod pair_separation;
-pub mod plan;
+pub(crate) mod enabling_poses;
+pub(crate) mod expected_information;
+pub(crate) mod geometry;
+pub(crate) mod measuring_list;
+pub(crate) mod needs;
+pub(crate) mod next_poses;
+pub(crate) mod outlook;
+pub(crate) mod pair_separation;
+pub(crate) mod plan;
 
 mod arm;
 mod bench;
@@ -45,4 +45,10 @@ mod path;
 mod sight;
 mod ways;
 
+pub use expected_information::{Alike, ExpectedInformation};
+pub use geometry::Geometry;
 pub use measuring_list::{measuring_list, measuring_program};
+pub use needs::{Need, Untestable};
+pub use outlook::{ExpectedError, Prospect};
+pub use pair_separation::{Named, Separation};
+pub use plan::{Plan, PlanError, PlanOptions, SeenAbove, Subject, plan_robot, plan_session};

@@ -5,7 +5,7 @@ use super::candidates::usual_speed;
 use crate::effects::{Effect, Survey};
 
 /// Load for a test where the session says nothing about loads, kg.
-pub const TEST_LOAD_KG: f64 = 3.0;
+pub(crate) const TEST_LOAD_KG: f64 = 3.0;
 /// A load for a test: the heaviest of the session, where it has any.
 pub(crate) fn test_load_kg(heaviest: f64) -> f64 {
     if heaviest > 0.0 {
@@ -16,7 +16,7 @@ pub(crate) fn test_load_kg(heaviest: f64) -> f64 {
 }
 
 /// How much warmer a warm machine is, K.
-pub const WARMING_C: f64 = 6.0;
+pub(crate) const WARMING_C: f64 = 6.0;
 
 /// A condition that is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -60,7 +60,7 @@ pub(crate) fn separate(
 
 /// What to measure next: poses that decide between the rivals, or where there are none, poses that
 /// make testable what the session cannot show.
-pub fn propose(undecided: &Undecided) -> Proposal {
+pub(crate) fn propose(undecided: &Undecided) -> Proposal {
     let (prepared, fit) = (undecided.prepared, undecided.fit);
     let poses = if undecided.rivals.is_empty() {
         enabling_poses::worth_enabling(prepared, fit, undecided.not_testable)

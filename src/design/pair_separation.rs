@@ -53,7 +53,7 @@ pub struct Separation {
     pub between: [Named; 2],
     /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
     pub left_before: [f64; 2],
-    /// The same with the poses measured too.
+    /// The same with the poses measured too, 0 to 1.
     pub left_after: [f64; 2],
     /// Whether both are told apart at the size at which they would just be seen.
     pub decided: bool,

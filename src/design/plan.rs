@@ -16,9 +16,9 @@ use crate::sessions::Target;
 pub use super::making::{plan_robot, plan_session};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
-pub const USUAL_SIGMA_MM: f64 = 0.03;
+pub(crate) const USUAL_SIGMA_MM: f64 = 0.03;
 /// Poses that a plan holds at most.
-pub const MOST_POSES: usize = 2000;
+pub(crate) const MOST_POSES: usize = 2000;
 
 /// What the plan is to do.
 #[derive(Debug, Clone, Default)]

@@ -22,7 +22,6 @@ const MOST_WAYS: usize = 24;
 pub(crate) struct Way {
     /// The sample that was measured so; none: a point of a robot that was not measured.
     pub(crate) like: Option<usize>,
-    /// Which target.
     pub(crate) target: u32,
     /// What is measured, and the places that it refers to.
     pub(crate) places: Measured,

@@ -15,7 +15,7 @@ use super::search::{by_odds, compatible};
 use crate::linear::{small_cholesky, small_gain};
 
 /// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
-pub const UNDECIDED: f64 = 3.0;
+pub(crate) const UNDECIDED: f64 = 3.0;
 /// Before the refit some more are kept.
 const CLOSE: f64 = 6.0;
 /// Rivals that are refitted.
@@ -34,7 +34,6 @@ const MOST_FOR_PAIRS: usize = 5;
 pub(crate) struct Rival {
     /// What it replaces.
     pub(crate) removed: Vec<Term>,
-    /// By what.
     pub(crate) instead: Vec<Term>,
     /// The refitted model.
     pub(crate) fit: Fit,

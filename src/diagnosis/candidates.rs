@@ -3,7 +3,7 @@
 
 use nalgebra::DMatrix;
 
-pub use crate::answers::diagnosis::NotTestable;
+pub(crate) use crate::answers::diagnosis::NotTestable;
 use crate::effects::{CATALOGUE, Setting, Survey, Term, find, form_in, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
@@ -16,7 +16,7 @@ use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What a candidate is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum What {
+pub(crate) enum What {
     /// An effect of the catalogue, absent so far.
     Named(Term),
     /// A shape without a name.
@@ -25,7 +25,7 @@ pub enum What {
 
 impl What {
     /// The term of a name.
-    pub fn term(&self) -> Option<&Term> {
+    pub(crate) fn term(&self) -> Option<&Term> {
         match self {
             Self::Named(term) => Some(term),
             Self::Anonymous(_) => None,
@@ -35,7 +35,7 @@ impl What {
 
 /// One thing to try.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Candidate {
+pub(crate) struct Candidate {
     /// What it is.
     pub what: What,
     /// Its first column in the table.
@@ -48,7 +48,7 @@ pub struct Candidate {
 
 impl Candidate {
     /// Whether it has a name.
-    pub fn named(&self) -> bool {
+    pub(crate) fn named(&self) -> bool {
         matches!(self.what, What::Named(_))
     }
 }
@@ -83,7 +83,7 @@ impl Allowed {
 
 /// The candidates and their raw columns, mm per unit of each coefficient.
 #[derive(Debug, Clone)]
-pub struct Table {
+pub(crate) struct Table {
     /// What is tried.
     pub candidates: Vec<Candidate>,
     /// Columns at the base model.
@@ -98,7 +98,7 @@ pub struct Table {
 
 impl Table {
     /// All candidates beside a base model. `base` names what the base already holds.
-    pub fn new(
+    pub(crate) fn new(
         problem: &Problem,
         rows: &Rows,
         base: &Model,

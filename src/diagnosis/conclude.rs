@@ -37,7 +37,7 @@ use crate::answers::pose::NextPose;
 use crate::set_up_errors::Mended;
 
 /// What stays undecided, for whoever proposes poses.
-pub struct Undecided<'u, 'a> {
+pub(crate) struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u Prepared<'a>,
     pub(crate) fit: &'u Fit,
     pub(crate) rivals: &'u [&'u aliases::Rival],
@@ -46,7 +46,7 @@ pub struct Undecided<'u, 'a> {
 
 /// Poses to measure next, and for each rival what would tell it from the model.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Proposal {
+pub(crate) struct Proposal {
     pub(crate) poses: Vec<NextPose>,
     pub(crate) separate_by: Vec<String>,
 }
@@ -178,7 +178,6 @@ fn values<'a>(
     values
 }
 
-/// The gap step by step.
 fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
     let mut history = vec![GapStep {
         what: "nominal robot".to_owned(),

@@ -22,7 +22,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-pub use crate::answers::diagnosis::FamilyP;
+pub(crate) use crate::answers::diagnosis::FamilyP;
 
 use super::regression::{Fit, Regression, weight_of};
 use super::significance::Significance;

@@ -8,6 +8,7 @@ use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{CHANCE, Found, needed};
 use super::significance::Significance;
+use super::steps::{Next, Step, steps};
 use super::{Cancelled, Progress, Watch};
 
 /// What one term is worth beside the others.
@@ -68,6 +69,53 @@ pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
         changed = true;
     }
     changed
+}
+
+/// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
+/// to it, and one with which the error on unseen samples does not fall is taken out.
+pub(crate) fn as_said(
+    prepared: &Prepared,
+    found: &mut Found,
+    watch: Watch,
+) -> Result<(), Cancelled> {
+    let regression = &prepared.regression;
+    let base = regression.fit(&regression.base, Vec::new());
+    loop {
+        if !watch(&Progress::Comparing) {
+            return Err(Cancelled);
+        }
+        if let Some(likelier) = one_exchanged(prepared, &found.fit) {
+            found.fit = likelier;
+            test(prepared, found, watch)?;
+            continue;
+        }
+        // Of several kinds of measurement that in mm is not all that they show; [`test`] weighs them all.
+        if regression.rows.observed().is_some() {
+            return Ok(());
+        }
+        // As the model keeps them: names alone.
+        let alone = match found.fit.shapes.is_empty() {
+            true => found.fit.clone(),
+            false => regression.fit(&found.fit.model, Vec::new()),
+        };
+        let idle = |step: &Step| step.held_out_mm.is_some_and(|h| h[1] >= h[0]);
+        let steps = steps(prepared, &base, &alone);
+        let Some(step) = steps.into_iter().rev().find(idle) else {
+            return Ok(());
+        };
+        found.fit = regression.without_term(&found.fit, &step.term);
+    }
+}
+
+/// The fit with the likeliest other name in the place of one, where that is likelier.
+fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+    let regression = &prepared.regression;
+    let likelier = regression.added(fit).into_iter().filter_map(|term| {
+        let worth = worth(prepared, fit, term);
+        Next::than(prepared, term, &worth)?.fit
+    });
+    let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
+    (best.ln_evidence > fit.ln_evidence + 1e-3).then_some(best)
 }
 
 /// What a term is worth beside the others of a fit.

@@ -27,7 +27,6 @@ pub(crate) struct Unseen {
     pub(crate) rms: f64,
     /// The same in mm.
     pub(crate) rms_mm: f64,
-    /// Row by row.
     pub(crate) rows: DVector<f64>,
 }
 

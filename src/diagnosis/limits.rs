@@ -6,7 +6,7 @@
 //! model; the limit is the a whose λ takes a noncentral χ² with k degrees of freedom over c in
 //! 95 of 100 sessions.
 
-pub use crate::answers::limits::Limit;
+pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
 use super::regression::{Fit, Regression, weight_of};

@@ -4,14 +4,14 @@
 //! The way, one file for each idea:
 //!
 //! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
-//! 2. [`crate::fit::noise`]: residuals of the robust base fit, whitened by axis and in time.
-//! 3. [`candidates`]: every testable name with every setting, and anonymous [shapes](crate::model::shapes) beside them.
-//! 4. [`familywise`]: what the whole search would find in noise alone.
+//! 2. `crate::fit::noise`: residuals of the robust base fit, whitened by axis and in time.
+//! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
+//! 4. `familywise`: what the whole search would find in noise alone.
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
-//! 6. [`aliases`]: rivals that the samples cannot rule out. Poses that can are proposed by a planner
+//! 6. `aliases`: rivals that the samples cannot rule out. Poses that can are proposed by a planner
 //!    that the caller hands in ([`crate::pipeline::diagnose`] takes [`crate::design`]'s).
-//! 7. [`limits`]: what would have been seen, had it been there.
-//! 8. [`smooth`]: what no name explains, as a correction without a name.
+//! 7. `limits`: what would have been seen, had it been there.
+//! 8. `smooth`: what no name explains, as a correction without a name.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -22,12 +22,12 @@
     reason = "indices come from small non-negative numbers, simulated residuals are single precision"
 )]
 
-pub mod aliases;
-pub mod candidates;
-pub mod familywise;
-pub mod limits;
+pub(crate) mod aliases;
+pub(crate) mod candidates;
+pub(crate) mod familywise;
+pub(crate) mod limits;
 mod memo;
-pub mod smooth;
+pub(crate) mod smooth;
 
 mod base_misfit;
 pub(crate) mod classes;
@@ -54,9 +54,9 @@ mod unseen;
 mod values;
 mod verdict;
 
-pub use crate::answers::diagnosis::Correction;
 pub use crate::answers::diagnosis::{
-    Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
+    Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
+    NotTestable, Unexplained, Verdict,
 };
 pub use crate::answers::limits::{Limit, Sight};
 pub use crate::answers::pose::NextPose;
@@ -195,6 +195,7 @@ pub(crate) fn searched<'a>(
     if final_set::exchanged(&prepared, &mut found) {
         final_set::test(&prepared, &mut found, watch)?;
     }
+    final_set::as_said(&prepared, &mut found, watch)?;
     base_misfit::withdraw(&prepared, &mut found);
     Ok((prepared, found))
 }

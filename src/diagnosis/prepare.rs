@@ -40,7 +40,6 @@ const MOST_SAMPLES: usize = 500;
 /// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
 const LEAST_MOVE: f64 = 6.0;
 
-/// See the module.
 pub(crate) struct Prepared<'a> {
     /// All samples.
     pub(crate) problem: Rc<Problem<'a>>,
@@ -79,7 +78,7 @@ impl<'a> Prepared<'a> {
         } else {
             single_joint(session, &problem, &survey, options)
         };
-        let nominal = observed::places_alone(&start);
+        let nominal = observed::nominal_of(session, &start);
         let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
         {
             let fitted = base_model::fit(&mut problem, &start, true);

@@ -16,7 +16,6 @@ use crate::linear::{Basis, products, small_cholesky, subtract};
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
 
-/// See the module.
 pub(crate) struct Projected<'r> {
     white: &'r DMatrix<f64>,
     grams: &'r Grams,
@@ -87,7 +86,6 @@ impl<'r> Projected<'r> {
         (gram, rank)
     }
 
-    /// The columns of a candidate.
     pub(crate) fn columns(&self, candidate: &Candidate) -> DMatrix<f64> {
         let (first, k) = (candidate.first, candidate.size);
         let mut own = self.white.columns(first, k).into_owned();

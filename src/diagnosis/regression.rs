@@ -263,7 +263,6 @@ impl<'a> Regression<'a> {
         }
     }
 
-    /// See the module.
     fn ln_evidence(&self, model: &Model, shapes: &[Placed], rss: f64, rank: usize) -> f64 {
         let m = self.m();
         let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));

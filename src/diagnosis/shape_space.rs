@@ -13,7 +13,7 @@ use crate::model::shapes::{Direction, Shape, Variable};
 
 /// What shapes are made from: the values of every variable and the directions, row by row.
 #[derive(Debug, Clone)]
-pub struct ShapeSpace {
+pub(crate) struct ShapeSpace {
     samples: usize,
     axes: Vec<usize>,
     /// What the rows show of a move along x, y, z, where they are not those.
@@ -29,13 +29,13 @@ pub struct ShapeSpace {
 
 impl ShapeSpace {
     /// Values of a variable, one for each sample.
-    pub fn values(&self, variable: Variable) -> Option<&[f64]> {
+    pub(crate) fn values(&self, variable: Variable) -> Option<&[f64]> {
         let found = self.variables.iter().find(|v| v.0 == variable);
         found.map(|v| v.1.as_slice())
     }
 
     /// Range of a variable in the data.
-    pub fn range(&self, variable: Variable) -> (f64, f64) {
+    pub(crate) fn range(&self, variable: Variable) -> (f64, f64) {
         let values = self.values(variable).unwrap_or(&[]);
         let start = (f64::INFINITY, f64::NEG_INFINITY);
         values
@@ -57,7 +57,7 @@ impl ShapeSpace {
     }
 
     /// The columns of a shape, mm.
-    pub fn columns(&self, shape: &Shape) -> DMatrix<f64> {
+    pub(crate) fn columns(&self, shape: &Shape) -> DMatrix<f64> {
         self.columns_in(shape, self.range(shape.variable))
     }
 

@@ -3,9 +3,10 @@
 use crate::effects::Term;
 
 use super::familywise::FamilyP;
-use super::final_set::worth;
+use super::final_set::{Worth, worth};
 use super::prepare::Prepared;
 use super::regression::Fit;
+use super::search::compatible;
 use super::values::Values;
 use crate::answers::diagnosis::{Floor, Found};
 
@@ -53,6 +54,44 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     steps
 }
 
+/// The likeliest other name in the place of one.
+pub(crate) struct Next {
+    pub(crate) term: Term,
+    /// Logarithm of how much likelier the rest is with it.
+    pub(crate) ln_odds: f64,
+    /// The rest with it, where it is close.
+    pub(crate) fit: Option<Fit>,
+}
+
+impl Next {
+    /// That which may stand beside the others of the rest.
+    pub(crate) fn than(prepared: &Prepared, term: &Term, worth: &Worth) -> Option<Self> {
+        let regression = &prepared.regression;
+        let about = term.effect.about();
+        let there = regression.added(&worth.rest);
+        let scores = regression.scan(&worth.rest);
+        let others = scores.iter().filter_map(|score| {
+            let other = regression.table.candidates[score.candidate].what.term()?;
+            let same_name = other.effect.about().id == about.id
+                && (!about.per_joint || other.joint == term.joint);
+            (!same_name && compatible(&there, other)).then_some((score.ln_odds, other))
+        });
+        let (ln_odds, other) = others.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        // Where it is close it is refitted, as the name itself was.
+        let fit = (worth.ln_odds - ln_odds < CLOSE).then(|| {
+            let model = worth.rest.model.with_term(other.clone());
+            regression.fit(&model, worth.rest.shapes.clone())
+        });
+        Some(Self {
+            term: other.clone(),
+            ln_odds: fit
+                .as_ref()
+                .map_or(ln_odds, |f| f.ln_evidence - worth.rest.ln_evidence),
+            fit,
+        })
+    }
+}
+
 pub(crate) fn found(
     prepared: &Prepared,
     with_shapes: &Fit,
@@ -69,40 +108,13 @@ pub(crate) fn found(
         let about = step.term.effect.about();
         let term = &step.term;
         let worth = worth(prepared, with_shapes, term);
-        let mut next: Option<(f64, usize)> = None;
-        for score in &regression.scan(&worth.rest) {
-            let Some(other) = regression.table.candidates[score.candidate].what.term() else {
-                continue;
-            };
-            let same_name = other.effect.about().id == about.id
-                && (!about.per_joint || other.joint == term.joint);
-            if !same_name && next.is_none_or(|n| score.ln_odds > n.0) {
-                next = Some((score.ln_odds, score.candidate));
-            }
-        }
-        // Where it is close the next one is refitted, as this one was.
-        let next = next.map(|(ln_odds, candidate)| {
-            let what = &regression.table.candidates[candidate].what;
-            let ln_odds = if worth.ln_odds - ln_odds < CLOSE {
-                let refitted = regression.with(&worth.rest, what);
-                refitted.ln_evidence - worth.rest.ln_evidence
-            } else {
-                ln_odds
-            };
-            let name = what.term().map(|t| t.name_on(&regression.base.robot));
-            (ln_odds, name.unwrap_or_default())
-        });
-        let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
+        let next = Next::than(prepared, term, &worth);
+        let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.ln_odds.max(0.0));
+        let next = next.map(|n| n.term.name_on(&regression.base.robot));
         let p_family = regression.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
-        let says = says(
-            step,
-            &p_family,
-            odds,
-            next.as_ref().map(|n| n.1.as_str()),
-            floor,
-        );
+        let says = says(step, &p_family, odds, next.as_deref(), floor);
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
@@ -117,7 +129,7 @@ pub(crate) fn found(
             gap_mm: step.gap_mm,
             held_out_mm: step.held_out_mm,
             odds_over_next: odds,
-            next: next.map(|n| n.1),
+            next,
             says,
             check: about.check,
         }

@@ -4,7 +4,6 @@ use super::number::quoted;
 use super::object::{Kind, Object};
 use super::{Fields, Node, Path, Value};
 
-/// See the module.
 pub(crate) struct At<'o, 'a> {
     pub(crate) fields: &'o mut Fields<'a>,
     pub(crate) node: &'o Node,

@@ -76,6 +76,12 @@ impl<'a> Fields<'a> {
         Ok((fields, root))
     }
 
+    /// What was read, if nothing makes the document unusable.
+    pub(crate) fn finish<T>(self, read: Option<T>) -> Result<T, Rejected> {
+        let read = read.filter(|_| !self.has_errors());
+        read.ok_or_else(|| Rejected::of(self.findings))
+    }
+
     /// Whether anything so far makes the document unusable.
     pub(crate) fn has_errors(&self) -> bool {
         self.findings
@@ -120,7 +126,6 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The place of an element of an array.
     pub(crate) fn element_place(&self, array_at: usize, path: &Path<'_>, index: usize) -> Place {
         let at = element_offset(&self.source, array_at, index);
         self.place(at, &path.index(index))

@@ -6,7 +6,6 @@ use super::object::Kind;
 use super::{Value, degrees};
 use crate::units::rad_from_deg;
 
-/// A text.
 pub(crate) const TEXT: Kind<String> = Kind {
     expected: "a text",
     read: |at| at.fields.text(at.node, at.path),

@@ -13,7 +13,6 @@ use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct AxisTilt;
 
 const ABOUT: About = About {

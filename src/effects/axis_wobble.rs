@@ -10,7 +10,6 @@ use super::{Effect, Placed};
 use crate::lanes::{add_scaled, dot, minus, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct AxisWobble;
 
 const ABOUT: About = About {

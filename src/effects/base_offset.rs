@@ -7,7 +7,6 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 
-/// See the module.
 pub(super) struct BaseOffset;
 
 const ABOUT: About = About {

@@ -11,7 +11,6 @@ use super::{Effect, Placed};
 use crate::lanes::{add_scaled, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct BearingRunout;
 
 const ABOUT: About = About {

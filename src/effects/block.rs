@@ -37,9 +37,9 @@ pub struct Lane {
     pub above_20_c: f64,
     /// Time of the sample, s.
     pub time_s: f64,
-    /// Index of the measuring frame.
+    /// Index of the measuring frame, a whole number.
     pub setup: f64,
-    /// Index of the target.
+    /// Index of the target, a whole number.
     pub target: f64,
     /// Place of the sample in its block.
     pub lane: usize,
@@ -48,7 +48,7 @@ pub struct Lane {
 /// A joint's value after an effect, and its derivatives.
 #[derive(Debug, Clone, Copy)]
 pub struct Turned<const N: usize> {
-    /// The value after the effect.
+    /// The value after the effect, rad or mm.
     pub value: f64,
     /// Derivative with respect to the value before it.
     pub by_input: f64,

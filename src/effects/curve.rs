@@ -9,9 +9,9 @@
 //! and repeat.
 
 /// Directions of a curve, in order: along the joint's motion, along its radius, along its axis.
-pub const DIRECTIONS: usize = 3;
+pub(crate) const DIRECTIONS: usize = 3;
 /// More knots than this are a mistake.
-pub const MOST_KNOTS: usize = 10_000;
+pub(crate) const MOST_KNOTS: usize = 10_000;
 
 /// Where the knots are.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct EncoderEccentricity;
 
 const ABOUT: About = About {

@@ -8,7 +8,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-/// See the module.
 pub(super) struct EncoderTwoCycle;
 
 const ABOUT: About = About {

@@ -20,7 +20,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
 
-/// See the module.
 pub(super) struct FoundationCompliance;
 
 const ABOUT: About = About {

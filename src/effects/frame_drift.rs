@@ -8,7 +8,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-/// See the module.
 pub(super) struct FrameDrift;
 
 const ABOUT: About = About {

@@ -10,7 +10,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-/// See the module.
 pub(super) struct FrameShift;
 
 const ABOUT: About = About {

@@ -10,7 +10,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct GearTransmissionError;
 
 const ABOUT: About = About {

@@ -26,7 +26,6 @@ impl Carried {
         self.moment = add_scaled(self.moment, at_mm, mass_kg);
     }
 
-    /// Moved by a joint.
     fn moved(self, joint: &Joint, value: f64) -> Self {
         let along = joint.axis.direction.into_inner().into();
         let moment = match joint.kind {

@@ -24,7 +24,7 @@ pub enum JointValues {
 pub struct Inputs<'a> {
     /// Commanded joint values, rad or mm.
     pub q: Vec<Cow<'a, [f64]>>,
-    /// Side from which each joint came.
+    /// Side from which each joint came: +1, −1, 0 unknown.
     pub dir: Vec<Option<Cow<'a, [f64]>>>,
     /// Signed joint speeds, rad/s or mm/s.
     pub speed: Vec<Option<Cow<'a, [f64]>>>,
@@ -40,7 +40,7 @@ pub struct Inputs<'a> {
     pub torque_nm: Vec<Option<Cow<'a, [f64]>>>,
     /// Time, s.
     pub time_s: Option<Cow<'a, [f64]>>,
-    /// Index of the measuring frame.
+    /// Index of the measuring frame, a whole number.
     pub setup: Option<Vec<f64>>,
     /// Index into `reflectors_at_home`; `None`: always the first.
     pub target: Option<Cow<'a, [u32]>>,
@@ -52,7 +52,7 @@ pub struct Inputs<'a> {
 }
 
 /// The temperature to which all models refer, °C.
-pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+pub(crate) const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 
 impl<'a> Inputs<'a> {
     /// The inputs of a session's samples.

@@ -6,7 +6,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-/// See the module.
 pub(super) struct InstrumentScale;
 
 const ABOUT: About = About {

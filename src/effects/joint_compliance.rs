@@ -22,7 +22,6 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 mod unknown_masses;
 
-/// See the module.
 pub(super) struct JointCompliance;
 
 const ABOUT: About = About {

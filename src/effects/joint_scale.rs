@@ -9,7 +9,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-/// See the module.
 pub(super) struct JointScale;
 
 const ABOUT: About = About {

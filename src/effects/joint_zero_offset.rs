@@ -8,7 +8,6 @@ use super::block::{Block, Turned};
 use super::units::Unit;
 use super::{Effect, Placed};
 
-/// See the module.
 pub(super) struct JointZeroOffset;
 
 pub(super) const ABOUT: About = About {

@@ -8,7 +8,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
-/// See the module.
 pub(super) struct LinkDroop;
 
 const ABOUT: About = About {

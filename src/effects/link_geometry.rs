@@ -53,7 +53,6 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-/// Several joints.
 const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
     (survey.joints.len() == 1)
         .then(|| "the robot has a single axis: axis tilt and base offset take its place".to_owned())

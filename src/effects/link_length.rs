@@ -12,7 +12,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
-/// See the module.
 pub(super) struct LinkLength;
 
 pub(super) const ABOUT: About = About {

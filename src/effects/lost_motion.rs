@@ -10,7 +10,6 @@ use super::term::fade;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-/// See the module.
 pub(super) struct LostMotion;
 
 const ABOUT: About = About {

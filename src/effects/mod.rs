@@ -7,22 +7,22 @@
 //! that they ask of it ([`About`]); none of them decides by an effect's name.
 //!
 //! # How effects fit together
-//! A [`Block`](block::Block) of samples flows through the [`Stage`]s: joint effects change the
+//! A [`Block`] of samples flows through the [`Stage`]s: joint effects change the
 //! joints' output angles in the order of the catalogue, then the reflector moves from the tool
 //! outwards through the joints to the base, and at last from the base to the measuring frame.
 //! The equations are those of the contract, exact; the derivatives are exact as well.
 //!
 //! Signs: a value says what the real robot does. A link that is 5 mm short has −5 mm.
 
-pub mod about;
-pub mod block;
-pub mod curve;
-pub mod inputs;
-pub mod needs;
-pub mod places;
-pub mod survey;
-pub mod term;
-pub mod units;
+pub(crate) mod about;
+pub(crate) mod block;
+pub(crate) mod curve;
+pub(crate) mod inputs;
+pub(crate) mod needs;
+pub(crate) mod places;
+pub(crate) mod survey;
+pub(crate) mod term;
+pub(crate) mod units;
 
 mod axis_tilt;
 mod axis_wobble;
@@ -62,13 +62,15 @@ mod wrist_coupling;
 pub use about::{
     About, Condition, Form, Listed, OnSlide, Over, Owner, Prior, Quantity, Role, Setting, Stage,
 };
-pub use curve::Curve;
+pub use block::{Block, Lane, Turned};
+pub use curve::{Curve, CurveError, Knots};
 pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
 pub use needs::{Need, Offered};
-pub use survey::Survey;
-pub use term::{Held, Parameter, Placed, Term, TermError};
+pub use places::{Place, PlaceKind};
+pub use survey::{JointSurvey, Survey};
+pub use term::{Held, JointFrame, Parameter, Placed, Term, TermError};
 pub use tool_orientation::ToolOrientation;
 pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};

@@ -38,7 +38,7 @@ pub struct Place {
 }
 
 /// Most coefficients that a place has.
-pub const MOST: usize = 6;
+pub(crate) const MOST: usize = 6;
 
 /// What is the same of every place; its file says the rest.
 pub(super) const ABOUT: About = About {
@@ -77,7 +77,7 @@ impl PlaceKind {
 }
 
 /// What a session says of a place, coefficient by coefficient; `None` where it does not.
-pub fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
+pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
     let mut all = [None; MOST];
     let mut put = |first: usize, values: &[f64]| {
         for (to, value) in all[first..].iter_mut().zip(values) {
@@ -130,7 +130,7 @@ pub fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
 }
 
 /// Name of a place in the session.
-pub fn name(references: &References, place: Place) -> &str {
+pub(crate) fn name(references: &References, place: Place) -> &str {
     match place.kind {
         PlaceKind::Anchor => &references.anchors[place.index].name,
         PlaceKind::Station => &references.stations[place.index].name,
@@ -141,7 +141,7 @@ pub fn name(references: &References, place: Place) -> &str {
 
 /// The term of a place that is not wholly known, from where it is as far as anybody can tell.
 /// `attitude_only` is for a station from which nothing but directions of the tool are seen.
-pub fn term(
+pub(crate) fn term(
     references: &References,
     place: Place,
     start: &[f64; MOST],

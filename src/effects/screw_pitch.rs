@@ -12,7 +12,6 @@ use super::{Effect, Placed};
 use crate::kinematics::JointKind;
 use crate::sincos::sin_cos_small as sin_cos;
 
-/// See the module.
 pub(super) struct ScrewPitch;
 
 const ABOUT: About = About {

@@ -16,13 +16,13 @@ pub struct JointSurvey {
     pub kind: JointKind,
     /// Its frame.
     pub frame: JointFrame,
-    /// Number of different commanded values, counted up to [`ENOUGH`].
+    /// Number of different commanded values, counted up to `ENOUGH`.
     pub values: usize,
     /// From the smallest to the largest commanded value, rad or mm.
     pub span: f64,
     /// Number of samples that came from the negative and from the positive side.
     pub from_sides: [usize; 2],
-    /// Number of different speeds, counted up to [`ENOUGH`].
+    /// Number of different speeds, counted up to `ENOUGH`.
     pub speeds: usize,
     /// Largest speed, rad/s or mm/s.
     pub largest_speed: f64,
@@ -39,7 +39,7 @@ pub struct JointSurvey {
 pub struct Survey {
     /// One for each joint.
     pub joints: Vec<JointSurvey>,
-    /// Number of different loads, counted up to [`ENOUGH`]; 0 without a load column.
+    /// Number of different loads, counted up to `ENOUGH`; 0 without a load column.
     pub loads: usize,
     /// Largest load, kg.
     pub largest_load_kg: f64,
@@ -55,12 +55,10 @@ pub struct Survey {
     pub link_masses: bool,
     /// Number of reflectors that samples use.
     pub targets: usize,
-    /// Number of samples.
-    pub samples: usize,
 }
 
 /// Different values are counted only so far.
-pub const ENOUGH: usize = 16;
+pub(crate) const ENOUGH: usize = 16;
 
 impl Survey {
     /// Looks through a session.
@@ -85,7 +83,6 @@ impl Survey {
             gravity: gravity.is_some_and(|g| g.norm() > 0.0),
             link_masses: session.robot.joints.iter().any(|j| j.link.is_some()),
             targets: used.len(),
-            samples: inputs.len(),
         }
     }
 

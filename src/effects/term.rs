@@ -21,7 +21,8 @@ pub struct Term {
     pub joint: usize,
     /// The scanned parameter: an order, a time in s, a fade in rad, the index of a frame.
     pub setting: f64,
-    /// What identification solves for.
+    /// What identification solves for, inner units: rad, mm, or those by what the effect is
+    /// proportional to.
     pub coefficients: Vec<f64>,
     /// The curve of an unexplained correction, which no identification changes.
     pub curve: Option<Arc<Curve>>,
@@ -359,7 +360,7 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 }
 
 /// Name and inner size of the scanned parameter, where the user sees one.
-pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
+pub(crate) fn setting_quantity(setting: Setting) -> Option<Quantity> {
     match setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
         Setting::Order { from, .. } => {
@@ -376,12 +377,12 @@ pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
 }
 
 /// Names of an effect's parameters in the order in which they are shown.
-pub fn parameter_names(effect: &dyn Effect) -> Vec<&'static str> {
+pub(crate) fn parameter_names(effect: &dyn Effect) -> Vec<&'static str> {
     names_on(effect, JointKind::Revolute)
 }
 
 /// The same on a joint of this kind.
-pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+pub(crate) fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     let about = effect.about();
     let setting = setting_quantity(about.setting);
     let mut names: Vec<_> = setting.map(|s| s.on(kind).name).into_iter().collect();
@@ -394,7 +395,7 @@ pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
 }
 
 /// An effect's parameters at values that can be seen in a simulation.
-pub fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)> {
+pub(crate) fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)> {
     let about = effect.about();
     let quantities = setting_quantity(about.setting).into_iter();
     let quantities = quantities.chain(about.form.quantities().iter().copied());
@@ -405,7 +406,7 @@ pub fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)> {
 
 /// Names of what identification solves for, one for each coefficient; an amplitude and its phase
 /// stand for their two parts.
-pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+pub(crate) fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     let mut names = names_on(effect, kind);
     match effect.about().form {
         // The fade is shown first and solved for last.
@@ -456,7 +457,7 @@ fn check_setting(
 pub struct JointFrame {
     /// A point on the axis, mm.
     pub origin_mm: [f64; 3],
-    /// Along the axis.
+    /// Along the axis, a unit vector.
     pub along: [f64; 3],
     /// Across the axis: the base frame's x, made perpendicular (y where x is along the axis).
     pub across_1: [f64; 3],
@@ -531,7 +532,7 @@ pub struct Placed {
 }
 
 /// Limits of a joint, else the range of its values in the data.
-pub fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
+pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     robot.joints[joint].limits.unwrap_or_else(|| {
         let finite = q.iter().copied().filter(|v| v.is_finite());
         let (from, to) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {

@@ -8,7 +8,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus, scaled};
 
-/// See the module.
 pub(super) struct ThermalGrowth;
 
 const ABOUT: About = About {

@@ -6,7 +6,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-/// See the module.
 pub(super) struct ThermalZeroDrift;
 
 const ABOUT: About = About {

@@ -39,7 +39,6 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-/// Several joints.
 const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
     (survey.joints.len() == 1)
         .then(|| "the robot has a single axis: link length takes its place".to_owned())

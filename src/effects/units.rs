@@ -17,11 +17,11 @@ pub struct Unit {
 }
 
 /// One degree in rad.
-pub const DEGREE: f64 = std::f64::consts::PI / 180.0;
+pub(crate) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// One part in a million.
 const PPM: f64 = 1e-6;
 /// One milliradian in rad.
-pub const MILLIRADIAN: f64 = 1e-3;
+pub(crate) const MILLIRADIAN: f64 = 1e-3;
 
 impl Unit {
     const fn new(symbol: &'static str, inner: f64, reach: f64, example: f64) -> Self {

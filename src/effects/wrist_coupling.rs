@@ -13,7 +13,6 @@ use super::{Effect, Placed, Survey};
 use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 
-/// See the module.
 pub(super) struct WristCoupling;
 
 const ABOUT: About = About {

@@ -1,7 +1,7 @@
 //! A C99 header: the table as constants, and an inline function that looks a correction up.
 //!
 //! One multiplication finds the interval; the arithmetic is that of
-//! [`UniformTable`](crate::compensation::UniformTable), so that both give the same number.
+//! [`UniformTable`](crate::compensation::interpolation::UniformTable), so that both give the same number.
 
 use std::fmt::Write;
 
@@ -30,19 +30,16 @@ const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "c-header",
-    title: "C99 header with a lookup function",
-    extension: "h",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "C99 header with a lookup function",
+    "h",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter: |_, _| Vec::new(),
     },
-};
+);
 
 /// Numbers in a row of the arrays.
 const PER_ROW: usize = 4;

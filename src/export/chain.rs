@@ -25,7 +25,6 @@ use crate::model::Model;
 /// A file that is read back leads to the same place up to this, mm.
 const SAME_MM: f64 = 1e-9;
 
-/// See the module.
 pub(super) struct Chain {
     pub(super) corrected: Corrected,
     /// How far each joint stands beyond its command at home, rad or mm.

@@ -30,14 +30,12 @@ const SAME_MM: f64 = 1e-9;
 /// Distance of the points that show a motion, mm.
 const APART_MM: f64 = 1000.0;
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(super) struct Corrected {
     /// The chain.
     pub(super) robot: Robot,
     /// How each joint's link moved at home, and at last the tool.
     pub(super) moved: Vec<Pose>,
-    /// What is in it.
     pub(super) carried: Vec<Term>,
     /// What is not.
     pub(super) left_out: Vec<Term>,

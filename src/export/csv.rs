@@ -30,19 +30,16 @@ const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "csv",
-    title: "CSV table with JSON metadata",
-    extension: "csv",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "CSV table with JSON metadata",
+    "csv",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter: |_, _| Vec::new(),
     },
-};
+);
 
 fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
     let unit = sheet.unit();

@@ -64,6 +64,28 @@ pub(super) struct Written {
     pub(super) notes: Vec<String>,
 }
 
+impl Written {
+    /// The links as metres and radians, with nothing beside the file.
+    pub(super) fn of(format: &'static str, text: String, robot: Robot) -> Self {
+        Self {
+            format,
+            text,
+            beside: Vec::new(),
+            robot,
+            level: Level::Links,
+            units: "metres and radians",
+            sign: "the numbers are the corrected geometry itself: where joints and tool really are; \
+                   nothing is added to a command",
+            ends: None,
+            frames: None,
+            in_the_controller: Vec::new(),
+            zeros: None,
+            cannot_say: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+}
+
 /// Frames that a controller holds beside the chain.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Frames {

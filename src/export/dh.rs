@@ -15,10 +15,10 @@
 //! Sources: Denavit & Hartenberg 1955; Hayati & Mirmirani 1985.
 
 use super::chain::Chain;
-use super::description::{Level, Written, finish, frames};
+use super::description::{Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
-use super::urdf::SIGN;
+
 use super::{Export, ExportError, Exporter, Format, Job, several_joints};
 use crate::document::kinds::{TEXT, VECTOR};
 use crate::document::object::written;
@@ -86,17 +86,8 @@ impl Exporter for Dh {
         let are = "base: the frame before the first row in the base frame; tool: the tool in the \
                    frame behind the last row";
         let written = Written {
-            format: FORMAT.id,
-            text,
-            beside: Vec::new(),
-            robot,
-            level: Level::Links,
             units: "mm and degrees",
-            sign: SIGN,
-            ends: None,
             frames: Some(frames(&found.base, &found.tool, are)),
-            in_the_controller: Vec::new(),
-            zeros: None,
             cannot_say,
             notes: vec![format!(
                 "rows in the {} convention",
@@ -105,6 +96,7 @@ impl Exporter for Dh {
                     DhConvention::Modified => "modified",
                 }
             )],
+            ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }
@@ -119,7 +111,6 @@ fn parallels(robot: &Robot) -> Vec<String> {
         .collect()
 }
 
-/// The convention that the robot came in.
 fn came_in(robot: &Robot) -> DhConvention {
     match &robot.source {
         RobotSource::Dh { rows, .. } => rows

@@ -63,23 +63,17 @@ impl Exporter for FramesExport {
         robot.base_from_tool = found.base * nominal.base_from_tool * found.tool;
         robot.source = RobotSource::Axes;
         let written = Written {
-            format: FORMAT.id,
-            text,
-            beside: Vec::new(),
-            robot,
             level: Level::ZerosAndFrames,
             units: "mm; degrees or radians as each row says",
             sign: "base: where the robot really stands, in the base frame; tool: the real tool in \
                    the frame of the nominal one (new tool data = present tool data times this); \
                    zeros: how far each joint stands beyond its command",
-            ends: None,
             frames: Some(super::description::frames(
                 &found.base,
                 &found.tool,
                 "base: the robot's base in the base frame; tool: the real tool in the frame of the \
                  nominal one",
             )),
-            in_the_controller: Vec::new(),
             zeros: Some(
                 "the zero offsets in this file are the controller's to take: it has to show as much \
                  more as each joint stands beyond its command"
@@ -89,7 +83,7 @@ impl Exporter for FramesExport {
                 "the geometry of the links is not in these numbers; dh, urdf or mjcf carry it"
                     .to_owned(),
             ],
-            notes: Vec::new(),
+            ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }

@@ -20,7 +20,7 @@ mod calibration;
 use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 
 use super::chain::{Chain, apart, rms};
-use super::description::{Level, Written, finish};
+use super::description::{Written, finish};
 use super::names::Names;
 use super::options::{Motors, Zeros};
 use super::urdf;
@@ -110,11 +110,7 @@ impl Exporter for LeRobot {
             return Err(ExportError::ReadBack("the calibration".to_owned()));
         }
         let written = Written {
-            format: FORMAT.id,
-            text: calibration,
             beside: vec![(".urdf", text)],
-            robot,
-            level: Level::Links,
             units: "ticks, 4096 a turn; the URDF in metres and radians",
             sign: match job.options.motors {
                 Motors::Feetech => {
@@ -127,7 +123,6 @@ impl Exporter for LeRobot {
                 }
             },
             ends: Some(names.ends()),
-            frames: None,
             in_the_controller: vec![
                 "the calibration by itself carries the zeros; the URDF beside it carries the rest and \
                  agrees with this motor calibration only"
@@ -144,8 +139,8 @@ impl Exporter for LeRobot {
                         .to_owned()
                 }
             }),
-            cannot_say: Vec::new(),
             notes,
+            ..Written::of(FORMAT.id, calibration, robot)
         };
         finish(job, &chain, written)
     }

@@ -42,19 +42,16 @@ const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "linuxcnc",
-    title: "LinuxCNC COMP_FILE",
-    extension: "comp",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "LinuxCNC COMP_FILE",
+    "comp",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter,
     },
-};
+);
 
 fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
     let mut text = String::new();

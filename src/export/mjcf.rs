@@ -11,10 +11,10 @@
 use nalgebra::Vector3;
 
 use super::chain::Chain;
-use super::description::{Level, Written, finish};
+use super::description::{Written, finish};
 use super::euler::{three, tidy};
 use super::names::{Names, escaped};
-use super::urdf::SIGN;
+
 use super::{Export, ExportError, Exporter, Format, Job, several_joints};
 use crate::kinematics::{JointKind, Pose, Robot, robot_from_mjcf};
 
@@ -46,19 +46,9 @@ impl Exporter for Mjcf {
             "masses are not written: a calibration does not know the inertia of a link".to_owned(),
         );
         let written = Written {
-            format: FORMAT.id,
-            text,
-            beside: Vec::new(),
-            robot,
-            level: Level::Links,
-            units: "metres and radians",
-            sign: SIGN,
             ends: Some([base, tip]),
-            frames: None,
-            in_the_controller: Vec::new(),
-            zeros: None,
-            cannot_say: Vec::new(),
             notes,
+            ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }

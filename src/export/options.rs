@@ -40,14 +40,6 @@ impl Motors {
     /// Every one, by its name on the command line.
     pub const ALL: [(&'static str, Self); 2] =
         [("feetech", Self::Feetech), ("dynamixel", Self::Dynamixel)];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Feetech => "feetech",
-            Self::Dynamixel => "dynamixel",
-        }
-    }
 }
 
 /// A file that an export starts from: what the controller has now.

@@ -15,7 +15,6 @@ use crate::effects::Inputs;
 use crate::kinematics::Range;
 use crate::model::format_v1::model_hash;
 
-/// See the module.
 pub(super) struct Sidecar<'a> {
     pub(super) job: &'a Job<'a>,
     pub(super) sheet: &'a Sheet,

@@ -40,19 +40,16 @@ const RULES: Rules = Rules {
     label: Some(FROM_THE_MANUAL),
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "sinumerik",
-    title: "SINUMERIK ENC_COMP archive",
-    extension: "arc",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "SINUMERIK ENC_COMP archive",
+    "arc",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter,
     },
-};
+);
 
 /// Measuring system, counted from 0.
 const ENCODER: usize = 0;

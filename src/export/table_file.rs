@@ -9,7 +9,7 @@ use super::left::{Allowance, Exact, Left};
 use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
-use super::{Document, Export, ExportError, Exporter, Job, ReadBack, grid};
+use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, any_robot, grid};
 
 /// What tells one table format from another.
 pub(super) struct TableFile {
@@ -70,6 +70,22 @@ impl Exporter for TableFile {
 }
 
 impl TableFile {
+    /// The entry of the list of formats for a table, whose rules hold its name.
+    pub(super) const fn format(
+        title: &'static str,
+        extension: &'static str,
+        table: &'static Self,
+    ) -> Format {
+        Format {
+            id: table.rules.format,
+            title,
+            extension,
+            rules: Some(table.rules),
+            suits: any_robot,
+            exporter: table,
+        }
+    }
+
     /// What the controller makes of a file; it has to be what was meant.
     fn read_back(&self, sheet: &Sheet, text: &str) -> Result<ReadBack, ExportError> {
         let wrong = |what: &str| ExportError::ReadBack(what.to_owned());

@@ -1,7 +1,7 @@
 use std::process::Command;
 
 use super::*;
-use crate::compensation::UniformTable;
+use crate::compensation::interpolation::UniformTable;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::{identify_exact, identify_regional};
 use crate::model::{Calibration, Model};

@@ -42,19 +42,16 @@ const RULES: Rules = Rules {
 /// Whole numbers in a degree or a mm.
 const PER_OUTER: f64 = 1e4;
 
-pub(super) const FORMAT: Format = Format {
-    id: "twincat-cnc",
-    title: "TwinCAT CNC (ISG) list",
-    extension: "lis",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "TwinCAT CNC (ISG) list",
+    "lis",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter,
     },
-};
+);
 
 /// A value in the file's whole numbers.
 fn whole(value: f64) -> String {

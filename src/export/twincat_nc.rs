@@ -43,19 +43,16 @@ const RULES: Rules = Rules {
     label: Some(FROM_THE_MANUAL),
 };
 
-pub(super) const FORMAT: Format = Format {
-    id: "twincat-nc",
-    title: "TwinCAT NC structured text",
-    extension: "st",
-    rules: Some(&RULES),
-    suits: super::any_robot,
-    exporter: &TableFile {
+pub(super) const FORMAT: Format = TableFile::format(
+    "TwinCAT NC structured text",
+    "st",
+    &TableFile {
         rules: &RULES,
         write,
         read,
         enter,
     },
-};
+);
 
 fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
     let mut text = String::new();

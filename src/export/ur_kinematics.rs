@@ -16,10 +16,10 @@
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::chain::Chain;
-use super::description::{Level, Written, finish, frames};
+use super::description::{Written, finish, frames};
 use super::dh_rows::nominal_rows;
 use super::euler::{rpy, tidy};
-use super::urdf::SIGN;
+
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{Axis, DhConvention, Joint, JointKind, Pose, Robot, RobotSource};
 use crate::model::format_v1::model_hash;
@@ -81,23 +81,14 @@ impl Exporter for UrKinematics {
              {rz:.6}) rad: the tool is not part of this file"
         );
         let written = Written {
-            format: FORMAT.id,
-            text,
-            beside: Vec::new(),
-            robot,
-            level: Level::Links,
-            units: "metres and radians",
-            sign: SIGN,
-            ends: None,
             frames: Some(tcp),
             in_the_controller: vec![enter],
-            zeros: None,
-            cannot_say: Vec::new(),
             notes: vec![
                 "for the launch argument kinematics_params_file; the driver compares its hash with \
                  the controller's own calibration and warns that they differ"
                     .to_owned(),
             ],
+            ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }

@@ -16,7 +16,7 @@
 //! Source: the XML specification at wiki.ros.org/urdf/XML.
 
 use super::chain::Chain;
-use super::description::{Level, Written, finish};
+use super::description::{Written, finish};
 use super::euler::{rpy, three, tidy};
 use super::names::{Names, escaped};
 use super::{Export, ExportError, Exporter, Format, Job, any_robot};
@@ -34,9 +34,6 @@ pub(super) const FORMAT: Format = Format {
 struct Urdf;
 
 const MM_PER_M: f64 = 1e3;
-/// What the numbers of a description are.
-pub(super) const SIGN: &str = "the numbers are the corrected geometry itself: where joints and \
-                               tool really are; nothing is added to a command";
 
 impl Exporter for Urdf {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
@@ -46,19 +43,9 @@ impl Exporter for Urdf {
         let robot = read(&text, &names)?;
         chain.check(job, &robot)?;
         let written = Written {
-            format: FORMAT.id,
-            text,
-            beside: Vec::new(),
-            robot,
-            level: Level::Links,
-            units: "metres and radians",
-            sign: SIGN,
             ends: Some(names.ends()),
-            frames: None,
-            in_the_controller: Vec::new(),
-            zeros: None,
-            cannot_say: Vec::new(),
             notes: names.notes(),
+            ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }

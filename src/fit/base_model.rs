@@ -47,18 +47,22 @@ const MOST_ROUNDS: usize = 8;
 const SETTLED: f64 = 0.1;
 
 /// Whether the robot has a base model of its own here: several joints.
-pub fn is_arm(session: &Session) -> bool {
+pub(crate) fn is_arm(session: &Session) -> bool {
     session.robot.joints.len() > 1
 }
 
 /// Whether an effect belongs to every calibration of this session's robot.
-pub fn belongs(id: &str) -> bool {
+pub(crate) fn belongs(id: &str) -> bool {
     role(id).is_of_every_calibration()
 }
 
 /// The terms of the base model that are beside the effects of the catalogue: frames, tool, links.
 /// `exists` says whether a name may be used at all.
-pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Vec<Term> {
+pub(crate) fn terms(
+    session: &Session,
+    problem: &Problem,
+    exists: impl Fn(&str) -> bool,
+) -> Vec<Term> {
     let mut terms = Vec::new();
     let of = |effect: &'static dyn Effect| exists(effect.about().id);
     if let Some(layer) = &problem.observed {
@@ -108,6 +112,12 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
         Some(_) => frames(session, problem),
         None => Vec::new(),
     }
+}
+
+/// A robot as it was drawn, seen from each setup where the best rigid motion puts it: a session with
+/// setups does not say where its instrument stands, and that is no error of the robot.
+pub(crate) fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
+    Model::new(robot.clone(), free_frames(session, problem))
 }
 
 /// A frame for each setup, or the one of the instrument; `motion` says where it is from the samples

@@ -28,7 +28,7 @@ const MOST_SAMPLES: usize = 1000;
 const STRETCHES: usize = 25;
 
 /// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
-pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
+pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
     if problem.observed.is_some() {
         return of_all_kinds(problem, solution);
@@ -140,7 +140,7 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
 }
 
 /// The noise that a model leaves in the samples that count.
-pub fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
+pub(crate) fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
     let part = stretches(problem);
     let rows = Rows::of(part.as_ref().unwrap_or(problem));
     let (mut residual, columns) = rows.extract(model);

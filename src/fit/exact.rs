@@ -8,8 +8,7 @@ use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
 use crate::effects::{
-    CATALOGUE, Effect, Inputs, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, find,
-    form_in, role,
+    Effect, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, find, form_in, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
@@ -70,7 +69,6 @@ pub fn identify_watched(
 pub(super) struct Fresh<'a> {
     /// The samples.
     pub(super) problem: Problem<'a>,
-    /// The solution.
     pub(super) fitted: Solution,
     /// The robot without the terms.
     nominal: Model,
@@ -203,7 +201,8 @@ pub(super) fn prepare<'a>(
     }
     let nominal = Model::nominal(session.robot.clone());
     let base = base || problem.observed.is_some();
-    let placed = observed::places_alone(&Model::new(session.robot.clone(), terms.clone()));
+    let placed = Model::new(session.robot.clone(), terms.clone());
+    let placed = observed::nominal_of(session, &placed);
     let start = scan::with_best_settings(&problem, &nominal, terms);
     let start = known
         .iter()
@@ -226,7 +225,7 @@ fn asks_for_base(effects: &[String]) -> bool {
 
 /// The answer for a model that was fitted elsewhere (the diagnosis does), on a problem whose
 /// suspected outliers are already left out.
-pub fn report(
+pub(crate) fn report(
     session: &Session,
     problem: &Problem,
     solution: Solution,
@@ -310,7 +309,7 @@ fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[
 
 /// Covariance of all coefficients of a solution, those of columns beside the model last; `None`
 /// where as many coordinates as coefficients were measured and the noise is not stated.
-pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f64>> {
+pub(crate) fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f64>> {
     let freedom = freedom(problem, solution);
     let variance = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
@@ -363,7 +362,7 @@ fn freedom(problem: &Problem, solution: &Solution) -> usize {
 }
 
 /// The parameters of every term of a solution, term by term.
-pub fn parameters_of(
+pub(crate) fn parameters_of(
     problem: &Problem,
     solution: &Solution,
     covariance: Option<&DMatrix<f64>>,
@@ -450,15 +449,4 @@ pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
         Some(LeftOut { sample, because })
     });
     left_out.collect()
-}
-
-/// Every effect of the catalogue that some joint of the session can show.
-pub fn testable_effects(session: &Session, inputs: &Inputs) -> Vec<&'static str> {
-    let survey = Survey::new(session, inputs);
-    let all = CATALOGUE.iter().filter(|effect| {
-        places(**effect, &survey)
-            .iter()
-            .any(|(_, obstacle)| obstacle.is_none())
-    });
-    all.map(|effect| effect.about().id).collect()
 }

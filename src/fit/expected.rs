@@ -10,7 +10,7 @@
 
 use nalgebra::DMatrix;
 
-pub use crate::answers::errors::Expected;
+pub(crate) use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 
@@ -20,7 +20,7 @@ use super::problem::Problem;
 /// Poses over the joint ranges.
 const POSES: usize = 400;
 /// The expected error of a model with the covariance of its coefficients.
-pub fn expected_error(
+pub(crate) fn expected_error(
     problem: &Problem,
     model: &Model,
     covariance: &DMatrix<f64>,

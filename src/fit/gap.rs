@@ -3,10 +3,10 @@
 //!
 //! Suspected outliers count in the largest deviation and not in the root mean square.
 
-pub use crate::answers::errors::Spread;
+pub(crate) use crate::answers::errors::Spread;
 use crate::model::Model;
 use crate::observations::figures;
-pub use crate::observations::figures::Deviations;
+pub(crate) use crate::observations::figures::Deviations;
 use crate::observations::outliers::suspected;
 
 use super::problem::Problem;
@@ -15,7 +15,7 @@ use super::problem::Problem;
 const FEWEST_TO_BALANCE: usize = 30;
 
 /// Deviations of a session's samples from a model.
-pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
+pub(crate) fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }
@@ -54,7 +54,7 @@ pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
 
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
 /// not count in the bulk.
-pub fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
+pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
     if let Some(layer) = &problem.observed {
         // Every kind was judged beside its own bulk while it was fitted.
         return layer.samples_with(&layer.suspected);

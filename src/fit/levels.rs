@@ -9,7 +9,7 @@
 //! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
 //! to know it.
 
-pub use crate::answers::errors::{Errors, Level};
+pub(crate) use crate::answers::errors::{Errors, Level};
 use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Role, Setting};
 use crate::model::Model;
 
@@ -28,7 +28,7 @@ const FOLDS: usize = 5;
 const FEWEST: usize = 12;
 
 /// The levels of an identified model, on the samples of the problem that count.
-pub fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
+pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     let mut part = problem.clone();
     part.noise = None;
     let counted = part.counted();

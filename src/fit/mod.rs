@@ -1,40 +1,38 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
-pub mod base_model;
-pub mod expected;
-pub mod gap;
+pub(crate) mod base_model;
+pub(crate) mod expected;
+pub(crate) mod gap;
 pub(crate) mod gauge;
-pub mod levels;
-pub mod noise;
-pub mod normal;
-pub mod priors;
-pub mod problem;
-pub mod regression;
-pub mod scan;
-pub mod solver;
-pub mod uncertainty;
+pub(crate) mod levels;
+pub(crate) mod noise;
+pub(crate) mod normal;
+pub(crate) mod priors;
+pub(crate) mod problem;
+pub(crate) mod regression;
+pub(crate) mod scan;
+pub(crate) mod solver;
+pub(crate) mod uncertainty;
 
 mod adaptive;
 mod estimator;
 mod exact;
 pub(crate) mod observed;
-mod plane;
+pub(crate) mod plane;
 mod regional;
 mod unidentifiable;
 
+pub use crate::answers::errors::{Errors, Expected, Level, Spread, Unusable};
 pub use crate::answers::identification::{
     Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
     RegionResult, measured_ranges,
 };
+pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use base_model::free_frames;
-pub use estimator::{fit_without_outliers, noise_beside};
-pub(crate) use exact::outliers;
-pub use exact::{
-    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, parameters_of, report,
-    testable_effects,
-};
-pub use plane::{RegionSums, sum_by_region};
+pub(crate) use estimator::{fit_without_outliers, noise_beside};
+pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
+pub(crate) use exact::{covariance_of, outliers, parameters_of, report};
 pub use regional::identify_regional;
 
 /// Why an identification could not be made.

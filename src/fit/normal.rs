@@ -14,9 +14,8 @@ use crate::wide::{Loop, wide};
 use super::noise::{Noise, Step, carried};
 use super::problem::Problem;
 
-/// See the module.
 #[derive(Debug, Clone)]
-pub struct Normal {
+pub(crate) struct Normal {
     /// `Jᵀ W J`.
     pub gram: DMatrix<f64>,
     /// `Jᵀ W r`.
@@ -27,9 +26,8 @@ pub struct Normal {
     pub weight: f64,
 }
 
-/// What to sum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sums {
+pub(crate) enum Sums {
     /// Everything.
     All,
     /// Everything but the Gram matrix, which costs most.
@@ -38,7 +36,7 @@ pub enum Sums {
 
 impl Normal {
     /// Equations of so many coefficients, with nothing summed yet.
-    pub fn new(coefficients: usize) -> Self {
+    pub(crate) fn new(coefficients: usize) -> Self {
         Self {
             gram: DMatrix::zeros(coefficients, coefficients),
             gradient: DVector::zeros(coefficients),
@@ -48,7 +46,7 @@ impl Normal {
     }
 
     /// Adds one block of samples.
-    pub fn add(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
+    pub(crate) fn add(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
         wide(Adding {
             normal: self,
             problem,
@@ -159,7 +157,7 @@ impl Normal {
     }
 
     /// Mirrors the lower triangle, in which the sums are kept, to the upper.
-    pub fn complete(&mut self) {
+    pub(crate) fn complete(&mut self) {
         self.gram.fill_upper_triangle_with_lower_triangle();
     }
 }
@@ -250,7 +248,7 @@ impl Loop for Adding<'_, '_> {
 /// Scalar product over the lanes, in eight running sums so that it can be vectorised.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "a part of a wide loop")]
-pub fn dot(a: &Lanes, b: &Lanes) -> f64 {
+pub(crate) fn dot(a: &Lanes, b: &Lanes) -> f64 {
     in_memory(&eight_sums(a, b))
 }
 

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
-use crate::effects::{Held, Role, Term, ToolOrientation};
+use crate::effects::{Held, Role, Setting, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
@@ -52,9 +52,13 @@ fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
     })
 }
 
-/// The places of a model and nothing else: the nominal robot beside what its measurements refer to.
-pub(crate) fn places_alone(model: &Model) -> Model {
-    model.without(|term| PlaceKind::of(term).is_none())
+/// The nominal robot beside what its measurements refer to: of a model the places, and the frames of
+/// setups, whose place a session with setups does not say.
+pub(crate) fn nominal_of(session: &Session, model: &Model) -> Model {
+    let of_setup = |term: &Term| {
+        session.samples.setups.is_some() && term.effect.about().setting == Setting::Setup
+    };
+    model.without(|term| PlaceKind::of(term).is_none() && !of_setup(term))
 }
 
 /// What the kinds of measurement leave open whatever the poses are; nothing for plain points.

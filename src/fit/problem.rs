@@ -1,7 +1,7 @@
 //! A least-squares problem: the samples of a session, which of them count, and how much each
 //! axis weighs.
 
-pub use crate::answers::errors::Unusable;
+pub(crate) use crate::answers::errors::Unusable;
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
@@ -269,7 +269,7 @@ impl<'a> Problem<'a> {
 }
 
 /// Whether a sample cannot be used, and why; as a point, of whose coordinates none may be missing.
-pub fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
+pub(crate) fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
     let samples = &session.samples;
     if samples.is_excluded(sample) {
         return Some(Unusable::Excluded);

@@ -23,7 +23,7 @@ const AT_ONCE: usize = 16;
 const MOST_BLOCKS: usize = 192;
 
 /// The nominal model with all the terms, those with a setting at their best one.
-pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) -> Model {
+pub(crate) fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) -> Model {
     let is_scanned = |t: &Term| t.effect.about().setting.is_scanned();
     let (scanned, plain): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(is_scanned);
     let mut model = plain
@@ -40,7 +40,7 @@ pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) 
 }
 
 /// The settings that a scan tries.
-pub fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
+pub(crate) fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
     match term.effect.about().setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![term.setting],
         Setting::Order { from, to } => (from..=to).map(f64::from).collect(),
@@ -84,7 +84,12 @@ fn times(problem: &Problem) -> Vec<f64> {
 }
 
 /// The setting that would lower the cost most.
-pub fn best_setting(problem: &Problem, base: &Model, term: &Term, settings: &[f64]) -> Option<f64> {
+pub(crate) fn best_setting(
+    problem: &Problem,
+    base: &Model,
+    term: &Term,
+    settings: &[f64],
+) -> Option<f64> {
     let scored = settings
         .chunks(AT_ONCE)
         .flat_map(|chunk| score(problem, base, term, chunk));

@@ -16,7 +16,7 @@ use crate::units::deg_from_rad;
 use crate::answers::identification::Estimate;
 
 /// The factor by which a standard error becomes half of a 95 % interval.
-pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {
+pub(crate) fn half_width_factor(degrees_of_freedom: usize) -> f64 {
     if degrees_of_freedom == 0 {
         return f64::INFINITY;
     }
@@ -25,11 +25,11 @@ pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {
 
 /// The factor by which a standard error becomes half of a 95 % interval where the number of samples
 /// behind it is not known: a model keeps its covariance only.
-pub const NORMAL_95: f64 = 1.959964;
+pub(crate) const NORMAL_95: f64 = 1.959964;
 
 /// The estimates of all parameters that a calibration holds, with intervals by its covariance and
 /// `factor`; without a covariance there are none.
-pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
+pub(crate) fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
     let mut all = Vec::new();
     let mut first = 0;
     for term in calibration.model.terms() {
@@ -48,7 +48,7 @@ pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
 /// The estimates of a term's parameters. `covariance` is that of its own coefficients, `factor`
 /// turns a standard error into half an interval, and `undetermined` says of each coefficient
 /// whether the samples leave it open.
-pub fn estimates(
+pub(crate) fn estimates(
     term: &Term,
     covariance: Option<&DMatrix<f64>>,
     factor: f64,

@@ -133,6 +133,7 @@ impl Action {
 
 const PLAIN: Modifiers = Modifiers::NONE;
 const COMMAND: Modifiers = Modifiers::COMMAND;
+const ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 fn sheet(sheet: Sheet) -> Command {
@@ -190,6 +191,12 @@ actions! {
         |_| Command::ChooseWhereToExport(What::Table), [when(ANSWERED)];
     REPORT: SHIFTED, R, "keys-save-the-report", |_| say!("common-report").into(),
         |_| Command::ChooseWhereToExport(What::Report(About::Session)), [when(MEASURED)];
+    REPORT_DETAILS: ALT, R, "keys-report-details",
+        |_| say!("common-report-details").into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
+    HISTORY: SHIFTED, H, "keys-history-of-the-machine", |_| say!("actions-history-of-the-machine").into(),
+        |now| now.workbench.compare_here();
+    RECORD: SHIFTED, L, "keys-record-from-an-instrument", |_| say!("actions-record-from-an-instrument").into(),
+        |_| sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, "keys-read-the-file-again", |_| say!("actions-read-the-file-again").into(),
         |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), "actions-the-session-is-in-no"))];
     FOLLOW: COMMAND, L, "keys-follow-the-file-or-stop", follow_says,

@@ -207,6 +207,12 @@ impl App {
         self.type_path(What::Report(About::Model), path);
     }
 
+    /// Compares the sessions of a folder, as if it had been chosen.
+    pub fn compare_sessions(&mut self, folder: &Path) {
+        self.workbench
+            .execute(Command::CompareSessions(folder.to_path_buf()));
+    }
+
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
         let wanted = Wanted::new(path.to_path_buf());

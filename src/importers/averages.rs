@@ -8,7 +8,6 @@ const STRAY: f64 = 6.0;
 
 /// Measurements that are averaged.
 pub(crate) struct Group {
-    /// Which stop.
     pub(crate) stop: usize,
     /// Rows of the measurements; never empty.
     pub(crate) rows: Vec<usize>,

@@ -5,7 +5,6 @@ use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
 
-/// One column.
 #[derive(Debug, Clone)]
 pub(crate) struct Column {
     /// Its heading in the file, or what it is.

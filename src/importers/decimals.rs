@@ -124,7 +124,6 @@ fn is_grouped(digits: &[u8], sign: u8) -> bool {
     leads && behind > 0
 }
 
-/// The value of a cell.
 pub(crate) fn value(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {
     let bytes = cell.as_bytes();
     let plain = bytes.is_ascii() && !bytes.contains(&b',');

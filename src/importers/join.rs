@@ -33,17 +33,6 @@ pub enum Motion {
     All,
 }
 
-impl Motion {
-    /// As `--motion` takes it.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Stops => "stops",
-            Self::All => "all",
-        }
-    }
-}
-
 /// What the person says about time.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Timing {

@@ -22,7 +22,6 @@ const AUTO: &str = "auto";
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
 
-/// See the module.
 pub(crate) struct Case<'a> {
     /// The file as text; empty where it is none.
     pub(crate) text: &'a str,

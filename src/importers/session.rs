@@ -138,10 +138,7 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
     let mut findings = inspection.findings.clone();
     let Some(mut columns) = columns else {
         findings.extend(inspection.questions.iter().map(Question::as_diagnostic));
-        return Err(Rejected {
-            diagnostics: findings,
-        }
-        .into());
+        return Err(Rejected::of(findings).into());
     };
     let mut job = Job {
         settings,
@@ -230,7 +227,7 @@ impl Job<'_> {
     pub(crate) fn refused<T>(&self, diagnostics: Vec<Diagnostic>) -> Result<T, Rejected> {
         let mut all = self.findings.clone();
         all.extend(diagnostics);
-        Err(Rejected { diagnostics: all })
+        Err(Rejected::of(all))
     }
 
     /// Refuses for one reason.

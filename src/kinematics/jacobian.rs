@@ -24,7 +24,7 @@ impl Robot {
     ///
     /// # Panics
     /// If `q` does not have one value per joint.
-    pub fn joint_twists(&self, q: &[f64]) -> Vec<Twist> {
+    pub(crate) fn joint_twists(&self, q: &[f64]) -> Vec<Twist> {
         self.expect_one_value_per_joint(q);
         let mut before = Pose::identity();
         let mut twists = Vec::with_capacity(q.len());
@@ -74,7 +74,7 @@ impl Robot {
 }
 
 fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
-    let columns: Vec<_> = twists.iter().map(Twist::to_vector).collect();
+    let columns: Vec<_> = twists.iter().map(|twist| twist.to_vector()).collect();
     Matrix6xX::from_columns(&columns)
 }
 

@@ -13,16 +13,16 @@
 //!
 //! A tour, from the ground up:
 //!
-//! - [`robot`]: what a robot is; [`Robot::problems`]: everything that can be wrong with one.
-//! - [`quaternion`]: rotation vectors to unit quaternions and back, near 0, near π, on both covers.
-//! - [`screw`]: [`Twist`]s, their exponential and logarithm, the adjoint, the motion of one joint.
-//! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
+//! - `robot`: what a robot is; [`Robot::problems`]: everything that can be wrong with one.
+//! - `quaternion`: rotation vectors to unit quaternions and back, near 0, near π, on both covers.
+//! - `screw`: twists, the motion of one joint.
+//! - `chain`: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
 //!   ([`Robot::point_in_base`]).
-//! - [`jacobian`]: derivatives by joint values.
-//! - [`inverse`]: joint values that reach a pose, all of them; [`configuration`]: which of them a program
+//! - `jacobian`: derivatives by joint values.
+//! - `inverse`: joint values that reach a pose, all of them; `configuration`: which of them a program
 //!   means.
-//! - [`gravity`]: gravity's torque about a joint and its gradient.
-//! - [`dh`], [`urdf`] and [`mjcf`]: robots from Denavit–Hartenberg rows, from URDF and from MJCF
+//! - `gravity`: gravity's torque about a joint and its gradient.
+//! - `dh`, `urdf` and `mjcf`: robots from Denavit–Hartenberg rows, from URDF and from MJCF
 //!   files ([`robot_from_file`]).
 //!
 //! ```
@@ -43,32 +43,33 @@
 //! # Ok::<(), truepose::kinematics::KinematicsError>(())
 //! ```
 
-pub mod chain;
-pub mod configuration;
-pub mod description;
-pub mod dh;
-pub mod gravity;
-pub mod inverse;
-pub mod jacobian;
-pub mod mjcf;
+pub(crate) mod chain;
+pub(crate) mod configuration;
+pub(crate) mod description;
+pub(crate) mod dh;
+pub(crate) mod gravity;
+pub(crate) mod inverse;
+pub(crate) mod jacobian;
+pub(crate) mod mjcf;
 mod problems;
-pub mod quaternion;
-pub mod robot;
-pub mod screw;
+pub(crate) mod quaternion;
+pub(crate) mod robot;
+pub(crate) mod screw;
 mod tree;
-pub mod urdf;
+pub(crate) mod urdf;
 mod xml;
 
 #[cfg(test)]
 pub(crate) mod testing;
 
+pub use configuration::Statement;
 pub use description::{DescribedRobot, DescriptionFormat, robot_from_file};
 pub use dh::{DhConvention, DhRow, robot_from_dh};
+pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
 pub use mjcf::robot_from_mjcf;
 pub(crate) use problems::MOST_JOINTS;
 pub use robot::{
     Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
     pose_from_parts,
 };
-pub use screw::Twist;
 pub use urdf::robot_from_urdf;

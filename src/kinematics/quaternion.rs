@@ -18,7 +18,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 const SMALL_RAD: f64 = 1e-2;
 
 /// The rotation by |`rotation_rad`| about `rotation_rad`.
-pub fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
+pub(crate) fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
     let angle = rotation_rad.norm();
     let half = 0.5 * angle;
     let sine_over_angle = if angle < SMALL_RAD {
@@ -35,7 +35,7 @@ pub fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
 ///
 /// At a half turn the vector and its opposite are the same rotation; the one whose first component
 /// that is not zero is positive is returned.
-pub fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
+pub(crate) fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
     let vector = rotation.imag();
     let (w, vector) = if rotation.w < 0.0 || (rotation.w == 0.0 && is_negative(&vector)) {
         (-rotation.w, -vector)

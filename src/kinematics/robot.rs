@@ -177,9 +177,9 @@ pub struct LinkMass {
 /// A closed range of joint values, `from < to`, in rad or mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// Lower end.
+    /// Lower end, rad or mm.
     pub from: f64,
-    /// Upper end.
+    /// Upper end, rad or mm.
     pub to: f64,
 }
 

@@ -3,8 +3,9 @@
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 
+use super::quaternion;
 use super::robot::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
-use super::screw::{self, Twist};
+use super::screw::Twist;
 
 /// The pose with one joint moved.
 pub(crate) fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
@@ -97,7 +98,7 @@ pub(crate) fn robot_and_pose() -> impl Strategy<Value = (Robot, Vec<f64>)> {
         let robot = Robot {
             name: "random".to_owned(),
             joints: joints.into_iter().map(|(joint, _)| joint).collect(),
-            base_from_tool: screw::exp(&tool),
+            base_from_tool: Pose::from_parts(tool.linear.into(), quaternion::exp(&tool.angular)),
             gravity_m_s2: Some(gravity),
             source: crate::kinematics::RobotSource::Axes,
         };
@@ -107,5 +108,9 @@ pub(crate) fn robot_and_pose() -> impl Strategy<Value = (Robot, Vec<f64>)> {
 
 /// The body's small motion from `from` to `to`, as a twist in the base frame.
 pub(crate) fn space_twist_between(from: &Pose, to: &Pose) -> Twist {
-    screw::log(&(to * from.inverse()))
+    let motion = to * from.inverse();
+    let angular = quaternion::log(&motion.rotation);
+    let p = motion.translation.vector;
+    // V⁻¹ p to the first order in the angle, which is small.
+    Twist::new(angular, p - 0.5 * angular.cross(&p))
 }

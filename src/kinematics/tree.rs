@@ -60,7 +60,6 @@ pub(super) struct Body {
     pub(super) mass: Mass,
 }
 
-/// See the module.
 #[derive(Debug)]
 pub(super) struct Tree {
     pub(super) place: Place,
@@ -126,9 +125,7 @@ impl Tree {
             });
         }
         if !problems.is_empty() {
-            return Err(Rejected {
-                diagnostics: problems,
-            });
+            return Err(Rejected::of(problems));
         }
         if robot.joints.is_empty() {
             return Err(self.refuse(

@@ -20,7 +20,6 @@ const MOST_NODES: u32 = 4_000_000;
 /// So many files may be included.
 const MOST_FILES: usize = 64;
 
-/// An element.
 #[derive(Debug)]
 pub(super) struct Element {
     /// Its name without a prefix; empty for elements of somebody else's vocabulary.
@@ -45,7 +44,6 @@ struct Source {
     text: String,
 }
 
-/// See the module.
 #[derive(Debug)]
 pub(super) struct Document {
     sources: Vec<Source>,

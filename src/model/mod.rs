@@ -10,12 +10,14 @@
 //! all go through it, so they cannot disagree.
 
 mod calibration;
-pub mod format_v1;
+pub(crate) mod format_v1;
 pub(crate) mod names;
-pub mod rigid_motion;
-pub mod shapes;
+pub(crate) mod rigid_motion;
+pub(crate) mod shapes;
 
 pub use calibration::{Calibration, GapStep, RegionalCorrection};
+pub use format_v1::{is_model, load_model, model_hash, read_model, write_model};
+pub use shapes::{Direction, Profile, Shape, Variable, Where};
 
 use crate::effects::block::Block;
 use crate::effects::term::JointFrame;

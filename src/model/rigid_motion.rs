@@ -8,7 +8,7 @@ use crate::sessions::Session;
 
 /// `measured ≈ motion · predicted` over the samples that `counts` picks; `None` with fewer than
 /// three, or in a planar session.
-pub fn best_rigid_motion(
+pub(crate) fn best_rigid_motion(
     session: &Session,
     predicted: &Positions,
     counts: impl Fn(usize) -> bool,
@@ -31,7 +31,7 @@ pub fn best_rigid_motion(
 }
 
 /// `to ≈ motion · from` over pairs (from, to); `None` with fewer than three.
-pub fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<f64>> {
+pub(crate) fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<f64>> {
     if pairs.len() < 3 {
         return None;
     }

@@ -6,7 +6,7 @@ use crate::lanes::{LANES, Lanes, Lanes3};
 
 use super::Residual;
 
-/// Rows of up to [`LANES`] observations.
+/// Rows of up to `LANES` observations.
 pub struct RowBlock {
     /// For each lane its item; `None` for what is no measurement of a sample.
     pub items: Vec<Option<usize>>,

@@ -42,15 +42,16 @@ pub struct KindFigures {
     /// Of what the session holds out.
     pub held_out: Option<Errors>,
     /// Root mean square of measurements that no fit has seen, each fifth predicted by the others; where
-    /// a diagnosis has looked.
+    /// a diagnosis has looked; in `unit`.
     pub unseen_rms: Option<f64>,
     /// Number of suspected outliers.
     pub outliers: usize,
     /// Number of rows that were fitted.
     pub rows: usize,
-    /// σ as the session states it.
+    /// σ as the session states it, in `unit`.
     pub stated_sigma: Option<f64>,
-    /// Root mean square over the rows of what was fitted: what σ seems to be.
+    /// Root mean square over the rows of what was fitted: what σ seems to be, in
+    /// `unit`.
     pub found_sigma: Option<f64>,
 }
 
@@ -95,7 +96,7 @@ const SETTLED: f64 = 0.02;
 /// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
 /// whose σ nobody states. `rank` is the number of coefficients that the rows carry. Returns whether
 /// anything that matters has changed.
-pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
+pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let left = left(layer, model);
     let marked = apart(layer, &left.rows);
     let kept = layer
@@ -203,7 +204,7 @@ fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<f64> {
 
 /// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
 /// measured in several ways, in the one that looks at where the target is. NaN without any.
-pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
+pub(crate) fn deviations(layer: &Layer, model: &Model) -> Deviations {
     let left = left(layer, model);
     let n = layer.session.samples.len();
     let mut deviations = Deviations {
@@ -227,7 +228,7 @@ pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
 }
 
 /// The figures of every kind that was measured; `before` is the nominal robot.
-pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
+pub(crate) fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
     let (then, now) = (left(layer, before), left(layer, after));
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {

@@ -25,9 +25,8 @@ use crate::model::Model;
 use super::{KINDS, Layer, Looks};
 use crate::effects::places::{Place, PlaceKind, stated};
 
-/// What is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Open {
+pub(crate) struct Open {
     /// Where the base stands.
     pub base: bool,
     /// How large everything is.
@@ -35,7 +34,7 @@ pub struct Open {
 }
 
 /// What the kinds and places that are to be fitted leave open.
-pub fn open(layer: &Layer) -> Open {
+pub(crate) fn open(layer: &Layer) -> Open {
     let session = layer.session;
     let references = &session.instrument.references;
     let mut base = session.samples.setups.is_none();
@@ -90,7 +89,7 @@ pub fn open(layer: &Layer) -> Open {
 
 /// Parts of the size: the weight of each coefficient in wᵀ x, and how well the priors know it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Size {
+pub(crate) struct Size {
     /// w, one for each coefficient of the model.
     pub weights: Vec<f64>,
     /// Standard deviation of the size that the priors leave, as a ratio.
@@ -102,7 +101,7 @@ const RIDGE: f64 = 1e-6;
 
 /// The size of a model as its coefficients make it; `sigma` says how far each may be from zero.
 /// `None` where no coefficient makes anything larger.
-pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
+pub(crate) fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
     let count = model.coefficient_count();
     // Growth about any point, however the whole is turned and moved besides.
     let all = count + 6;

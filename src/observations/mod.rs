@@ -12,29 +12,29 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - [`crate::effects::places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
+//! - `crate::effects::places`: anchors, stations, planes and sockets that nobody knows are fitted beside the
 //!   robot, and reported like everything that is fitted.
-//! - [`layer`]: the observations of a session, [`block`] by block, as rows for the normal equations;
-//!   [`streams`]: how they flow through the model.
-//! - [`rows`]: the same as rows of a regression, for the search of names.
-//! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
-//! - [`start`]: from where the fit begins.
-//! - [`figures`]: σ of each kind, outliers, errors by kind.
+//! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
+//!   `streams`: how they flow through the model.
+//! - `rows`: the same as rows of a regression, for the search of names.
+//! - `gauge`: what no kind at hand can show: where the base stands, how large everything is.
+//! - `start`: from where the fit begins.
+//! - `figures`: σ of each kind, outliers, errors by kind.
 //! - `held`: joint values that bring a target to where it is held.
 //!
 //! The orientation of the tool is found from four points of it that go through the same model as the
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
 //! it, with exact derivatives, and none has to say how.
 
-pub mod block;
-pub mod figures;
-pub mod gauge;
+pub(crate) mod block;
+pub(crate) mod figures;
+pub(crate) mod gauge;
 pub(crate) mod held;
-pub mod layer;
-pub mod outliers;
-pub mod rows;
-pub mod start;
-pub mod streams;
+pub(crate) mod layer;
+pub(crate) mod outliers;
+pub(crate) mod rows;
+pub(crate) mod start;
+pub(crate) mod streams;
 
 pub(crate) mod kinds;
 
@@ -42,8 +42,10 @@ use crate::effects::places::{MOST, Place};
 use crate::sessions::{Instrument, Session};
 
 pub use block::RowBlock;
+pub use figures::{Deviations, Errors, KindFigures};
 pub use kinds::KINDS;
 pub use layer::Layer;
+pub use rows::ObservedRows;
 pub use streams::Item;
 
 /// Where an angle has no distance of its own it is as many mm as at one metre.
@@ -102,7 +104,7 @@ pub struct Seen<'a> {
     pub point: [f64; 3],
     /// How the tool is turned: by rows, from the tool's axes to the measuring frame's.
     pub attitude: [[f64; 3]; 3],
-    /// The coefficients of the place that the observation refers to ([`crate::effects::places`]).
+    /// The coefficients of the place that the observation refers to, inner units.
     pub place: &'a [f64],
 }
 
@@ -113,7 +115,7 @@ pub struct Residual {
     pub rows: usize,
     /// Measured − predicted, inner units; as many as there are rows.
     pub left: [f64; 3],
-    /// Derivative of what is predicted with respect to the point, row by row.
+    /// Derivative of what is predicted with respect to the point, row by row, per mm.
     pub by_point: [[f64; 3]; 3],
     /// The same with respect to a small turn of the tool about the measuring frame's axes, rad.
     pub by_turn: [[f64; 3]; 3],

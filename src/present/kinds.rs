@@ -6,7 +6,7 @@ use super::table::{Cell, Table};
 use crate::observations::figures::{Errors, KindFigures};
 
 /// One row for each kind; numbers are in its `unit`, mm or mrad.
-pub fn rows(kinds: &[KindFigures]) -> Json {
+pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
     let errors = |e: &Errors| {
         object! {
             "samples": e.count,
@@ -30,7 +30,7 @@ pub fn rows(kinds: &[KindFigures]) -> Json {
 }
 
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
-pub fn table(kinds: &[KindFigures]) -> Table {
+pub(crate) fn table(kinds: &[KindFigures]) -> Table {
     let mut table = Table::new([
         "Kind",
         ">Number",

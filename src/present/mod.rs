@@ -3,24 +3,26 @@
 
 pub mod chart;
 pub mod compensation_v1;
+pub mod decision;
 pub mod diagnosis_v1;
 pub mod drawing;
 pub mod effects_v1;
+pub mod history;
 pub mod history_v1;
 pub mod identification_v1;
 pub mod import_v1;
 pub mod json;
-pub mod kinds;
-pub mod names;
-pub mod numbers;
+pub(crate) mod kinds;
+pub(crate) mod names;
+pub(crate) mod numbers;
 mod parts;
 pub mod plan_v1;
-pub mod poses;
-pub mod standards;
+pub(crate) mod poses;
+pub(crate) mod standards;
 pub mod standards_v1;
 pub mod table;
 pub mod test_cube_v1;
-pub mod units;
+pub(crate) mod units;
 pub mod verification_v1;
 
 mod place;

@@ -7,12 +7,12 @@ use crate::effects::units::Unit;
 use crate::fit::Estimate;
 
 /// The title of an effect; what is no effect stays as it is.
-pub fn title(id: &str) -> &str {
+pub(crate) fn title(id: &str) -> &str {
     find(id).map_or(id, |effect| effect.about().title)
 }
 
 /// The title with the joint, counted from 1, where the robot has several.
-pub fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
+pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
     match joint.filter(|_| joints > 1) {
         Some(joint) => format!("{}, joint {joint}", title(id)),
         None => title(id).to_owned(),
@@ -20,7 +20,7 @@ pub fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
 }
 
 /// The title of a name that may end with its joint, `id joint`.
-pub fn title_of(name: &str) -> String {
+pub(crate) fn title_of(name: &str) -> String {
     match name.split_once(' ') {
         Some((id, joint)) => format!("{}, joint {joint}", title(id)),
         None => title(name).to_owned(),
@@ -28,14 +28,14 @@ pub fn title_of(name: &str) -> String {
 }
 
 /// A parameter in words, and its unit as it is written behind a number.
-pub fn parameter(name: &str) -> (String, &'static str) {
+pub(crate) fn parameter(name: &str) -> (String, &'static str) {
     let (stem, unit) = Unit::of_name(name);
     let stem = if stem.is_empty() { "rate" } else { stem };
     (stem.replace('_', " "), unit.symbol)
 }
 
 /// A figure that is no parameter, in words; without a value where the samples do not show it.
-pub fn figure((name, value): (&str, Option<f64>)) -> String {
+pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
     let (name, unit) = parameter(name);
     match value {
         Some(value) => format!("{name} {} {unit}", significant(value, 3)),
@@ -44,12 +44,12 @@ pub fn figure((name, value): (&str, Option<f64>)) -> String {
 }
 
 /// What is said of a value that no machine has, with the usual size.
-pub fn usual_size(one: &Estimate) -> &'static str {
+pub(crate) fn usual_size(one: &Estimate) -> &'static str {
     find(one.effect).map_or("", |effect| effect.about().usual_size)
 }
 
 /// From which size (95 %) an effect would have been seen, parameter by parameter.
-pub fn detection_limit(limit: &Limit) -> String {
+pub(crate) fn detection_limit(limit: &Limit) -> String {
     let sizes = limit.sizes.iter().map(|(name, size)| {
         let (name, unit) = parameter(name);
         match Sight::of(*size) {

@@ -6,7 +6,7 @@ use std::cell::Cell;
 
 /// How numbers are written for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Notation {
+pub(crate) struct Notation {
     /// Decimals of lengths; `None`: as many as can be read.
     pub decimals: Option<u8>,
     /// Whether decimals follow a comma.
@@ -20,7 +20,7 @@ thread_local! {
 }
 
 /// Writes numbers like this from now on, on this thread.
-pub fn write_numbers(notation: Notation) {
+pub(crate) fn write_numbers(notation: Notation) {
     NOTATION.set(notation);
 }
 
@@ -30,7 +30,7 @@ pub(super) fn notation() -> Notation {
 }
 
 /// A number as it was typed: with a point or a comma, and any minus sign.
-pub fn typed(text: &str) -> Option<f64> {
+pub(crate) fn typed(text: &str) -> Option<f64> {
     let text: String = text
         .chars()
         .filter(|c| !c.is_whitespace())
@@ -47,7 +47,7 @@ pub fn typed(text: &str) -> Option<f64> {
 pub(super) const NOTHING: f64 = 1e-9;
 
 /// So many significant digits, in plain notation where that is short; a real minus sign.
-pub fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
@@ -68,7 +68,7 @@ fn scientific(value: f64, digits: usize) -> String {
 }
 
 /// At most so many decimals, without zeros at the end.
-pub fn trimmed(value: f64, decimals: usize) -> String {
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.')
@@ -79,13 +79,13 @@ pub fn trimmed(value: f64, decimals: usize) -> String {
 }
 
 /// So many decimals, whatever the size: for columns whose numbers are compared.
-pub fn fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     with_minus(&format!("{value:.decimals$}"))
 }
 
 /// A length in mm as a report states it: four decimals, or three digits where those would show
 /// nothing or more than can be read. What is left of rounding is 0.
-pub fn plain(value: f64) -> String {
+pub(crate) fn plain(value: f64) -> String {
     let shows_nothing = value.abs() > NOTHING && value.abs() < 5e-5;
     if shows_nothing || value.abs() >= 1e7 {
         return scientific(value, 3);
@@ -94,12 +94,12 @@ pub fn plain(value: f64) -> String {
 }
 
 /// The same with its unit.
-pub fn mm(value: f64) -> String {
+pub(crate) fn mm(value: f64) -> String {
     format!("{} mm", plain(value))
 }
 
 /// The same without zeros at its end.
-pub fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let text = plain(value);
     if text.contains('·') {
         return text;
@@ -108,7 +108,7 @@ pub fn short(value: f64) -> String {
 }
 
 /// Decimals at which `size` shows so many significant digits, at most nine.
-pub fn decimals_of(size: f64, digits: usize) -> usize {
+pub(crate) fn decimals_of(size: f64, digits: usize) -> usize {
     let magnitude = if size == 0.0 || !size.is_finite() {
         0.0
     } else {
@@ -119,7 +119,7 @@ pub fn decimals_of(size: f64, digits: usize) -> usize {
 
 /// A value with as many digits as its 95 % interval supports (two of half its width), half of that
 /// interval, and the interval itself: `−3.012`, `± 0.014`, `−3.026 … −2.998`.
-pub fn with_interval(value: f64, interval: Option<[f64; 2]>) -> [String; 3] {
+pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> [String; 3] {
     let Some([from, to]) = interval else {
         let open = || "not determined".to_owned();
         return [significant(value, 6), open(), open()];
@@ -136,7 +136,7 @@ pub fn with_interval(value: f64, interval: Option<[f64; 2]>) -> [String; 3] {
 }
 
 /// A count, from 10 000 on in groups of three digits with a narrow space between them.
-pub fn grouped(count: usize) -> String {
+pub(crate) fn grouped(count: usize) -> String {
     let digits = count.to_string();
     if digits.len() < 5 {
         return digits;
@@ -152,13 +152,13 @@ pub fn grouped(count: usize) -> String {
 }
 
 /// `1 sample`, `2 samples`.
-pub fn number_of(count: usize, what: &str) -> String {
+pub(crate) fn number_of(count: usize, what: &str) -> String {
     let s = if count == 1 { "" } else { "s" };
     format!("{} {what}{s}", grouped(count))
 }
 
 /// A text that goes into files as well, with real minus signs before its numbers.
-pub fn with_minus_signs(text: &str) -> String {
+pub(crate) fn with_minus_signs(text: &str) -> String {
     let mut before = ' ';
     let mut letters = text.chars().peekable();
     let mut out = String::with_capacity(text.len());
@@ -183,7 +183,7 @@ pub fn with_minus_signs(text: &str) -> String {
     clippy::cast_sign_loss,
     reason = "clamped to what a count of digits or of pieces can be"
 )]
-pub fn whole(value: f64) -> usize {
+pub(crate) fn whole(value: f64) -> usize {
     value.clamp(0.0, 1e6) as usize
 }
 
@@ -199,7 +199,7 @@ fn raised(exponent: &str) -> String {
 
 /// A number for a spreadsheet: every digit, an ASCII minus sign, the decimal sign that the user
 /// chose; nothing where it is not finite.
-pub fn plain_number(value: f64) -> String {
+pub(crate) fn plain_number(value: f64) -> String {
     if !value.is_finite() {
         return String::new();
     }

@@ -7,7 +7,7 @@ use crate::kinematics::Robot;
 
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
-pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
+pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
     let mut table = Table::new(["pose", "from", "reflector", "conditions", "why"]);
     let values = |values: &[f64], per: &str| {
         let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
@@ -38,7 +38,7 @@ pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
 }
 
 /// From which side each joint comes: + from below, − from above.
-pub fn sides(dir: &[f64]) -> String {
+pub(crate) fn sides(dir: &[f64]) -> String {
     let side = |dir: &f64| match *dir {
         d if d > 0.0 => "+",
         d if d < 0.0 => "−",
@@ -48,7 +48,7 @@ pub fn sides(dir: &[f64]) -> String {
 }
 
 /// Where each reflector is to be mounted that the session does not have.
-pub fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
+pub(crate) fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
     let mut lines = Vec::new();
     for pose in poses {
         let (Some(name), Some(at)) = (&pose.target, pose.target_mm) else {

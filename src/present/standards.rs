@@ -8,7 +8,7 @@ use crate::standards::{Positioning, Standards, at_least};
 
 /// The figures of one test.
 #[derive(Debug, Clone, Default)]
-pub struct Group {
+pub(crate) struct Group {
     /// What was tested: a joint, or the poses.
     pub of: String,
     /// After which standard.
@@ -25,7 +25,7 @@ pub struct Group {
 
 /// One figure, in the unit of its group.
 #[derive(Debug, Clone)]
-pub struct Row {
+pub(crate) struct Row {
     /// Its symbol in the standard.
     pub symbol: &'static str,
     /// What it is.
@@ -38,18 +38,18 @@ pub struct Row {
 
 impl Group {
     /// What was tested, as a heading.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         let (first, rest) = self.of.split_at(1);
         first.to_uppercase() + rest
     }
 
     /// A figure as it is shown: to 0.1 µm or 0.1″.
-    pub fn shown(&self, value: f64) -> String {
+    pub(crate) fn shown(&self, value: f64) -> String {
         fixed(value, if self.unit == "mm" { 4 } else { 1 })
     }
 
     /// The figures as a table.
-    pub fn table(&self) -> Table {
+    pub(crate) fn table(&self) -> Table {
         let measured = format!(">As measured, {}", self.unit);
         let mut table = Table::new(["Symbol", "Figure", &measured, ">Corrected commands"]);
         for row in &self.rows {
@@ -66,7 +66,7 @@ impl Group {
 }
 
 /// One group for each of at most `most` series of an axis, and one for the poses.
-pub fn groups(standards: &Standards, most: usize) -> Vec<Group> {
+pub(crate) fn groups(standards: &Standards, most: usize) -> Vec<Group> {
     let axes = standards.axes.iter().flat_map(|axis| of_axis(axis, most));
     axes.chain([of_poses(&standards.poses, standards.compensated)])
         .collect()

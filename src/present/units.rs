@@ -13,7 +13,7 @@ use crate::units::{deg_from_rad, rad_from_deg};
 /// Unit of lengths on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum LengthUnit {
+pub(crate) enum LengthUnit {
     /// 1 mm.
     #[default]
     Millimetre,
@@ -26,7 +26,7 @@ pub enum LengthUnit {
 /// Unit of angles on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum AngleUnit {
+pub(crate) enum AngleUnit {
     /// 1°.
     #[default]
     Degree,
@@ -40,7 +40,7 @@ pub enum AngleUnit {
 
 /// Both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Units {
+pub(crate) struct Units {
     /// Of lengths.
     pub length: LengthUnit,
     /// Of angles.
@@ -51,7 +51,7 @@ const MM_PER_INCH: f64 = 25.4;
 
 impl Units {
     /// A length in the chosen unit.
-    pub fn length_value(self, mm: f64) -> f64 {
+    pub(crate) fn length_value(self, mm: f64) -> f64 {
         match self.length {
             LengthUnit::Millimetre => mm,
             LengthUnit::Micrometre => mm * 1000.0,
@@ -60,7 +60,7 @@ impl Units {
     }
 
     /// The unit of lengths.
-    pub fn length_name(self) -> &'static str {
+    pub(crate) fn length_name(self) -> &'static str {
         match self.length {
             LengthUnit::Millimetre => "mm",
             LengthUnit::Micrometre => "µm",
@@ -69,7 +69,7 @@ impl Units {
     }
 
     /// An angle in the chosen unit.
-    pub fn angle_value(self, rad: f64) -> f64 {
+    pub(crate) fn angle_value(self, rad: f64) -> f64 {
         match self.angle {
             AngleUnit::Degree => deg_from_rad(rad),
             AngleUnit::Radian => rad,
@@ -79,7 +79,7 @@ impl Units {
     }
 
     /// The unit of angles, as it stands after a number.
-    pub fn angle_name(self) -> &'static str {
+    pub(crate) fn angle_name(self) -> &'static str {
         match self.angle {
             AngleUnit::Degree => "°",
             AngleUnit::Radian => " rad",
@@ -89,12 +89,12 @@ impl Units {
     }
 
     /// A length with its unit.
-    pub fn length(self, mm: f64) -> String {
+    pub(crate) fn length(self, mm: f64) -> String {
         format!("{} {}", self.length_number(mm), self.length_name())
     }
 
     /// The same without the unit.
-    pub fn length_number(self, mm: f64) -> String {
+    pub(crate) fn length_number(self, mm: f64) -> String {
         let value = self.length_value(mm);
         match notation().decimals {
             Some(decimals) if value.is_finite() => fixed(value, usize::from(decimals)),
@@ -103,7 +103,7 @@ impl Units {
     }
 
     /// The same with as many decimals as a number like this one has: for a column of a table.
-    pub fn length_like(self, mm: f64, like_mm: f64) -> String {
+    pub(crate) fn length_like(self, mm: f64, like_mm: f64) -> String {
         if notation().decimals.is_some() || !mm.is_finite() {
             return self.length_number(mm);
         }
@@ -113,7 +113,7 @@ impl Units {
     }
 
     /// A value in `unit` with its interval, in the chosen unit where `unit` is one of lengths or angles.
-    pub fn with_interval(
+    pub(crate) fn with_interval(
         self,
         value: f64,
         interval: Option<[f64; 2]>,
@@ -134,7 +134,11 @@ impl Units {
 
     /// A parameter with half of its interval, and the name of its unit; a whole number has no
     /// interval.
-    pub fn estimate(self, one: &Estimate, unit: &'static str) -> (String, String, &'static str) {
+    pub(crate) fn estimate(
+        self,
+        one: &Estimate,
+        unit: &'static str,
+    ) -> (String, String, &'static str) {
         if one.is_whole_number() {
             return (trimmed(one.value, 0), String::new(), unit);
         }
@@ -142,7 +146,7 @@ impl Units {
     }
 
     /// An angle with its unit.
-    pub fn angle(self, rad: f64) -> String {
+    pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
             AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),
             AngleUnit::Radian => format!("{} rad", trimmed(rad, 4)),
@@ -177,7 +181,7 @@ fn factor(unit: &str, into: &str) -> Option<f64> {
 ///
 /// # Errors
 /// It is no number, or its unit is unknown or of another quantity.
-pub fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
+pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
     let text = text.trim();
     if let Some(value) = typed(text) {
         return Ok(value * factor(usual, into).filter(|_| usual != into).unwrap_or(1.0));

@@ -49,7 +49,7 @@ impl Left {
 pub struct Written {
     /// Joint values that the target means, rad or mm.
     pub commanded: Vec<f64>,
-    /// Joint values that it means now.
+    /// Joint values that it means now, rad or mm.
     pub corrected: Vec<f64>,
     /// Side from which each joint comes: +1, −1, 0 unknown.
     pub dir: Vec<f64>,

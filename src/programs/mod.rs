@@ -40,7 +40,8 @@ pub use axes::{Axes, Slot};
 pub use compensate::{CompensateError, Request, compensate};
 pub use frames::ModelTool;
 pub use number::Number;
-pub use target::{Program, Remark, Shape, Target};
+pub use pose::{Frame, Orientation};
+pub use target::{Circumstances, Program, Remark, Shape, Target};
 pub use text::Text;
 pub use write::{Stop, WriteError, stops};
 

@@ -17,7 +17,6 @@ use super::target::{Program, Remark};
 /// A joint that moves less than this (rad or mm) does not move.
 const STANDS: f64 = 1e-9;
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sequence {
     /// By target, then by joint.

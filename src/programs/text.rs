@@ -94,9 +94,7 @@ impl<'a> Text<'a> {
                 problem.expected,
             )
         };
-        Rejected {
-            diagnostics: problems.into_iter().map(diagnostic).collect(),
-        }
+        Rejected::of(problems.into_iter().map(diagnostic).collect())
     }
 }
 

@@ -1,6 +1,5 @@
 //! The standards' figures in a report.
 
-use crate::compensation::verification::VerifyError;
 use crate::present::poses::sides;
 use crate::present::standards::{Group, groups};
 use crate::standards::Standards;
@@ -28,17 +27,6 @@ pub(super) fn section(standards: &Standards) -> Section {
     Section {
         title: "Accuracy and repeatability".to_owned(),
         blocks,
-    }
-}
-
-/// The section of a session that they say nothing of.
-pub(super) fn none(because: &VerifyError) -> Section {
-    Section {
-        title: "Accuracy and repeatability".to_owned(),
-        blocks: vec![Block::Text(format!(
-            "No figures after ISO 230-2 and ISO 9283: {}",
-            clean(&because.to_string())
-        ))],
     }
 }
 

@@ -1,29 +1,37 @@
 //! The report of a model file: what it holds, and what only a session can show.
 
+use crate::compensation::decision::Outcome;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;
 
-use super::Extras;
 use super::document::{Block, Figure, Report, Section, Table, clean};
 use super::parts::{
-    fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
+    details, fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
     tolerance,
 };
 use super::plots::gap as gap_plot;
+use super::{Extras, history as past};
 use crate::present::numbers::{mm, plain};
 
 impl Report {
     /// The report of a model file.
     pub fn of_model(calibration: &Calibration, extras: &Extras) -> Self {
         let hash = model_hash(calibration);
+        let tolerance_mm = extras.details.tolerance_mm.or(calibration.tolerance_mm);
         let mut sections = vec![
-            origin(calibration, &hash),
-            history(calibration),
+            origin(calibration, tolerance_mm, &hash),
+            history(calibration, tolerance_mm),
             values(calibration),
         ];
+        if let Some(details) = details(&extras.details) {
+            sections.insert(0, details);
+        }
         sections.extend(tables(extras, &calibration.samples_hash, &hash));
+        let history = extras.history.as_ref();
+        let robot = &calibration.model.robot.name;
+        sections.extend(history.and_then(|h| past::section(h, robot)));
         sections.push(missing());
         sections.push(signatures(extras));
         let subject = or_unnamed(&calibration.session);
@@ -33,6 +41,12 @@ impl Report {
                 "What the model file holds; the evidence for it is in the session that it came \
                      from"
                     .to_owned(),
+            logo: extras.details.logo.clone(),
+            decision: extras.details.rule.map(|_| {
+                let because =
+                    "No decision: only a session has the measured positions that it needs";
+                (Outcome::Undecided, because.to_owned())
+            }),
             headline: headline(calibration),
             foot: foot(&subject, &calibration.samples_hash),
             subject,
@@ -61,10 +75,10 @@ fn headline(c: &Calibration) -> Vec<Figure> {
     ends.into_iter().flatten().collect()
 }
 
-fn origin(c: &Calibration, hash: &str) -> Section {
+fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
     let mut facts = vec![fact("Session", or_unnamed(&c.session))];
     facts.extend(robot_facts(&c.model.robot, &c.measured));
-    facts.push(tolerance(c.tolerance_mm));
+    facts.push(tolerance(tolerance_mm));
     if let Some(by) = &c.compensated_by {
         facts.push(fact(
             "Measured with a table active",
@@ -87,7 +101,7 @@ fn origin(c: &Calibration, hash: &str) -> Section {
     }
 }
 
-fn history(c: &Calibration) -> Section {
+fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
     let mut table = Table::new(["Step", ">RMS error on the fit, mm", ">Cross-validated, mm"]);
     let mut steps = c.history.clone();
     for step in &mut steps {
@@ -99,7 +113,7 @@ fn history(c: &Calibration) -> Section {
         blocks: vec![
             Block::Table(table),
             Block::Plot(
-                gap_plot(&steps, None, c.tolerance_mm),
+                gap_plot(&steps, None, tolerance_mm),
                 "Each step keeps what the ones before it brought".to_owned(),
             ),
         ],

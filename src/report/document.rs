@@ -1,6 +1,8 @@
 //! What a report says, once, for every format: sections of a few kinds of blocks. Texts are already
 //! in the reader's units; whatever a user named has passed [`clean`].
 
+use super::logo::Logo;
+use crate::compensation::decision::Outcome;
 use crate::present::drawing::Drawing;
 pub use crate::present::table::Table;
 
@@ -13,6 +15,10 @@ pub struct Report {
     pub subject: String,
     /// The answer in one sentence.
     pub answer: String,
+    /// Picture in the head.
+    pub logo: Option<Logo>,
+    /// Whether the tolerance is kept: the outcome, and what it rests on.
+    pub decision: Option<(Outcome, String)>,
     /// The figures that answer it.
     pub headline: Vec<Figure>,
     /// The sections in order.

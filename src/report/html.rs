@@ -4,7 +4,9 @@
 use std::fmt::Write as _;
 
 use super::document::{Block, Report, Table};
+use super::logo::{LOGO, Logo};
 use super::svg::svg;
+use crate::compensation::decision::Outcome;
 
 const STYLE: &str = include_str!("style.css");
 const REGULAR: &[u8] = include_bytes!("../../assets/fonts/Inter-Regular.ttf");
@@ -18,8 +20,9 @@ pub fn html(report: &Report) -> String {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-         style-src 'unsafe-inline'; font-src data:\">\n\
+         style-src 'unsafe-inline'; font-src data:{}\">\n\
          <title>{}: {}</title>\n<style>\n{}{}{STYLE}</style>\n</head>\n<body>\n<main>\n",
+        report.logo.as_ref().map_or("", |_| "; img-src data:"),
         escape(&report.title),
         escape(&report.subject),
         face(400, REGULAR),
@@ -44,10 +47,12 @@ pub fn html(report: &Report) -> String {
 fn head(report: &Report, out: &mut String) {
     let _ = writeln!(
         out,
-        "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<dl class=\"headline\">",
+        "<header>\n{}<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}<dl class=\"headline\">",
+        report.logo.as_ref().map_or_else(String::new, picture),
         escape(&report.title),
         escape(&report.subject),
-        escape(&report.answer)
+        escape(&report.answer),
+        report.decision.as_ref().map_or_else(String::new, decision)
     );
     for figure in &report.headline {
         let _ = writeln!(
@@ -59,6 +64,26 @@ fn head(report: &Report, out: &mut String) {
         );
     }
     out.push_str("</dl>\n</header>\n");
+}
+
+/// A logo as it is seen, points.
+fn picture(logo: &Logo) -> String {
+    let [width, height] = logo.within(LOGO);
+    let data = base64(&logo.png());
+    format!(
+        "<img class=\"logo\" alt=\"\" style=\"width:{width:.1}pt;height:{height:.1}pt\" \
+         src=\"data:image/png;base64,{data}\">\n"
+    )
+}
+
+fn decision((outcome, says): &(Outcome, String)) -> String {
+    let class = match outcome {
+        Outcome::Pass => "pass",
+        Outcome::Fail => "fail",
+        Outcome::Undecided => "undecided",
+    };
+    let (title, says) = (outcome.title(), escape(says));
+    format!("<p class=\"decision {class}\"><b>{title}</b> {says}</p>\n")
 }
 
 fn write_block(block: &Block, out: &mut String) {

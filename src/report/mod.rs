@@ -3,14 +3,16 @@
 //!
 //! A [`Report`] is built once, from what is known of a session ([`Report::of_session`]) or from a
 //! model file ([`Report::of_model`]), and rendered by [`html`](fn@html) or [`pdf`](fn@pdf):
-//! both say the same. The same input gives the same bytes; there is no clock, the date is a line to fill in.
+//! both say the same. The same input gives the same bytes; there is no clock, the date is typed or a line to fill in.
 //!
 //! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
 //!   `calibration`, `accuracy`, `parts`: what goes in.
 //! - [`plots`] are drawings ([`crate::present::drawing`]), [`svg`](mod@svg) writes them.
 //! - [`html`](mod@html), [`pdf`](mod@pdf): the formats.
+//! - [`details`]: customer, serial numbers, tolerance and decision rule.
 //! - [`exported`]: tables that were written for a controller, by their hashes.
 
+pub mod details;
 pub mod document;
 pub mod exported;
 pub mod html;
@@ -21,13 +23,17 @@ pub mod svg;
 mod accuracy;
 mod calibration;
 mod findings;
+mod history;
+mod logo;
 mod parts;
 mod session;
 mod stages;
 
+pub use details::Details;
 pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};
 pub use html::html;
+pub use logo::Logo;
 pub use pdf::{PdfError, Written, pdf, pdf_with};
 pub use session::Evidence;
 pub use stages::{as_measured, stages};
@@ -38,6 +44,7 @@ use std::path::Path;
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;
 use crate::fonts::Library;
+use crate::history::History;
 
 /// What a report is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,10 +87,12 @@ impl Report {
 }
 
 /// What a report holds besides its session or model.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Extras {
-    /// The date as it is to be printed; without it there is a line to fill in.
-    pub date: Option<String>,
+    /// What the certificate states besides its measurements.
+    pub details: Details,
+    /// Sessions and models of the same machine.
+    pub history: Option<History>,
     /// Tables that were written for the controller.
     pub tables: Vec<ExportedTable>,
 }

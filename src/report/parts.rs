@@ -4,8 +4,8 @@ use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
-use super::Extras;
 use super::document::{Block, Section, Table, clean};
+use super::{Details, Extras};
 use crate::present::names::{parameter, title_on, usual_size};
 use crate::present::numbers::{plain, short, with_interval};
 
@@ -145,18 +145,34 @@ fn format_in_words(id: &str) -> String {
     crate::export::find(id).map_or_else(|| clean(id), |format| format.title.to_owned())
 }
 
+/// What the certificate states besides its measurements, if it states anything; what is empty is
+/// filled in by hand.
+pub(super) fn details(own: &Details) -> Option<Section> {
+    let lines = own.lines();
+    if lines.iter().all(|(_, text)| text.trim().is_empty()) {
+        return None;
+    }
+    let facts = lines
+        .into_iter()
+        .map(|(name, text)| fact(name, clean(&text)));
+    Some(Section {
+        title: "Report details".to_owned(),
+        blocks: vec![Block::Facts(facts.collect())],
+    })
+}
+
 /// Room for two signatures.
 pub(super) fn signatures(extras: &Extras) -> Section {
-    let date = extras.date.as_deref().map(clean).unwrap_or_default();
+    let own = &extras.details;
     let line = |name: &str| (name.to_owned(), String::new());
     Section {
         title: "Signatures".to_owned(),
         blocks: vec![
             Block::Text("The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions".to_owned()),
             Block::Sign(vec![
-                line("Calibrated by (name)"),
+                ("Calibrated by (name)".to_owned(), clean(&own.operator)),
                 line("Accepted by (name)"),
-                ("Place, date".to_owned(), date),
+                ("Place, date".to_owned(), clean(&own.date)),
                 line("Place, date"),
                 line("Signature"),
                 line("Signature"),

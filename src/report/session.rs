@@ -1,5 +1,6 @@
 //! The report of a session: everything that its diagnosis, verification and standards say.
 
+use crate::compensation::decision::{Fitted, Measured, Outcome, Rule};
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification};
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
@@ -10,6 +11,7 @@ use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::present::decision::rests_on;
 use crate::present::kinds;
 use crate::present::names::{figure, title, title_on};
 use crate::sessions::{Session, hash_of_samples};
@@ -19,12 +21,12 @@ use super::accuracy;
 use super::calibration::values;
 use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
-    fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts, signatures,
-    tables, tolerance,
+    details, fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts,
+    signatures, tables, tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
-use super::{Extras, ReportError};
+use super::{Extras, ReportError, history};
 use crate::present::numbers::{mm, plain, short};
 
 /// Rows of lists that have no end of their own.
@@ -75,17 +77,18 @@ impl Report {
             verification,
             model_hash: in_use.map_or_else(|| model_hash(&found.calibration(given)), model_hash),
         };
-        let mut sections = vec![told.measured(&hash), told.result(), told.parameters()];
+        let mut sections: Vec<Section> = details(&extras.details).into_iter().collect();
+        sections.extend([told.measured(&hash), told.result(), told.parameters()]);
         sections.extend(told.effects());
         sections.push(told.open());
         let stages = stages(session, calibration, verification, Some(found.floor.mm))?;
         sections.push(deviations_of(&stages));
         sections.push(match &evidence.standards {
             Ok(figures) => accuracy::section(figures),
-            // They are figures of points.
-            Err(error @ VerifyError::NoPoints { .. }) => accuracy::none(error),
             Err(error) => return Err(error.clone().into()),
         });
+        let history = extras.history.as_ref();
+        sections.extend(history.and_then(|h| history::section(h, &given.robot.name)));
         sections.push(told.limits());
         sections.extend(tables(extras, &hash, &told.model_hash));
         sections.push(signatures(extras));
@@ -93,6 +96,8 @@ impl Report {
         Ok(Self {
             title: "Calibration report".to_owned(),
             answer: told.answer(),
+            logo: extras.details.logo.clone(),
+            decision: extras.details.rule.map(|rule| told.decision(rule)),
             headline: told.headline(),
             foot: foot(&subject, &hash),
             subject,
@@ -177,6 +182,27 @@ impl Told<'_> {
             answer += &format!("; the model in use is another one: {other}");
         }
         answer
+    }
+
+    /// Whether the robot is within its tolerance, and what that rests on.
+    fn decision(&self, rule: Rule) -> (Outcome, String) {
+        let d = self.found;
+        let fitted = Fitted {
+            fit_mm: d.gap.end_mm,
+            held_out_mm: d.held_out.gaps.map(|g| g.end_mm),
+            floor_mm: Some(d.floor.mm),
+        };
+        let none = |because: &str| (Outcome::Undecided, format!("No decision: {because}"));
+        let Some(tolerance) = self.session.tolerance_mm else {
+            return none("no tolerance is stated");
+        };
+        match Measured::of(self.session, self.verification, fitted) {
+            Err(because) => none(because),
+            Ok(measured) => (
+                measured.decided(rule, tolerance),
+                rests_on(&measured, rule, tolerance),
+            ),
+        }
     }
 
     fn headline(&self) -> Vec<Figure> {

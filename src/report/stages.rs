@@ -3,6 +3,7 @@
 use crate::compensation::Verification;
 use crate::compensation::verification::moved_by_correction;
 use crate::effects::JointValues;
+use crate::fit::base_model;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
@@ -29,7 +30,9 @@ pub fn stages(
     if !session.samples.observed.is_empty() {
         all.stages[0].deviations = verification.before.clone();
     }
-    let before = &all.stages[0].deviations;
+    // What a correction moves is moved in the base frame, whatever the setups are.
+    let drawn = Model::nominal(session.robot.clone());
+    let before = deviations(&Problem::new(session, JointValues::Commanded), &drawn);
     let mut more = Vec::new();
     let moved = moved_by_correction(calibration, session)?;
     // What a correction moves is seen in points.
@@ -65,7 +68,7 @@ pub fn stages(
 /// A session's samples as measured, held against the nominal robot.
 pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
     let problem = Problem::new(session, JointValues::Commanded);
-    let nominal = Model::nominal(session.robot.clone());
+    let nominal = base_model::nominal(&session.robot, session, &problem);
     // Deviations are shown over the joint that moved farthest, in its own unit.
     let joints = &session.robot.joints;
     let travel = |k: usize| {

@@ -118,7 +118,7 @@ pub struct Setups {
 pub struct Samples {
     /// Commanded joint values, one column per joint; rad or mm.
     pub q: Vec<Vec<f64>>,
-    /// Joint values read back from the controller, where the file has them.
+    /// Joint values read back from the controller, rad or mm, where the file has them.
     pub q_read: Vec<Option<Vec<f64>>>,
     /// Measured x in the measuring frame, mm.
     pub x_mm: Vec<f64>,
@@ -126,7 +126,8 @@ pub struct Samples {
     pub y_mm: Vec<f64>,
     /// Measured z, mm; `None` in a planar session.
     pub z_mm: Option<Vec<f64>>,
-    /// Measured orientation as w, x, y, z columns.
+    /// Measured orientation of the tool in the measuring frame as w, x, y, z columns of unit
+    /// quaternions.
     pub orientation_wxyz: Option<[Vec<f64>; 4]>,
     /// Measurements other than points: distances, directions, touches, sockets.
     pub observed: ObservedColumns,

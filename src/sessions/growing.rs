@@ -184,9 +184,7 @@ impl Growing {
                 line => line + further,
             });
         }
-        Err(Rejected {
-            diagnostics: findings,
-        })
+        Err(Rejected::of(findings))
     }
 }
 

@@ -133,9 +133,7 @@ fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected
     let findings = accept(fields.findings)?;
     match robot {
         Some(robot) => Ok(LoadedRobot { robot, findings }),
-        None => Err(Rejected {
-            diagnostics: findings,
-        }),
+        None => Err(Rejected::of(findings)),
     }
 }
 
@@ -150,7 +148,7 @@ fn read_session(
     let is_large = bytes.len() as u64 > LARGE_DOCUMENT;
     let parsed = if is_large { 0.8 } else { 0.01 };
     let (mut fields, root) = Fields::open_in(place, text, part.part(0.0, parsed))?;
-    let refused = |diagnostics| Err(Rejected { diagnostics }.into());
+    let refused = |diagnostics| Err(Rejected::of(diagnostics).into());
     let Some((head, samples)) = head::read(&mut fields, root) else {
         return refused(fields.findings);
     };
@@ -288,9 +286,7 @@ fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
         .iter()
         .any(|finding| finding.severity == Severity::Error)
     {
-        return Err(Rejected {
-            diagnostics: findings,
-        });
+        return Err(Rejected::of(findings));
     }
     Ok(findings)
 }

@@ -11,10 +11,10 @@
 //! `domain`; they know nothing of files.
 
 pub(crate) mod assemble;
-pub mod cells;
+pub(crate) mod cells;
 pub(crate) mod columns;
 mod csv;
-pub mod division;
+pub(crate) mod division;
 mod domain;
 pub(crate) mod files;
 pub(crate) mod format_v1;
@@ -25,7 +25,7 @@ mod load;
 mod mend;
 mod observed;
 mod references;
-pub mod regions;
+pub(crate) mod regions;
 mod rows;
 mod save;
 mod saved_columns;
@@ -34,6 +34,8 @@ pub(crate) mod validation;
 #[cfg(test)]
 mod watched;
 
+pub use crate::atomic::WriteError;
+pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };
@@ -48,7 +50,5 @@ pub use mend::Mend;
 pub use references::{
     Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };
-pub use save::{
-    Replacing, commanded_heading, samples_path, save, save_watched, write_csv, write_inline,
-    write_robot,
-};
+pub(crate) use save::save_document;
+pub use save::{Replacing, samples_path, save, save_watched, write_csv, write_inline};

@@ -173,7 +173,6 @@ pub(crate) struct Measured {
     pub(crate) called: [&'static str; 2],
     /// The key of its noise in the session's instrument.
     pub(crate) sigma_key: &'static str,
-    /// Whether that is stated.
     pub(crate) stated: bool,
 }
 

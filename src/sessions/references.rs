@@ -87,7 +87,7 @@ pub struct SocketDistance {
 /// What points where the azimuths and elevations say, without regard to where it is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pointing {
-    /// The direction in the tool frame.
+    /// The direction in the tool frame, a unit vector.
     pub axis: Unit<Vector3<f64>>,
     /// Indices of the stations whose angles are those of the axis; `None`: of every row.
     pub stations: Option<Vec<usize>>,

@@ -19,11 +19,9 @@ use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
 use crate::document::{Value, object, write_document, write_number};
-use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
 use crate::sessions::format_v1::head;
-use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::saved_columns::{Column, Values, columns};
 
 /// What an output may replace.
@@ -70,15 +68,7 @@ pub fn save_watched(
     refuse_one_file_for_two(path, &csv)?;
     refuse_to_replace_inputs(path, replacing.inputs)?;
     refuse_to_replace_inputs(&csv, replacing.inputs)?;
-    let Some(csv_name) = csv.file_name().and_then(|name| name.to_str()) else {
-        return Err(WriteError::Io {
-            path: path.to_path_buf(),
-            source: io::Error::new(
-                io::ErrorKind::InvalidFilename,
-                "a file name in UTF-8 is needed",
-            ),
-        });
-    };
+    let csv_name = name_of(path, &csv)?;
     let document = Document {
         head: head::write(session),
         samples: object! { "file": csv_name },
@@ -95,6 +85,41 @@ pub fn save_watched(
     Ok(csv)
 }
 
+/// Saves the document of a session of which the samples stand beside it already, or will: as a CSV
+/// file of the same name ([`samples_path`]).
+///
+/// # Errors
+/// As [`save`].
+pub(crate) fn save_document(
+    session: &Session,
+    path: &Path,
+    replacing: Replacing<'_>,
+) -> Result<(), WriteError> {
+    let csv = samples_path(path);
+    refuse_one_file_for_two(path, &csv)?;
+    refuse_to_replace_inputs(path, replacing.inputs)?;
+    let document = Document {
+        head: head::write(session),
+        samples: object! { "file": name_of(path, &csv)? },
+    };
+    Prepared::write(path, replacing.force, |output| {
+        write_document(output, &document)
+    })?
+    .commit()
+}
+
+/// How a session at `path` names its samples.
+fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
+    let name = csv.file_name().and_then(|name| name.to_str());
+    name.ok_or_else(|| WriteError::Io {
+        path: path.to_path_buf(),
+        source: io::Error::new(
+            io::ErrorKind::InvalidFilename,
+            "a file name in UTF-8 is needed",
+        ),
+    })
+}
+
 /// Writes the session as a single document, samples inline: what goes to standard output.
 ///
 /// # Errors
@@ -106,14 +131,6 @@ pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
         samples: InlineTwin { columns },
     };
     write_document(output, &document)
-}
-
-/// Writes a robot as a document of its own, `ROBOT.json`.
-///
-/// # Errors
-/// What writing to `output` says.
-pub fn write_robot(robot: &Robot, output: impl Write) -> io::Result<()> {
-    write_document(output, &(ROBOT.write)(robot))
 }
 
 /// Writes the samples as CSV.
@@ -194,12 +211,6 @@ impl Serialize for ColumnsTwin<'_> {
         }
         map.end()
     }
-}
-
-/// The headings that a robot's poses are listed under: `q1_deg`, or `q1_mm` for a sliding joint.
-pub fn commanded_heading(robot: &Robot, joint: usize) -> String {
-    let unit = robot.joints[joint].kind.unit();
-    format!("q{}_{unit}", joint + 1)
 }
 
 #[cfg(test)]

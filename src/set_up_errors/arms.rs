@@ -272,10 +272,17 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     };
     Some(DataProblem {
         what: format!("the measuring frame was never aligned with the robot's base{twin}"),
-        evidence: format!(
-            "the median error is {fixed:.3} mm as it stands and {:.3} mm with the frame fitted",
-            free.median_mm
-        ),
+        evidence: if fixed.is_finite() {
+            format!(
+                "the median error is {fixed:.3} mm as it stands and {:.3} mm with the frame fitted",
+                free.median_mm
+            )
+        } else {
+            format!(
+                "no geometry fits the samples as they stand; with the frame fitted the median error is {:.3} mm",
+                free.median_mm
+            )
+        },
         proposal: format!(
             "align the instrument (turned by {degrees:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or \
              give the samples a `setup` column so that the frame is fitted",

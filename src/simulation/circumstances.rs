@@ -15,7 +15,7 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::sessions::{Lines, ObservedColumns, Samples};
 
 /// The samples of these stops, their points still at zero.
-pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> Samples {
+pub(crate) fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> Samples {
     let c = &scenario.circumstances;
     let joints = scenario.robot.joints.len();
     let targets = scenario.targets.len();

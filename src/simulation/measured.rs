@@ -75,7 +75,7 @@ fn turn_of(scenario: &Scenario, sample: usize) -> (Measure, Option<Place>) {
 ///
 /// # Errors
 /// A socket or a plane that the robot does not reach.
-pub fn measure(
+pub(crate) fn measure(
     scenario: &Scenario,
     model: &Model,
     session: &mut Session,

@@ -6,23 +6,23 @@
 //! would. The points come from [`Model::predict`]: the exact equations, not the linearised ones
 //! that a search may use.
 //!
-//! - [`scenario`]: what a scenario is; [`format_v1`]: its file, `truepose-scenario/1`.
-//! - [`motion`]: from a sweep or a list to stops, each with the side from which it was reached.
-//! - [`circumstances`]: speeds, loads and temperatures of the stops.
-//! - [`noise`]: what the instrument adds to a point; [`measured`]: every other way to measure.
-//! - [`truth`]: what was in it.
+//! - `scenario`: what a scenario is; `format_v1`: its file, `truepose-scenario/1`.
+//! - `motion`: from a sweep or a list to stops, each with the side from which it was reached.
+//! - `circumstances`: speeds, loads and temperatures of the stops.
+//! - `noise`: what the instrument adds to a point; `measured`: every other way to measure.
+//! - `truth`: what was in it.
 //!
 //! Everything random comes from one seed, in separate streams for order, conditions, noise and
 //! outliers: another noise does not change the poses. The same scenario and seed give the same
 //! session to the last bit.
 
-pub mod circumstances;
-pub mod format_v1;
-pub mod measured;
-pub mod motion;
-pub mod noise;
-pub mod scenario;
-pub mod truth;
+pub(crate) mod circumstances;
+pub(crate) mod format_v1;
+pub(crate) mod measured;
+pub(crate) mod motion;
+pub(crate) mod noise;
+pub(crate) mod scenario;
+pub(crate) mod truth;
 
 use std::ops::ControlFlow;
 
@@ -86,10 +86,7 @@ pub fn simulate(
 ) -> Result<(Session, Truth), SimulateError> {
     let problems = scenario.problems();
     if problems.iter().any(|p| p.severity == Severity::Error) {
-        return Err(Rejected {
-            diagnostics: problems,
-        }
-        .into());
+        return Err(Rejected::of(problems).into());
     }
     let stops = motion::stops(scenario, &mut random(seed, Stream::Order));
     let mut samples =

@@ -20,7 +20,7 @@ use crate::kinematics::JointKind;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// The stops of a scenario without problems.
-pub fn stops(scenario: &Scenario, random: &mut ChaCha8Rng) -> Vec<Stop> {
+pub(crate) fn stops(scenario: &Scenario, random: &mut ChaCha8Rng) -> Vec<Stop> {
     let robot = &scenario.robot;
     let joints = robot.joints.len();
     match &scenario.poses {
@@ -57,7 +57,7 @@ pub fn stops(scenario: &Scenario, random: &mut ChaCha8Rng) -> Vec<Stop> {
 }
 
 /// The side from which a joint reaches `to`; 0 where it does not move.
-pub fn side(from: f64, to: f64) -> f64 {
+pub(crate) fn side(from: f64, to: f64) -> f64 {
     if from == to {
         0.0
     } else {

@@ -21,10 +21,14 @@ use super::{Stream, random};
 use crate::model::Positions;
 
 /// Correlation of neighbours in [`NoiseKind::Ar1`].
-pub const CORRELATION: f64 = 0.7;
+pub(crate) const CORRELATION: f64 = 0.7;
 
 /// The points as the instrument sees them, and which of them are outliers, counted from 0.
-pub fn measured(scenario: &Scenario, exact: &Positions, seed: u64) -> (Positions, Vec<usize>) {
+pub(crate) fn measured(
+    scenario: &Scenario,
+    exact: &Positions,
+    seed: u64,
+) -> (Positions, Vec<usize>) {
     let mut measured = exact.clone();
     let n = measured.x_mm.len();
     if let Some(noise) = scenario.noise {
@@ -69,7 +73,7 @@ fn direction(planar: bool, random: &mut ChaCha8Rng) -> [f64; 3] {
 }
 
 /// Rounds to multiples of a resolution.
-pub fn resolved(resolution_mm: Option<f64>, mut points: Positions) -> Positions {
+pub(crate) fn resolved(resolution_mm: Option<f64>, mut points: Positions) -> Positions {
     if let Some(resolution) = resolution_mm {
         // Division by a whole number of steps per mm keeps the decimals short: 0.1 stays 0.1.
         let per_mm = (1.0 / resolution).round();

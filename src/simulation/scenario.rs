@@ -207,7 +207,7 @@ pub struct Outliers {
 }
 
 /// More samples than this are a slip of the keyboard.
-pub const MOST_SAMPLES: f64 = 2e7;
+pub(crate) const MOST_SAMPLES: f64 = 2e7;
 
 impl Scenario {
     /// One reflector at the tool's origin, no effect, no noise.

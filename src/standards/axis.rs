@@ -20,7 +20,7 @@ use super::points::Points;
 use super::positioning::{Position, Positioning};
 
 /// Approaches from each side that ISO 230-2 asks for.
-pub const STANDARD_RUNS: usize = 5;
+pub(crate) const STANDARD_RUNS: usize = 5;
 /// Series that are listed for an axis, best first.
 const MOST_SERIES: usize = 12;
 /// Below this radius, mm, a point says nothing of an angle.

@@ -1,28 +1,30 @@
 //! A robot's accuracy as the standards state it, as measured and with corrected commands.
 //!
-//! - [`positioning`]: one axis after ISO 230-2, from approaches of the same positions from both
+//! - `positioning`: one axis after ISO 230-2, from approaches of the same positions from both
 //!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
-//! - [`pose`]: pose accuracy and repeatability after ISO 9283.
-//! - [`test_cube`]: the cube, poses and paths that ISO 9283 has a robot measured at.
-//! - [`path`]: path accuracy and repeatability after ISO 9283.
+//! - `pose`: pose accuracy and repeatability after ISO 9283.
+//! - `test_cube`: the cube, poses and paths that ISO 9283 has a robot measured at.
+//! - `path`: path accuracy and repeatability after ISO 9283.
 //! - [`crate::present::standards_v1`] is `truepose-standards/1`.
 //!
 //! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings
 //! without another pose between them are one approach; the first counts. What the session cannot
 //! give is named, never guessed.
 
-pub mod axis;
-pub mod path;
-pub mod pose;
-pub mod positioning;
-pub mod test_cube;
+pub(crate) mod axis;
+pub(crate) mod path;
+pub(crate) mod pose;
+pub(crate) mod positioning;
+pub(crate) mod test_cube;
 
 mod grouping;
 mod points;
 
-pub use axis::{AxisTest, Series};
-pub use pose::PoseTest;
-pub use positioning::Positioning;
+pub use axis::{AxisTest, Fixed, Series};
+pub use path::{PathAttained, PathFigures};
+pub use pose::{Attained, Largest, PoseFigures, PoseTest, Turned, Variation};
+pub use positioning::{AtPosition, Position, Positioning};
+pub use test_cube::{NoCube, TestCube, TestPose};
 
 use crate::compensation::verification::VerifyError;
 use crate::model::Calibration;

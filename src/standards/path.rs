@@ -24,7 +24,7 @@ use super::pose::{Attained, Turned, attained, of_turns};
 /// Points of a path at which it is judged: the standard asks for at least so many.
 const FEWEST_POINTS: usize = 10;
 /// Cycles that the standard asks for.
-pub const PATH_CYCLES: usize = 10;
+pub(crate) const PATH_CYCLES: usize = 10;
 /// A commanded value belongs to a point of the first cycle within this part of the way to its neighbours.
 const HALF: f64 = 0.51;
 /// Without speeds: samples further apart in time than this are positions, s.

@@ -14,7 +14,6 @@ use crate::kinematics::Robot;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Session;
 
-/// See the module.
 #[derive(Debug)]
 pub(super) struct Points<'a> {
     pub(super) session: &'a Session,

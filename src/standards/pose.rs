@@ -24,20 +24,20 @@ use super::points::Points;
 use super::positioning::{mean, sample_deviation};
 
 /// Cycles that ISO 9283 asks for.
-pub const STANDARD_CYCLES: usize = 30;
+pub(crate) const STANDARD_CYCLES: usize = 30;
 
 /// What the attained positions of one pose from one direction give, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attained {
     /// `AP_x`, `AP_y`, `AP_z`; z is 0 in a planar session.
     pub accuracy_axes: [f64; 3],
-    /// `AP_p`.
+    /// `AP_p`, the distance of the mean from the command.
     pub accuracy: f64,
-    /// l̄.
+    /// l̄, the mean distance of the attained positions from their mean.
     pub mean_distance: f64,
-    /// `S_l`.
+    /// `S_l`, the standard deviation of those distances.
     pub deviation: f64,
-    /// `RP_l`.
+    /// `RP_l` = l̄ + 3 `S_l`.
     pub repeatability: f64,
 }
 
@@ -65,7 +65,7 @@ pub struct PoseFigures {
     pub cycles: usize,
     /// As measured.
     pub before: Attained,
-    /// As it would be with corrected commands.
+    /// As it would be with corrected commands, mm.
     pub after: Option<Attained>,
     /// Orientations as measured.
     pub orientation: Option<Turned>,
@@ -82,7 +82,7 @@ pub struct Variation {
     pub directions: usize,
     /// `vAP_p` as measured, mm.
     pub before: f64,
-    /// As it would be with corrected commands.
+    /// As it would be with corrected commands, mm.
     pub after: Option<f64>,
 }
 

@@ -15,7 +15,7 @@
 //! that of the deviations. What cannot be computed is `None`: a reversal needs both sides, a
 //! standard deviation two approaches.
 
-/// Deviations at one commanded position.
+/// Deviations at one commanded position, seconds of arc or mm.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Position {
     /// The commanded position, degrees or mm.
@@ -26,7 +26,7 @@ pub struct Position {
     pub down: Vec<f64>,
 }
 
-/// What one position gives.
+/// What one position gives, in the unit of its deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtPosition {
     /// The commanded position, degrees or mm.
@@ -47,7 +47,7 @@ pub struct AtPosition {
     pub repeatability_of_both: Option<f64>,
 }
 
-/// What the axis gives. Pairs are from below and from above.
+/// What the axis gives, in the unit of the deviations. Pairs are from below and from above.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Positioning {
     /// Position by position.

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use truepose::effects::{Inputs, JointValues, MeasuringFrame, Survey, Term};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
-use truepose::model::format_v1::{read_model, write_model};
+use truepose::model::{read_model, write_model};
 use truepose::sessions::{Session, load};
 
 const KINDS: [&str; 5] = ["six", "parallel", "seven", "scara", "positioner"];

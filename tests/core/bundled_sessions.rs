@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use truepose::diagnostic::{Diagnostic, Severity};
 use truepose::effects::JointValues;
 use truepose::fit::{identify_exact, identify_regional};
-use truepose::sessions::division::RegionChoice;
+use truepose::sessions::RegionChoice;
 use truepose::sessions::{Replacing, Session, load, samples_path, save};
 use truepose::simulation::{load_scenario, simulate, unwatched};
 

@@ -9,10 +9,10 @@ use truepose::compensation::{
 };
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{identify_exact, identify_regional};
-use truepose::model::format_v1::{model_hash, read_model, write_model};
 use truepose::model::{Calibration, Model};
+use truepose::model::{model_hash, read_model, write_model};
+use truepose::sessions::RegionChoice;
 use truepose::sessions::Session;
-use truepose::sessions::division::RegionChoice;
 use truepose::simulation::{
     Poses, Scenario, Stop, load_scenario, parse_scenario, simulate, unwatched,
 };
@@ -354,7 +354,7 @@ fn no_table_is_made_from_what_another_table_left() {
     let calibration = exact(&session, &["joint-zero-offset", "link-length"]);
     let refused = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap_err();
     assert!(refused.to_string().contains("0123abcd"), "{refused}");
-    let text = truepose::model::format_v1::write_model(&calibration);
-    let back = truepose::model::format_v1::read_model(&text).unwrap();
+    let text = truepose::model::write_model(&calibration);
+    let back = truepose::model::read_model(&text).unwrap();
     assert_eq!(back.compensated_by, calibration.compensated_by);
 }

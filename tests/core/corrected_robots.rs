@@ -14,7 +14,7 @@ use truepose::export::{Export, ExportError, Job, Motors, Options, Reference, Zer
 use truepose::fit::{DEFAULT_EFFECTS, identify_exact};
 use truepose::kinematics::{DhConvention, JointKind};
 use truepose::model::Calibration;
-use truepose::model::format_v1::load_model;
+use truepose::model::load_model;
 
 type Pose = Isometry3<f64>;
 

@@ -5,7 +5,7 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use truepose::effects::curve::Knots;
+use truepose::effects::Knots;
 use truepose::effects::{
     BESIDE_THE_CATALOGUE, CATALOGUE, Curve, Effect, Inputs, Setting, Term, UNEXPLAINED,
 };

@@ -363,8 +363,7 @@ fn the_locale_does_not_reach_the_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = one_joint("revolute", [-90.0, 90.0]);
     let zero: &[(&str, f64)] = &[("offset_deg", 0.1234)];
-    let model =
-        truepose::model::format_v1::write_model(&known(&session, &[("joint-zero-offset", zero)]));
+    let model = truepose::model::write_model(&known(&session, &[("joint-zero-offset", zero)]));
     let model_path = folder.path().join("m.json");
     std::fs::write(&model_path, model).expect("it can be written");
     let suits = |format: &&truepose::export::Format| (format.suits)(&session.robot);

@@ -12,10 +12,10 @@ use std::path::Path;
 
 use crate::compensating::{self, HELD};
 use proptest::prelude::*;
-use truepose::export::lerobot_calibration;
 use truepose::importers::{
     AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, find, import, inspect,
 };
+use truepose::inside::lerobot_calibration;
 use truepose::kinematics::Robot;
 use truepose::kinematics::{robot_from_mjcf, robot_from_urdf};
 use truepose::programs::{Axes, LANGUAGES, Shape};

@@ -47,6 +47,7 @@ mod programs;
 mod recordings;
 mod recovery;
 mod report;
+mod report_details;
 mod robots;
 mod sessions_on_disk;
 mod simulated_geometry;

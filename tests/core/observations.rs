@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
-use truepose::model::format_v1::{read_model, write_model};
+use truepose::model::{read_model, write_model};
 use truepose::sessions::{Session, load, parse_with_csv, save};
 
 const CASES: [&str; 18] = [

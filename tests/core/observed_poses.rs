@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use truepose::diagnosis::{Diagnosis, NextPose, Options};
 use truepose::effects::Inputs;
-use truepose::effects::inputs::reflectors_at_home;
+use truepose::inside::reflectors_at_home;
 use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, load, parse};
 

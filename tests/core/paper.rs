@@ -12,9 +12,9 @@ use truepose::diagnosis::Options;
 use truepose::effects::JointValues;
 use truepose::fit::{identify_exact, identify_regional};
 use truepose::kinematics::{Axis, Joint, JointKind, Pose, Range, Robot};
-use truepose::paper::regional_start;
 use truepose::pipeline::diagnose;
-use truepose::sessions::division::RegionChoice;
+use truepose::pipeline::regional_start;
+use truepose::sessions::RegionChoice;
 use truepose::sessions::{Instrument, Region, Samples, Session, Target};
 
 /// Angles of the paper's samples in degrees, region by region.

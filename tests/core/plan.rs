@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use serde_json::Value;
 use truepose::design::measuring_list;
-use truepose::design::plan::{PlanError, PlanOptions, plan_robot, plan_session};
+use truepose::design::{PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::kinematics::{JointKind, Robot};
@@ -388,7 +388,7 @@ fn more_poses_than_needed_lower_the_detection_limits() {
     };
     let (few, many) = (with(6), with(60));
     assert_eq!((few.poses.len(), many.poses.len()), (6, 60));
-    let limit = |plan: &truepose::design::plan::Plan, id: &str| {
+    let limit = |plan: &truepose::design::Plan, id: &str| {
         let all = plan.seen_above();
         let one = all.into_iter().find(|s| s.effect == id);
         one.expect("testable").sizes[0].1

@@ -13,7 +13,7 @@ use std::process::Command;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::Value;
 use truepose::design::measuring_program;
-use truepose::design::plan::{Plan, PlanError, PlanOptions, plan_robot, plan_session};
+use truepose::design::{Plan, PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::kinematics::Robot;
 use truepose::programs::{Axes, Shape, find};

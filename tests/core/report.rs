@@ -13,7 +13,7 @@ use truepose::diagnosis::{DiagnoseError, Diagnosis, Options};
 use truepose::fit::NotIdentifiable;
 use truepose::fonts::{Library, Purpose, cannot_be_shown};
 use truepose::model::Calibration;
-use truepose::model::format_v1::model_hash;
+use truepose::model::model_hash;
 use truepose::pipeline::{self, diagnose};
 use truepose::report::svg::svg_file;
 use truepose::report::{Extras, Report, ReportError, html, pdf, pdf_with, plots, stages};

@@ -198,6 +198,31 @@ fn what_cannot_be_recorded_is_refused_and_leaves_no_file() {
     assert_eq!(std::fs::read_to_string(&out).unwrap(), "kept");
 }
 
+#[test]
+fn a_connection_that_ends_is_made_again_where_that_is_wanted() {
+    let folder = Folder::new("again");
+    let out = folder.file("stream.csv");
+    let server = TcpListener::bind("127.0.0.1:0").unwrap();
+    let source = format!("tcp://{}", server.local_addr().unwrap());
+    let child = record(&source, &out, &["--reconnect", "--lines", "3"]);
+    for bytes in [&b"x_mm,y_mm\n1,2\n3,"[..], b"x_mm,y_mm\nboo\n5,6\n7,8\n"] {
+        server.accept().unwrap().0.write_all(bytes).unwrap();
+    }
+    let output = child.wait_with_output().unwrap();
+    let said = messages(&output);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let text = std::fs::read_to_string(&out).unwrap();
+    assert_eq!(text, "x_mm,y_mm\n1,2\n5,6\n7,8\n");
+    for part in [
+        "has no end",
+        "has 1 cells, not 2",
+        "tries again",
+        "3 lines recorded",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+}
+
 /// Points of an axis with this zero offset and radius, seen with some noise that repeats.
 fn session(folder: &Folder, name: &str, offset_deg: f64, radius_mm: f64, start_s: f64) {
     let mut csv = String::from("q1_deg,x_mm,y_mm,z_mm,time_s\n");

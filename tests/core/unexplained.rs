@@ -9,13 +9,13 @@ use std::process::{Command, Output};
 use crate::rig::{Design, Hidden, Kind, Random, Rig, Shot};
 use truepose::compensation::{Conditions, JointTable, Side, verify};
 use truepose::diagnosis::{Allowed, Correction, Diagnosis, Options};
-use truepose::effects::curve::Knots;
+use truepose::effects::Knots;
 use truepose::effects::{Curve, Inputs, JointValues, Term};
 use truepose::fit::identify_exact;
-use truepose::fit::problem::Problem;
-use truepose::fit::solver::solve;
+use truepose::inside::Problem;
+use truepose::inside::solve;
 use truepose::model::Model;
-use truepose::model::format_v1::{read_model, write_model};
+use truepose::model::{read_model, write_model};
 use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 

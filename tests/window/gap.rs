@@ -8,7 +8,7 @@ use crate::window::{Window, copied, press, says, status, window_of};
 use egui_kittest::kittest::Queryable;
 use truepose::gui::Runner;
 use truepose::sessions::Replacing;
-use truepose::simulation::format_v1::parse_scenario;
+use truepose::simulation::parse_scenario;
 use truepose::simulation::{simulate, unwatched};
 
 /// A session with a hidden effect: what the simulator makes of this scenario.

@@ -33,6 +33,7 @@ mod many;
 mod models;
 mod pictures;
 mod preferences;
+mod record;
 mod regions;
 mod report;
 mod session;

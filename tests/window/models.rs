@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::window::{STEPS, bundled, open, press, says, window};
 use egui_kittest::kittest::Queryable;
 use truepose::effects::JointValues;
-use truepose::model::format_v1::write_model;
+use truepose::model::write_model;
 use truepose::pipeline::{Method, identify};
 use truepose::sessions::load;
 

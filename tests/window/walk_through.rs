@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::window::{Window, gaps, keys, open, press, says, there, type_into, window};
 use egui_kittest::kittest::Queryable;
-use truepose::model::format_v1::load_model;
+use truepose::model::load_model;
 use truepose::sessions::load;
 
 fn raw(name: &str) -> PathBuf {

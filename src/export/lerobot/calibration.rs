@@ -8,10 +8,8 @@ use crate::diagnostic::{Place, Rejected};
 use crate::document::{Fields, Member, Node, Path, Value};
 use crate::sessions::files::as_text;
 
-/// Ticks of a turn.
 pub(super) const TICKS_PER_TURN: i64 = 4096;
 
-/// One motor.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Motor {
     pub(super) name: String,
@@ -45,12 +43,7 @@ pub(super) fn read_calibration(bytes: &[u8], name: &str) -> Result<Vec<Motor>, R
     let text = as_text(bytes, &place)?;
     let (mut fields, root) = Fields::open(place, text)?;
     let motors = motors(&mut fields, &root);
-    match motors {
-        Some(motors) if !fields.has_errors() => Ok(motors),
-        _ => Err(Rejected {
-            diagnostics: fields.findings,
-        }),
-    }
+    fields.finish(motors)
 }
 
 fn motors(fields: &mut Fields<'_>, root: &Node) -> Option<Vec<Motor>> {

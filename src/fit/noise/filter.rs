@@ -3,7 +3,7 @@
 
 /// What one sample does in the filter of an axis.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Step {
+pub(crate) struct Step {
     /// How much of the state is left from the sample before.
     pub carry: f64,
     /// How much of what is new goes into the state.

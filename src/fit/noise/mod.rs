@@ -34,9 +34,9 @@ mod restricted;
 mod slow_part;
 
 use crate::answers::noise::Trial;
-pub use crate::answers::noise::{Noise, Slow, StatedNoise};
+pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use filter::carried;
-pub use filter::{Filter, Step};
+pub(crate) use filter::{Filter, Step};
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.
@@ -55,7 +55,7 @@ const SLOW_EVIDENCE: f64 = 12.0;
 /// few slow swings is not.)
 pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 /// Below this noise is rounding, mm.
-pub const SMALLEST_SIGMA_MM: f64 = 1e-6;
+pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
 
 impl Noise {
     /// From raw residuals and the columns of the fit that left them.

@@ -4,6 +4,8 @@
 use std::sync::Arc;
 
 use super::identified::Outcome;
+use crate::compensation::decision::{Fitted, Measured};
+use crate::pipeline;
 use crate::present::standards::{Group, groups};
 use crate::present::table::{Cell, Table};
 
@@ -11,13 +13,17 @@ use crate::present::table::{Cell, Table};
 pub(crate) struct Figures {
     /// The identification behind the corrected commands.
     pub(crate) outcome: Arc<Outcome>,
+    /// What noise alone leaves, where a diagnosis has shown it.
+    pub(crate) floor_mm: Option<f64>,
     /// The figures, or why there are none; `None` while they are worked out.
     pub(crate) made: Option<Result<Made, String>>,
 }
 
 /// What the standards say.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct Made {
+    /// The deviation that is held against the tolerance, or why there is none.
+    pub(crate) measured: Result<Measured, String>,
     /// One for each axis, and one for the poses.
     pub(crate) groups: Vec<Group>,
     /// What else there is to say.
@@ -26,21 +32,29 @@ pub(crate) struct Made {
 
 impl Figures {
     /// Works them out. Takes its time with many samples.
-    pub(crate) fn of(outcome: Arc<Outcome>) -> Self {
-        let made = made(&outcome);
+    pub(crate) fn of(outcome: Arc<Outcome>, floor_mm: Option<f64>) -> Self {
+        let made = made(&outcome, floor_mm);
         Self {
             outcome,
+            floor_mm,
             made: Some(made),
         }
     }
 }
 
-fn made(outcome: &Outcome) -> Result<Made, String> {
+fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<Made, String> {
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
-    let figures = crate::pipeline::standards(session, Some(&answer.calibration))
-        .map_err(|e| e.to_string())?;
+    let figures =
+        pipeline::standards(session, Some(&answer.calibration)).map_err(|e| e.to_string())?;
+    let found = &answer.identification;
+    let fitted = Fitted {
+        fit_mm: found.gap.after.rms_mm,
+        held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
+        floor_mm,
+    };
     Ok(Made {
+        measured: pipeline::conformity(session, &answer.calibration, fitted),
         groups: groups(&figures, 1),
         notes: figures.notes,
     })

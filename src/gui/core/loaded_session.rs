@@ -6,18 +6,22 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use nalgebra::Isometry3;
+
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
 use crate::effects::{CATALOGUE, JointValues, Survey};
+use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::kinematics::{JointKind, Range};
-use crate::model::{Model, Positions};
+use crate::model::Positions;
 use crate::progress::{Cancelled, Part};
 use crate::sessions::Session;
 
 use super::angles::Angles;
+use super::answer::measuring_from_base;
 use super::attached::Attached;
 use super::coverage::Known;
 use super::overview::Overview;
@@ -108,6 +112,9 @@ pub(crate) struct Subject {
     pub(crate) findings: Vec<Diagnostic>,
     /// Where it came from.
     pub(crate) origin: Origin,
+    /// The base in the measuring frame of the first setup, where the session has setups: as the nominal
+    /// robot lies best in what was measured.
+    pub(crate) base: Option<Isometry3<f64>>,
     /// Where the nominal robot would be, measuring frame.
     pub(crate) nominal: Positions,
     /// Measured − nominal.
@@ -178,7 +185,8 @@ impl Subject {
         done: impl Fn(f64) -> Result<(), E>,
     ) -> Result<Self, E> {
         let problem = Problem::new(&session, JointValues::Commanded);
-        let model = Model::nominal(session.robot.clone());
+        let model = base_model::nominal(&session.robot, &session, &problem);
+        let base = measuring_from_base(&model, 0.0);
         done(0.1)?;
         let nominal = model.predict(&problem.inputs);
         done(0.2)?;
@@ -209,6 +217,7 @@ impl Subject {
             known,
             drawn: Attached::default(),
             tallied: OnceLock::new(),
+            base,
             nominal,
             before,
             gap_before,

@@ -7,14 +7,14 @@
 //!
 //! Sorting costs n log n once, in the background; then a dragged boundary costs a few searches for
 //! each region, however many samples there are. ΔP = nominal − measured along the radial direction
-//! at home and a quarter turn further, as in [`crate::fit::sum_by_region`], with which a
+//! at home and a quarter turn further, as in `fit::plane::sum_by_region`, with which a
 //! test compares it.
 
 use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::fit::RegionSums;
 use crate::fit::gap::Deviations;
+use crate::fit::plane::RegionSums;
 use crate::fit::problem::Problem;
 use crate::lanes::dot;
 use crate::sessions::{Region, Session};
@@ -136,7 +136,7 @@ fn region_sums([samples, dx, l1_dy, l1_l1, square]: Sums) -> RegionSums {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::sum_by_region;
+    use crate::fit::plane::sum_by_region;
     use crate::gui::testing::workbench;
     use crate::sessions::regions::Assignment;
     use crate::sessions::regions::testing::regions;

@@ -25,9 +25,12 @@ macro_rules! register {
 register! {
     about,
     compensation,
+    details,
+    history,
     keys,
     palette,
     preferences,
+    recording,
     recovery,
     words,
 }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::machines::{Machine, remember};
 use crate::atomic::{WriteError, write_atomically};
 use crate::gui::preferences::Preferences;
 
@@ -26,6 +27,9 @@ pub(crate) struct Settings {
     /// Files that were opened or saved, newest first.
     #[serde(default)]
     pub(crate) recent: Vec<PathBuf>,
+    /// What the reports of machines state, newest first.
+    #[serde(default)]
+    pub(crate) machines: Vec<Machine>,
 }
 
 impl Default for Settings {
@@ -34,6 +38,7 @@ impl Default for Settings {
             format: FORMAT.to_owned(),
             preferences: Preferences::default(),
             recent: Vec::new(),
+            machines: Vec::new(),
         }
     }
 }
@@ -98,6 +103,11 @@ pub(crate) fn keep_preferences(folder: &Path, preferences: Preferences) -> Resul
 /// Keeps a change of the recent files.
 pub(crate) fn keep_recent(folder: &Path, recent: &Recent) -> Result<(), WriteError> {
     change(folder, |settings| recent.apply(&mut settings.recent))
+}
+
+/// Keeps what the report of a machine states.
+pub(crate) fn keep_machine(folder: &Path, machine: Machine) -> Result<(), WriteError> {
+    change(folder, |settings| remember(&mut settings.machines, machine))
 }
 
 /// The recent files after a change.

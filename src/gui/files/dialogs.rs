@@ -35,6 +35,18 @@ pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
         .pick_file()
 }
 
+/// Asks the user for a folder of sessions.
+pub(crate) fn choose_folder(beside: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(beside).set_title("Folder with the sessions of a machine");
+    dialog.pick_folder()
+}
+
+/// Asks the user for a picture for the head of a report.
+pub(crate) fn choose_logo(beside: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(beside).set_title("Logo of the report");
+    dialog.add_filter("PNG pictures", &["png"]).pick_file()
+}
+
 /// Asks the user for a file that an instrument wrote, beside this file.
 pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(beside)

@@ -12,8 +12,8 @@ mod saving;
 
 pub(crate) use advice::ending;
 pub(crate) use dialogs::{
-    choose_beside, choose_targets, choose_to_export, choose_to_import, choose_to_open,
-    choose_to_save,
+    choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export, choose_to_import,
+    choose_to_open, choose_to_save,
 };
 pub(crate) use examples::{first_example, open_example};
 pub(crate) use exporting::{

@@ -13,6 +13,7 @@ use crate::report::{ExportedTable, Extras, Kind};
 use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::Document;
 use crate::gui::core::search::{self, Search};
+use crate::gui::core::stated::Stated;
 use crate::gui::files;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
@@ -30,6 +31,8 @@ pub(crate) enum Source {
 pub(crate) struct Wanted {
     /// Where it comes from.
     pub(crate) source: Source,
+    /// What the certificate states besides its measurements.
+    pub(crate) stated: Stated,
     /// Tables that were exported from this session.
     pub(crate) tables: Vec<PathBuf>,
     /// Files that it may not replace.
@@ -57,7 +60,8 @@ fn make(
     // A long search is not begun for a file that cannot be written.
     files::can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
-        date: None,
+        details: wanted.stated.complete()?,
+        history: None,
         tables: named_tables(&wanted.tables, details),
     };
     let report = match &wanted.source {
@@ -117,6 +121,7 @@ mod tests {
     fn wanted() -> Wanted {
         Wanted {
             source: Source::Session(Arc::new(Document::new(first_example())), None, None),
+            stated: Stated::default(),
             tables: Vec::new(),
             inputs: Vec::new(),
         }

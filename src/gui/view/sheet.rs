@@ -37,6 +37,12 @@ pub(crate) enum Sheet {
 impl Sheet {
     /// Targets that were corrected.
     pub(crate) const COMPENSATION: Self = Self::Named("compensation");
+    /// What the report states besides its measurements.
+    pub(crate) const DETAILS: Self = Self::Named("details");
+    /// What became of the machine.
+    pub(crate) const HISTORY: Self = Self::Named("history");
+    /// Recording from an instrument.
+    pub(crate) const RECORDING: Self = Self::Named("recording");
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
 }

@@ -9,7 +9,7 @@ use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::with_minus_signs;
-use crate::gui::view::{About, Step, What};
+use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
@@ -76,13 +76,19 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     widgets::section(ui, say!("export-report"));
-    let mut offer = |ui: &mut Ui, text: &str, about: About| {
+    let mut offer = |ui: &mut Ui, text: &str, command: Command| {
         if widgets::secondary(ui, text).clicked() {
-            commands.push(Command::ChooseWhereToExport(What::Report(about)));
+            commands.push(command);
         }
     };
+    let report = |about| Command::ChooseWhereToExport(What::Report(about));
     if measured {
-        offer(ui, say!("common-report"), About::Session);
+        offer(
+            ui,
+            say!("common-report-details"),
+            Command::Sheet(Some(Sheet::DETAILS)),
+        );
+        offer(ui, say!("common-report"), report(About::Session));
         let says = if workbench.diagnosis().is_some() {
             say!("export-html-or-pdf-what-was")
         } else {
@@ -96,7 +102,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         } else {
             say!("common-report")
         };
-        offer(ui, text, About::Model);
+        offer(ui, text, report(About::Model));
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) mod pictures;
 mod regions;
 pub(super) mod results;
 mod samples;
-mod session;
+pub(super) mod session;
 mod setup;
 pub(super) mod stage;
 mod standards;

@@ -3,6 +3,7 @@
 use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
+use crate::compensation::decision::Outcome as Conformity;
 use crate::fit::noise::StatedNoise;
 use crate::fit::problem::Unusable;
 use crate::fit::{Estimate, Gap, RegionResult};
@@ -11,7 +12,7 @@ use crate::gui::core::loaded;
 use crate::gui::language::names::title_on;
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, grouped, trimmed};
+use crate::gui::units::{Units, grouped, trimmed, with_minus_signs};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
@@ -165,7 +166,27 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);
         }
+        decision(ui, workbench);
     });
+}
+
+/// Whether the robot is within its tolerance, where a rule decides it.
+pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
+    let palette = Palette::of(ui);
+    match workbench.decision() {
+        None => {}
+        Some(Err(because)) => widgets::hint(ui, format!("No decision: {because}")),
+        Some(Ok((outcome, says))) => {
+            let color = match outcome {
+                Conformity::Pass => palette.within,
+                Conformity::Fail => palette.outside,
+                Conformity::Undecided => palette.warning,
+            };
+            let title = RichText::new(outcome.title()).font(strong(size::BODY));
+            ui.label(title.color(color));
+            widgets::hint(ui, with_minus_signs(&says));
+        }
+    }
 }
 
 fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {

@@ -155,7 +155,8 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+/// The tolerance, to be typed.
+pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     // The largest that makes sense on any robot; the field is in mm, as the file is.
     const LARGEST_MM: f64 = 1000.0;
     let now = workbench.document().tolerance_mm.unwrap_or(0.0);

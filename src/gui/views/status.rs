@@ -10,6 +10,7 @@ use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::recorder::live::State;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
@@ -96,6 +97,27 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
+/// What is recorded from an instrument, where something is; it counts more than what runs besides.
+fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) -> bool {
+    let Some((_, heard)) = workbench.recording() else {
+        return false;
+    };
+    let palette = Palette::of(ui);
+    if ui.small_button("Stop recording").clicked() {
+        commands.push(Command::StopRecording);
+    }
+    let color = match heard.state {
+        State::Waiting(_) => palette.warning,
+        _ => palette.accent,
+    };
+    let says = RichText::new(heard.says()).size(size::NOTE).color(color);
+    let label = ui.add(egui::Label::new(says).truncate());
+    if let Some(last) = &heard.last_refused {
+        label.on_hover_text(last);
+    }
+    true
+}
+
 /// Room for what runs in the background, points.
 const BUSY: f32 = 420.0;
 
@@ -104,13 +126,16 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.horizontal_centered(|ui| {
         let status = line(workbench);
         // What runs has its place at the right whatever is said at the left.
-        let busy = workbench.jobs().newest().is_some();
+        let busy = workbench.jobs().newest().is_some() || workbench.recording().is_some();
         let room = ui.available_width() - if busy { BUSY } else { 0.0 };
         let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
         let high = ui.available_height();
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if recording(ui, workbench, commands) {
+                return;
+            }
             let Some(task) = workbench.jobs().newest() else {
                 return idle(ui, workbench, commands);
             };

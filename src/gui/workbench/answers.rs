@@ -13,7 +13,7 @@ use crate::gui::cache::identified::{After, Outcome};
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::plot_cache::{Backdrop, Scenery};
 use crate::gui::cache::preview::{Made, Wanted};
-use crate::gui::core::answer::Answer;
+use crate::gui::core::answer::{Answer, measuring_from_base};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_model::Given;
@@ -91,20 +91,30 @@ impl Workbench {
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
-    /// of its own: then deviations before are mostly those of the frame.
+    /// of its own, and the nominal robot was not seen from there: then deviations before are mostly
+    /// those of the frame.
     pub(crate) fn found_base(&self) -> Option<Isometry3<f64>> {
-        /// Part of the workspace.
-        const FAR: f64 = 0.05;
-        let far_mm = FAR * self.subject().overview.reach_mm;
-        self.answer()?.measuring_from_base(far_mm)
+        if self.subject().base.is_some() {
+            return None;
+        }
+        let model = &self.answer()?.calibration.model;
+        measuring_from_base(model, self.far_mm())
     }
 
-    /// Where the base is drawn in the measuring frame: in space as it was identified, once that is
-    /// shown.
+    fn far_mm(&self) -> f64 {
+        /// Part of the workspace.
+        const FAR: f64 = 0.05;
+        FAR * self.subject().overview.reach_mm
+    }
+
+    /// Where the base is drawn in the measuring frame: in space where the session's setups put it, or
+    /// as it was identified, once that is shown.
     pub(crate) fn base(&self) -> Isometry3<f64> {
-        let shown = self.view.in_space() && self.view.blend > 0.0;
+        let in_space = self.view.in_space();
+        let shown = in_space && self.view.blend > 0.0;
         let found = self.found_base().filter(|_| shown);
-        found.unwrap_or_else(Isometry3::identity)
+        let own = self.subject().base.filter(|_| in_space);
+        found.or(own).unwrap_or_else(Isometry3::identity)
     }
 
     /// The axes of the view of the workspace, in the measuring frame. In space z of the base is up.

@@ -7,8 +7,10 @@ use crate::gui::core::boundary_entry::End;
 use crate::gui::core::compensated::Wanted;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
+use crate::gui::core::recording;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
+use crate::gui::core::stated::Stated;
 use crate::gui::import_draft::{Beside, Said};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
@@ -89,6 +91,17 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Report details are these now.
+    State(Box<Stated>),
+    /// Compare the sessions of a folder, and show what changed.
+    CompareSessions(PathBuf),
+    /// Ask for a folder of sessions.
+    ChooseFolder,
+    /// Record what an instrument sends.
+    Record(Box<recording::Wanted>),
+    StopRecording,
+    /// Ask for a picture for the head of the report.
+    ChooseLogo,
     /// Ask for a table of targets or a robot program to be corrected.
     ChooseTargets,
     /// Correct its targets by the model that is shown, and show what changes.

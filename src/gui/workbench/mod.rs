@@ -9,6 +9,7 @@ mod background;
 mod charts;
 mod command;
 mod compensating;
+mod details;
 mod dividing;
 mod exports;
 mod follow;
@@ -18,6 +19,8 @@ mod how_far;
 mod imports;
 mod leaving;
 mod papers;
+mod past;
+mod recording;
 mod recovering;
 mod recovery_writer;
 mod state;
@@ -221,6 +224,12 @@ impl Workbench {
                 self.view.sheet = None;
                 self.export_to(what, self.placed(&path), replace);
             }
+            Command::State(stated) => self.state(*stated),
+            Command::CompareSessions(folder) => self.compare_sessions(folder),
+            Command::ChooseFolder => self.choose_folder(),
+            Command::Record(wanted) => self.record(*wanted),
+            Command::StopRecording => self.stop_recording(),
+            Command::ChooseLogo => self.choose_logo(),
             Command::ChooseTargets => self.choose_targets(),
             Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
@@ -333,6 +342,9 @@ impl Workbench {
                 ) {
                     // Whoever closes the question wants neither.
                     self.stay();
+                }
+                if self.view.sheet == Some(Sheet::DETAILS) {
+                    self.keep_stated();
                 }
                 if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
                     self.cancel_look();

@@ -57,6 +57,7 @@ impl Workbench {
         };
         let wanted = reporting::Wanted {
             source,
+            stated: self.stated(),
             tables: self.exported.clone(),
             inputs: self.inputs(),
         };
@@ -88,25 +89,28 @@ impl Workbench {
 
     /// Asks for the figures that the export step shows; one at a time, nobody waits for them.
     pub(super) fn keep_figuring(&mut self) {
-        if self.view.step != Step::Export || self.subject().is_empty() || self.answer().is_none() {
+        // A decision stands in the results of every step.
+        let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
+        if !wanted || self.subject().is_empty() || self.answer().is_none() {
             return;
         }
+        let floor_mm = self.diagnosis().map(|found| found.floor.mm);
         let Some(outcome) = self.outcome.clone() else {
             return;
         };
-        let there = self
-            .figures
-            .as_ref()
-            .is_some_and(|f| f.made.is_none() || Arc::ptr_eq(&f.outcome, &outcome));
+        let there = self.figures.as_ref().is_some_and(|f| {
+            f.made.is_none() || f.floor_mm == floor_mm && Arc::ptr_eq(&f.outcome, &outcome)
+        });
         if there {
             return;
         }
         self.figures = Some(Figures {
             outcome: Arc::clone(&outcome),
+            floor_mm,
             made: None,
         });
         self.jobs.quietly(
-            move || Figures::of(outcome),
+            move || Figures::of(outcome, floor_mm),
             |bench: &mut Self, figures| {
                 bench.figures = Some(figures);
                 // What is shown may be another answer by now.

@@ -24,6 +24,7 @@ impl Workbench {
         let (settings, damaged) = settings::read(&home);
         self.view.preferences = settings.preferences;
         self.desk.recent = settings.recent;
+        self.desk.machines = settings.machines;
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();
         details
@@ -75,7 +76,7 @@ impl Workbench {
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
     /// that it came from.
-    fn folder(&self) -> Option<PathBuf> {
+    pub(super) fn folder(&self) -> Option<PathBuf> {
         let came_from = match &self.subject().origin {
             Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
             Origin::Recovered(path) => path.as_ref(),
@@ -128,8 +129,10 @@ impl Workbench {
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
         let subject = Arc::clone(self.subject());
+        let mut opened = None;
         match &subject.origin {
             Origin::File(path) => {
+                opened = Some(path.clone());
                 let place = Place {
                     path: path.clone(),
                     files: subject.files.clone(),
@@ -146,6 +149,7 @@ impl Workbench {
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
+        self.follow_recording(opened.as_deref());
     }
 
     /// Another opening is looked at now.

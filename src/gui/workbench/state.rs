@@ -9,6 +9,10 @@ use crate::gui::cache::plot_cache::Scenery;
 use crate::gui::cache::preview::Wanted;
 use crate::gui::core::disk::Print;
 use crate::gui::core::document::{Document, Question};
+use crate::gui::core::past::Past;
+use crate::gui::core::stated::Stated;
+use crate::gui::file_state::machines::Machine;
+use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{Keeper, LeftBehind};
 use crate::gui::jobs::Latest;
 use crate::gui::view::Then;
@@ -31,6 +35,15 @@ pub(super) struct Desk {
     /// Restored, and to be removed as soon as this window keeps it itself.
     pub(super) restored: Vec<LeftBehind>,
     pub(super) recent: Vec<PathBuf>,
+    /// What the reports of machines state, newest first.
+    pub(super) machines: Vec<Machine>,
+    pub(super) recording: Option<UnderWay>,
+    /// The session of a recording, which is followed once it is open.
+    pub(super) to_follow: Option<PathBuf>,
+    /// Sessions that were compared.
+    pub(super) past: Option<Arc<Past>>,
+    /// What was typed for the report of an opening.
+    pub(super) stated: BTreeMap<u64, Stated>,
     pub(super) missing: Vec<PathBuf>,
     pub(super) places: BTreeMap<u64, Place>,
     /// Documents that stand in a file, or need none.

@@ -17,10 +17,8 @@ use crate::sessions::columns::{Quantity, Unit};
 
 const NOMINAL_LENGTH: &str = "nominal-length";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "ballbar",
-    about: "distances by a ballbar, a draw-wire or an interferometer",
     plainly: "a ballbar, a draw-wire or an interferometer: distances",
     asks: Asks::TABLE,
     options: &[

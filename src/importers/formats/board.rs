@@ -27,10 +27,8 @@ use crate::sessions::table::{Cells, Names};
 
 const CAMERA: &str = "camera";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "board",
-    about: "poses of a calibration board by a camera (OpenCV): rvec or quaternion, and tvec",
     plainly: "a camera that sees a calibration board: rvec and tvec of each image",
     asks: Asks::TABLE,
     options: &[OwnOption {

@@ -7,10 +7,8 @@ use crate::importers::headings::{Role, understand};
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
-    about: "any table with a header, or with --columns",
     plainly: "any program: a table with a header, or with columns chosen below",
     asks: Asks::TABLE,
     options: &[],

@@ -34,8 +34,6 @@ register! {
 pub struct Importer {
     /// Its name for `--as`.
     pub id: &'static str,
-    /// What it is, for lists.
-    pub about: &'static str,
     /// What it is, for somebody who has only the file.
     pub plainly: &'static str,
     /// What is asked about its files.

@@ -23,10 +23,8 @@ use crate::sessions::table::{Cells, Names};
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
-    about: "OptiTrack Motive CSV 1.2x",
     plainly: "OptiTrack Motive",
     asks: Asks {
         table: false,

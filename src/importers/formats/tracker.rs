@@ -13,10 +13,8 @@ use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::sessions::columns::Quantity;
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
-    about: "laser tracker or SpatialAnalyzer text: names, x, y, z",
     plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
     asks: Asks::TABLE,
     options: &[],

@@ -12,10 +12,8 @@ use crate::sessions::columns::{Quantity, Unit};
 /// The columns as the format calls them.
 const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
-    about: "TUM trajectory",
     plainly: "a TUM trajectory: time, position, quaternion",
     asks: Asks {
         columns: Meanings::Fixed,

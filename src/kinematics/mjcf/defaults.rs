@@ -9,7 +9,6 @@ use crate::diagnostic::Rejected;
 
 use super::super::xml::Document;
 
-/// See the module.
 #[derive(Debug, Default)]
 pub(super) struct Defaults {
     /// For each class the elements that describe it, the innermost first.

@@ -37,7 +37,6 @@ impl Points {
     }
 }
 
-/// What is written of a curve.
 pub(super) fn written_curve(curve: &Curve) -> Value {
     let all = |list: fn(&Curve, usize) -> &[f64]| [0, 1, 2].map(|d| list(curve, d).to_vec());
     let points = Points {

@@ -91,12 +91,7 @@ pub fn read_model(text: &str) -> Result<Calibration, Rejected> {
 fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
     let (mut fields, root) = Fields::open(place, text)?;
     let calibration = document(&mut fields, &root);
-    match calibration {
-        Some(calibration) if !fields.has_errors() => Ok(calibration),
-        _ => Err(Rejected {
-            diagnostics: fields.findings,
-        }),
-    }
+    fields.finish(calibration)
 }
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {

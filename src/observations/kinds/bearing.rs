@@ -12,7 +12,6 @@ use crate::lanes::{cross, dot, minus, times};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
-/// See the module.
 pub(crate) struct Bearing;
 
 static ABOUT: AboutKind = AboutKind {

@@ -9,7 +9,6 @@ use crate::lanes::{dot, minus, scaled};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};
 
-/// See the module.
 pub(crate) struct Distance;
 
 static ABOUT: AboutKind = AboutKind {

@@ -13,7 +13,6 @@ use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session};
 
-/// See the module.
 pub(crate) struct Orientation;
 
 static ABOUT: AboutKind = AboutKind {

@@ -14,7 +14,6 @@ use nalgebra::{Cholesky, DMatrix, Matrix3, Vector3};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session, Sigma};
 
-/// See the module.
 pub(crate) struct Point;
 
 static ABOUT: AboutKind = AboutKind {

@@ -11,7 +11,6 @@ use crate::lanes::{cross, dot, times};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
-/// See the module.
 pub(crate) struct Pointing;
 
 static ABOUT: AboutKind = AboutKind {

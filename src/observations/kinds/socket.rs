@@ -6,7 +6,6 @@ use crate::lanes::minus;
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session, Sigma};
 
-/// See the module.
 pub(crate) struct Socket;
 
 static ABOUT: AboutKind = AboutKind {

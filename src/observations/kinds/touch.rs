@@ -10,7 +10,6 @@ use crate::lanes::{add_scaled, dot, scaled};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};
 
-/// See the module.
 pub(crate) struct Touch;
 
 static ABOUT: AboutKind = AboutKind {

@@ -8,7 +8,6 @@ pub(crate) const SMALL: f64 = 7.0;
 /// Width of a plot that fills a page of A4 between its margins, points.
 pub const FULL_WIDTH: f64 = 487.0;
 
-/// See the module.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Panel {
     pub(crate) left: f64,

@@ -10,7 +10,6 @@ use super::super::tokens::{Kind, Value, Words};
 /// mm in a metre.
 const METRE: f64 = 1000.0;
 
-/// What a literal is.
 #[derive(Clone)]
 pub(super) enum Literal {
     Pose(Vec<Number>),

@@ -8,6 +8,7 @@
 
 mod fonts;
 mod pages;
+mod picture;
 
 use std::collections::BTreeSet;
 
@@ -82,10 +83,13 @@ fn document(
     fonts: &Fonts,
 ) -> Result<Vec<u8>, PdfError> {
     let mut used: Vec<Used> = (0..fonts.count()).map(|_| Used::default()).collect();
-    let contents: Vec<Vec<u8>> = sheets
+    let mut contents: Vec<Vec<u8>> = sheets
         .iter()
         .map(|sheet| content(sheet, fonts, &mut used))
         .collect();
+    if let (Some(logo), Some(first)) = (&report.logo, contents.first_mut()) {
+        first.extend(picture::drawn(logo));
+    }
     Writer::default().document(report, &contents, &marks, fonts, &used)
 }
 
@@ -112,6 +116,10 @@ impl Writer {
         let mut pdf = Pdf::new();
         let (catalog, tree, outline) = (self.next(), self.next(), self.next());
         let pages: Vec<Ref> = contents.iter().map(|_| self.next()).collect();
+        let picture = report
+            .logo
+            .as_ref()
+            .map(|logo| picture::pixels(&mut pdf, self.next(), logo));
         let mut names = Vec::new();
         for (face, used) in used.iter().enumerate().filter(|(_, used)| !used.is_empty()) {
             let font = self.next();
@@ -136,6 +144,9 @@ impl Writer {
                 dictionary.pair(Name(name.as_bytes()), *font);
             }
             dictionary.finish();
+            if let (Some(picture), true) = (picture, *page == pages[0]) {
+                resources.x_objects().pair(picture::NAME, picture);
+            }
             resources.finish();
             out.finish();
             hash.update(content);

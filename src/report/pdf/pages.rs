@@ -1,16 +1,19 @@
 //! From blocks to pages of A4: every page is a drawing.
 
 use super::fonts::Fonts;
+use crate::compensation::decision::Outcome;
 use crate::present::chart::FULL_WIDTH;
 use crate::present::drawing::{
-    AFTER, Anchor, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE, Stroke,
+    AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE,
+    Stroke,
 };
 use crate::report::document::{Block, Figure, Report, Table};
+use crate::report::logo::LOGO;
 
 /// A4, points.
 pub(super) const PAGE: [f64; 2] = [595.28, 841.89];
-const LEFT: f64 = 54.0;
-const TOP: f64 = 52.0;
+pub(super) const LEFT: f64 = 54.0;
+pub(super) const TOP: f64 = 52.0;
 const BOTTOM: f64 = PAGE[1] - 62.0;
 /// Size of the running text, points.
 const TEXT: f64 = 8.8;
@@ -19,6 +22,9 @@ const NAMES: f64 = 132.0;
 const PADDING: f64 = 4.5;
 /// Lines of a cell that are shown, so that a row fits on a page.
 const MOST_LINES: usize = 40;
+
+/// A tolerance that is not kept.
+const FAIL: Colour = Colour(0xb4, 0x23, 0x18);
 
 /// A section's heading as the reader's side bar lists it.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,6 +140,9 @@ impl Flow<'_> {
     }
 
     fn head(&mut self, report: &Report) {
+        if let Some(logo) = &report.logo {
+            self.y += logo.within(LOGO)[1] + 10.0;
+        }
         self.line_of(&report.title, 9.5, 14.0, true, AFTER, LEFT);
         for line in self
             .fonts
@@ -145,6 +154,16 @@ impl Flow<'_> {
         }
         self.y += 3.0;
         self.paragraph(&report.answer, 10.5, 15.0, INK);
+        if let Some((outcome, says)) = &report.decision {
+            let colour = match outcome {
+                Outcome::Pass => CORRECTED,
+                Outcome::Fail => FAIL,
+                Outcome::Undecided => BEFORE,
+            };
+            self.y += 6.0;
+            self.line_of(outcome.title(), 11.5, 16.0, true, colour, LEFT);
+            self.paragraph(says, TEXT, LINE, INK);
+        }
         self.y += 10.0;
         self.headline(&report.headline);
         let y = self.y;

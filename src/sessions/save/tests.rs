@@ -2,7 +2,7 @@ use nalgebra::{Point3, Unit, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range};
+use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::sessions::domain::{Instrument, Region, Samples, Setups, Sigma, Target, UnknownColumn};
 use crate::sessions::{Lines, ObservedColumns, load, parse};
 use crate::units::rad_from_deg;

@@ -36,7 +36,7 @@ use crate::sessions::format_v1::robot::{ROBOT, blank};
 use crate::sessions::{files, validation};
 
 /// What the key `format` says.
-pub const FORMAT: &str = "truepose-scenario/1";
+pub(crate) const FORMAT: &str = "truepose-scenario/1";
 
 /// A scenario and the notes and warnings that came up on the way.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,9 +77,7 @@ fn read(text: &str, place: Place) -> Result<LoadedScenario, Rejected> {
     let mut findings = std::mem::take(&mut fields.findings);
     let sound = |findings: &[Diagnostic]| findings.iter().all(|f| f.severity != Severity::Error);
     let Some(scenario) = scenario.filter(|_| sound(&findings)) else {
-        return Err(Rejected {
-            diagnostics: findings,
-        });
+        return Err(Rejected::of(findings));
     };
     for mut problem in scenario.problems() {
         // Its field says where; the key that it begins with says on which line.
@@ -97,9 +95,7 @@ fn read(text: &str, place: Place) -> Result<LoadedScenario, Rejected> {
             files,
         })
     } else {
-        Err(Rejected {
-            diagnostics: findings,
-        })
+        Err(Rejected::of(findings))
     }
 }
 

@@ -32,11 +32,13 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             actions::SAVE_MODEL,
             actions::SAVE_TABLE,
             actions::COMPENSATE,
+            actions::REPORT_DETAILS,
             actions::REPORT,
+            actions::HISTORY,
         ],
     );
     ui.separator();
-    menu.items(ui, &[actions::RELOAD, actions::FOLLOW]);
+    menu.items(ui, &[actions::RELOAD, actions::FOLLOW, actions::RECORD]);
     ui.separator();
     menu.items(ui, &[actions::QUIT]);
 }

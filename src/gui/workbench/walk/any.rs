@@ -30,6 +30,8 @@ use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};
 use crate::units::rad_from_deg;
 
+use super::record;
+
 /// Files that the walk opens and writes.
 pub(super) struct Files {
     /// Written by the walk: sessions and models.
@@ -41,7 +43,7 @@ pub(super) struct Files {
 }
 
 impl Files {
-    fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
+    pub(super) fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
         match random.random_range(0..6) {
             0 => self.folder.clone(),
             1 => self.folder.join("there is no such file.json"),
@@ -53,7 +55,7 @@ impl Files {
         }
     }
 
-    fn to_write(&self, random: &mut ChaCha8Rng, ending: &str) -> PathBuf {
+    pub(super) fn to_write(&self, random: &mut ChaCha8Rng, ending: &str) -> PathBuf {
         match random.random_range(0..12) {
             0 => self.folder.clone(),
             1 => self.folder.join("no folder").join("a.json"),
@@ -358,6 +360,14 @@ fn way_to_look(random: &mut ChaCha8Rng) -> Command {
     }
 }
 
+/// What the chart is about.
+fn chart_of(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..2) {
+        0 => Command::ChartJoint(random.random_range(0..7)),
+        _ => Command::ShowEffect(random.random_range(0..4)),
+    }
+}
+
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
@@ -434,12 +444,12 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
         132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
         134 | 135 => Command::Chart(chart(random)),
-        152 => Command::ChartJoint(random.random_range(0..7)),
-        153 => Command::ShowEffect(random.random_range(0..4)),
+        152 | 153 => chart_of(random),
         154 => way_to_look(random),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137 | 138 => Command::Prefer(preferences(random)),
+        139 if random.random() => record::command(random, workbench, files),
         139 => Command::Resize(sizes(random)),
         140..=142 => Command::Draft(
             random

@@ -3,6 +3,7 @@
 
 mod any;
 mod kinds;
+mod record;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::path::Path;

@@ -295,8 +295,9 @@ fn frames(ui: &Ui, workbench: &Workbench, robot: Option<&Drawn>, space: &Space, 
         );
     }
     let instrument = &session.instrument;
+    let own_frame = workbench.found_base().or(workbench.subject().base);
     let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);
-    if let Some(at) = stands.or(workbench.found_base().map(|_| Vector3::zeros())) {
+    if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
         // A tracker that stands aside is seen from farther away.
         show(
             &instrument.name,
@@ -311,24 +312,55 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
 
-    /// An arm measured by a tracker that stands in a frame of its own.
+    /// An arm measured by a tracker that stands in a frame of its own, and says so in a column.
     fn arm() -> Workbench {
+        opened(&arms().join("six-60.json"))
+    }
+
+    fn arms() -> std::path::PathBuf {
+        concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms").into()
+    }
+
+    fn opened(file: &std::path::Path) -> Workbench {
         let mut workbench = workbench();
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
         workbench.execute(Command::OpenFile(file.into()));
         workbench.receive();
         assert!(workbench.view().in_space(), "no plane shows several joints");
         workbench
     }
 
+    /// How far from where it was measured the tool of the shown sample is drawn, mm.
+    fn far(workbench: &Workbench) -> f64 {
+        let drawn = Drawn::of(workbench).expect("there are samples");
+        let (tool, sample) = (drawn.corners_mm[13], drawn.sample.expect("one of them"));
+        (tool - Point3::from(workbench.subject().measured(sample))).norm()
+    }
+
+    #[test]
+    fn with_setups_the_robot_stands_there_from_the_beginning() {
+        let mut workbench = arm();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        let before = workbench.subject().gap_before.expect("samples").rms_mm;
+        assert!(before < 10.0, "{before}");
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        assert!(
+            Scene::of(&workbench).look.ghosts(),
+            "before is worth a look"
+        );
+    }
+
     #[test]
     fn once_it_is_identified_the_robot_stands_where_its_targets_were_measured() {
-        let mut workbench = arm();
-        let far = |workbench: &Workbench| {
-            let drawn = Drawn::of(workbench).expect("there are samples");
-            let (tool, sample) = (drawn.corners_mm[13], drawn.sample.expect("one of them"));
-            (tool - Point3::from(workbench.subject().measured(sample))).norm()
-        };
+        // The same without the column: only the fit finds where the tracker stands.
+        let folder = tempfile::tempdir().expect("a folder");
+        let text = std::fs::read_to_string(arms().join("six-60.csv")).expect("the samples");
+        let file = folder.path().join("six-60.json");
+        std::fs::copy(arms().join("six-60.json"), &file).expect("copied");
+        let samples = text.replace(",setup,", ",name,");
+        std::fs::write(folder.path().join("six-60.csv"), samples).expect("written");
+        let mut workbench = opened(&file);
         assert!(far(&workbench) > 1000.0);
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();

@@ -27,10 +27,8 @@ use crate::sessions::table::Cells;
 use in_units::{Units, units_of};
 use parts::{Part, headings, parts};
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",
-    about: "ISO 230-2 runs of one axis, long or wide",
     plainly: "an ISO 230-2 run: targets and positions of one axis",
     asks: Asks {
         columns: Meanings::Own(&[

@@ -27,10 +27,8 @@ const TOPIC_MEASURED: &str = "topic-measured";
 const FRAME_CHILD: &str = "frame-child";
 const JOINT_NAMES: &str = "joint-names";
 
-/// See the module.
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
-    about: "MCAP recording (ROS 2 or JSON): joint states and measured poses, points or transforms",
     plainly: "an MCAP recording: joint states and measured poses",
     asks: Asks {
         table: false,

@@ -73,7 +73,6 @@ impl Topic {
     }
 }
 
-/// All topics.
 #[derive(Debug, Default)]
 pub(super) struct Topics {
     /// Topics of use, by name.

@@ -1,0 +1,97 @@
+//! Recording from an instrument's software: where the lines come from, what they are, where they go.
+
+use egui::{Id, RichText, TextEdit, Ui};
+
+use crate::gui::core::recording::{Wanted, free_name};
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(520.0);
+    widgets::heading(ui, "Record from instrument");
+    if let Some((wanted, heard)) = workbench.recording() {
+        ui.label(heard.says());
+        widgets::hint(
+            ui,
+            format!("{} → {}", wanted.address, wanted.path.display()),
+        );
+        if let Some(last) = &heard.last_refused {
+            widgets::hint(ui, format!("Left out last: {last}"));
+        }
+        if super::ends::buttons(ui, "Stop recording", true, commands) {
+            commands.push(Command::StopRecording);
+            commands.push(Command::Sheet(None));
+        }
+        return;
+    }
+    let robot = &workbench.subject().session.robot;
+    widgets::hint(
+        ui,
+        format!(
+            "Lines of text, one for each measurement, become samples of a new session of {}; \
+             a connection that ends is made again",
+            robot.name
+        ),
+    );
+    let id = Id::unique("recording");
+    let blank = || Wanted {
+        address: "tcp://".to_owned(),
+        path: free_name(
+            workbench
+                .placed("x".as_ref())
+                .parent()
+                .unwrap_or("".as_ref()),
+        ),
+        ..Wanted::default()
+    };
+    let mut wanted: Wanted = ui.data(|data| data.get_temp(id)).unwrap_or_else(blank);
+    let mut path = wanted.path.display().to_string();
+    let fields = [
+        (
+            "Address",
+            &mut wanted.address,
+            "tcp://HOST:PORT or udp://:PORT",
+        ),
+        (
+            "Columns",
+            &mut wanted.columns,
+            "empty: the first line names them",
+        ),
+        ("File", &mut path, "a new CSV table"),
+    ];
+    for (name, text, hint) in fields {
+        widgets::form_row(ui, name, |ui| {
+            let hint = RichText::new(hint).color(Palette::of(ui).muted);
+            let field = TextEdit::singleline(text).hint_text(hint);
+            let field = ui.add(field.char_limit(1000).desired_width(f32::INFINITY));
+            let name = name.to_owned();
+            ui.ctx()
+                .accesskit_node_builder(field.id, |node| node.set_label(name));
+        });
+    }
+    wanted.path = path.into();
+    let placed = Wanted {
+        path: workbench.placed(&wanted.path),
+        ..wanted.clone()
+    };
+    let problem = placed.problem();
+    let empty = matches!(wanted.address.trim(), "tcp://" | "udp://" | "");
+    match &problem {
+        Some(_) if empty => widgets::hint(
+            ui,
+            "Type where the instrument's software sends, such as tcp://192.168.0.10:4000",
+        ),
+        Some(problem) => widgets::wrong(ui, problem),
+        None => {}
+    }
+    let small = RichText::new(
+        "Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces",
+    );
+    ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
+    ui.data_mut(|data| data.insert_temp(id, wanted));
+    if super::ends::buttons_without_enter(ui, "Record", problem.is_none(), commands) {
+        ui.data_mut(|data| data.remove_temp::<Wanted>(id));
+        commands.push(Command::Record(Box::new(placed)));
+    }
+}

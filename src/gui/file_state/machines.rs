@@ -1,0 +1,189 @@
+//! What the reports of machines state, from one day to the next: kept with the settings, and proposed
+//! when a session of the same machine is opened.
+//!
+//! A session names its robot and no serial number. Where several machines have a robot of one name,
+//! a session belongs to the one whose sessions lie in its folder; where that leaves several as well,
+//! nothing is proposed: another machine's serial number in a certificate is worse than none.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::diagnostic::Place;
+use crate::gui::core::stated::Stated;
+use crate::report::Details;
+
+/// Machines that are remembered.
+const MOST: usize = 200;
+
+/// A machine as it was stated last.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Machine {
+    /// Name of its robot.
+    robot: String,
+    /// Name of the session for which it was stated.
+    session: String,
+    /// Folder of that session; empty where it was in no file.
+    folder: PathBuf,
+    #[serde(default)]
+    logo: String,
+    /// A `truepose-details/1` document.
+    details: serde_json::Value,
+}
+
+/// A session, as far as it shows of which machine it is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Of<'a> {
+    pub(crate) robot: &'a str,
+    pub(crate) session: &'a str,
+    pub(crate) folder: &'a Path,
+    /// Name of the instrument in the session; may be empty.
+    pub(crate) instrument: &'a str,
+}
+
+impl Machine {
+    pub(crate) fn new(of: Of<'_>, stated: &Stated) -> Self {
+        let document = serde_json::from_str(&stated.details.document());
+        Self {
+            robot: of.robot.to_owned(),
+            session: of.session.to_owned(),
+            folder: of.folder.to_owned(),
+            logo: stated.logo.clone(),
+            details: document.unwrap_or_default(),
+        }
+    }
+
+    fn stated(&self) -> Option<Stated> {
+        let text = self.details.to_string();
+        Some(Stated {
+            details: Details::parse(Place::default(), &text).ok()?,
+            logo: self.logo.clone(),
+        })
+    }
+
+    fn serial(&self) -> &str {
+        self.details["machine_serial"].as_str().unwrap_or_default()
+    }
+}
+
+/// The machines with this one in front, in place of what was stated of it before.
+pub(crate) fn remember(machines: &mut Vec<Machine>, machine: Machine) {
+    let same = |other: &Machine| other.robot == machine.robot && other.serial() == machine.serial();
+    machines.retain(|other| !same(other));
+    machines.insert(0, machine);
+    machines.truncate(MOST);
+}
+
+/// What is proposed for a session.
+pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
+    let here: Vec<&Machine> = machines.iter().filter(|m| m.robot == of.robot).collect();
+    let in_folder = |m: &&&Machine| !m.folder.as_os_str().is_empty() && m.folder == of.folder;
+    let same: Vec<&Machine> = here.iter().filter(in_folder).copied().collect();
+    let all = if same.is_empty() { here } else { same };
+    let own = all.iter().find(|m| m.session == of.session);
+    let one = all.iter().all(|m| m.serial() == all[0].serial());
+    let newest = all.first().filter(|_| one);
+    if let Some(mut stated) = own.or(newest).and_then(|machine| machine.stated()) {
+        if own.is_none() {
+            // They belong to one report.
+            stated.details.report_number.clear();
+            stated.details.date.clear();
+        }
+        return stated;
+    }
+    let last = machines.first().and_then(Machine::stated);
+    let last = last.unwrap_or_default().details;
+    let mut details = Details {
+        machine: of.robot.to_owned(),
+        operator: last.operator,
+        ..Details::default()
+    };
+    if of.instrument.is_empty() || of.instrument == last.instrument {
+        details.instrument = last.instrument;
+        details.instrument_serial = last.instrument_serial;
+        details.instrument_calibrated = last.instrument_calibrated;
+    } else {
+        of.instrument.clone_into(&mut details.instrument);
+    }
+    Stated {
+        details,
+        logo: String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of<'a>(session: &'a str, folder: &'a str) -> Of<'a> {
+        Of {
+            robot: "lamp",
+            session,
+            folder: Path::new(folder),
+            instrument: "tracker",
+        }
+    }
+
+    fn stated(serial: &str) -> Stated {
+        let mut stated = Stated::default();
+        stated.details.machine_serial = serial.to_owned();
+        stated.details.report_number = "R-1".to_owned();
+        stated.details.operator = "A. Meier".to_owned();
+        stated.details.instrument = "tracker".to_owned();
+        stated.details.instrument_serial = "T-4".to_owned();
+        stated
+    }
+
+    #[test]
+    fn a_machine_is_known_by_its_robot_and_another_ones_serial_number_is_never_proposed() {
+        let mut machines = Vec::new();
+        remember(
+            &mut machines,
+            Machine::new(of("before", "/a"), &stated("L-17")),
+        );
+        let again = proposed(&machines, of("before", "/a"));
+        assert_eq!(
+            again,
+            stated("L-17"),
+            "the same session has its number back"
+        );
+        let next = proposed(&machines, of("after", "/elsewhere")).details;
+        assert_eq!((&*next.machine_serial, &*next.report_number), ("L-17", ""));
+
+        remember(
+            &mut machines,
+            Machine::new(of("first", "/b"), &stated("L-18")),
+        );
+        let serial = |session, folder| {
+            let stated = proposed(&machines, of(session, folder)).details;
+            (
+                stated.machine_serial,
+                stated.operator,
+                stated.instrument_serial,
+            )
+        };
+        let known = ("A. Meier".to_owned(), "T-4".to_owned());
+        assert_eq!(serial("after", "/a").0, "L-17");
+        assert_eq!(serial("after", "/b").0, "L-18");
+        let (machine, operator, instrument) = serial("after", "/c");
+        assert_eq!((machine, (operator, instrument)), (String::new(), known));
+    }
+
+    #[test]
+    fn what_is_stated_again_takes_the_place_of_what_was_stated() {
+        let mut machines = Vec::new();
+        for k in 0..2 * MOST {
+            let serial = format!("L-{}", k % (MOST + 10));
+            remember(&mut machines, Machine::new(of("s", ""), &stated(&serial)));
+        }
+        assert_eq!(machines.len(), MOST);
+        let other = Of {
+            instrument: "camera",
+            robot: "arm",
+            ..of("s", "")
+        };
+        let details = proposed(&machines, other).details;
+        assert_eq!((&*details.instrument, &*details.machine), ("camera", "arm"));
+        assert!(details.instrument_serial.is_empty(), "another instrument's");
+    }
+}

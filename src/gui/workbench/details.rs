@@ -1,0 +1,88 @@
+//! What the report of this machine states, remembered for its next session; and whether the robot is
+//! within its tolerance.
+
+use std::path::Path;
+
+use crate::compensation::decision::{Outcome, Rule};
+use crate::gui::core::stated::Stated;
+use crate::gui::file_state::machines::{self, Machine, Of};
+use crate::gui::file_state::settings;
+use crate::gui::files;
+use crate::present::decision::rests_on;
+
+use super::Workbench;
+
+impl Workbench {
+    /// Report details: as they were typed, or as they are proposed.
+    pub(crate) fn stated(&self) -> Stated {
+        let typed = self.desk.stated.get(&self.subject().lineage).cloned();
+        typed.unwrap_or_else(|| {
+            let folder = self.folder().unwrap_or_default();
+            machines::proposed(&self.desk.machines, self.machine(&folder))
+        })
+    }
+
+    fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
+        let session = &self.subject().session;
+        Of {
+            robot: &session.robot.name,
+            session: &session.name,
+            folder,
+            instrument: &session.instrument.name,
+        }
+    }
+
+    /// Report details are these now; remembered once their sheet is closed.
+    pub(super) fn state(&mut self, stated: Stated) {
+        self.desk.stated.insert(self.subject().lineage, stated);
+    }
+
+    /// Remembers them for the next session of this machine.
+    pub(super) fn keep_stated(&mut self) {
+        let Some(mut stated) = self.desk.stated.get(&self.subject().lineage).cloned() else {
+            return;
+        };
+        stated.details.tolerance_mm = self.document().tolerance_mm;
+        let folder = self.folder().unwrap_or_default();
+        let machine = Machine::new(self.machine(&folder), &stated);
+        machines::remember(&mut self.desk.machines, machine.clone());
+        if let Some(home) = self.desk.home.clone() {
+            self.jobs.quietly(
+                move || settings::keep_machine(&home, machine).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+    }
+
+    /// Asks for a picture.
+    pub(super) fn choose_logo(&mut self) {
+        let beside = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_logo(beside.as_deref());
+        self.choose("waiting for a file to be chosen", ask, |bench, path| {
+            if let Some(path) = path {
+                let logo = path.display().to_string();
+                bench.state(Stated {
+                    logo,
+                    ..bench.stated()
+                });
+                bench.keep_stated();
+            }
+        });
+    }
+
+    /// Whether the robot is within its tolerance by the rule that was chosen, and what that rests on;
+    /// `None` where no rule is chosen, no tolerance stated, or it is being worked out.
+    pub(crate) fn decision(&self) -> Option<Result<(Outcome, String), String>> {
+        let (rule, tolerance) = self.rule_and_tolerance()?;
+        let made = self.figures()?.made.as_ref()?;
+        let measured = match made {
+            Ok(made) => made.measured.clone(),
+            Err(because) => Err(because.clone()),
+        };
+        Some(measured.map(|m| (m.decided(rule, tolerance), rests_on(&m, rule, tolerance))))
+    }
+
+    pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
+        Some((self.stated().details.rule?, self.document().tolerance_mm?))
+    }
+}

@@ -1,0 +1,66 @@
+//! What became of the machine: the sessions of a folder, compared in the background.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::gui::core::past::Past;
+use crate::gui::files;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{Message, Sheet};
+use crate::pipeline;
+use crate::progress::ReadError;
+
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// The sessions that were compared last.
+    pub(crate) fn past(&self) -> Option<&Past> {
+        self.desk.past.as_deref()
+    }
+
+    /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
+    pub(crate) fn compare_here(&self) -> Command {
+        match self.folder() {
+            Some(folder) => Command::CompareSessions(folder),
+            None => Command::ChooseFolder,
+        }
+    }
+
+    /// Asks for a folder of sessions.
+    pub(super) fn choose_folder(&mut self) {
+        let beside = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_folder(beside.as_deref());
+        self.choose("waiting for a folder to be chosen", ask, |bench, folder| {
+            if let Some(folder) = folder {
+                bench.execute(Command::CompareSessions(folder));
+            }
+        });
+    }
+
+    /// Compares the sessions of a folder, and shows what changed.
+    pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
+        let says = format!("comparing the sessions of {}", folder.display());
+        let work = move |watch: &Watch| {
+            let told = pipeline::history_watched(&folder, &watch.told());
+            (folder, told)
+        };
+        self.jobs.start(
+            Kind::Once,
+            says,
+            work,
+            |bench: &mut Self, (folder, told)| match told {
+                Ok(history) => {
+                    bench.desk.past = Some(Arc::new(Past { folder, history }));
+                    bench.view.sheet = Some(Sheet::HISTORY);
+                }
+                Err(ReadError::Cancelled(_)) => {}
+                Err(ReadError::Rejected(rejected)) => {
+                    let lines = rejected.diagnostics.iter().take(5);
+                    let title = "There are no sessions to compare".to_owned();
+                    let details = lines.map(ToString::to_string).collect();
+                    bench.view.message = Some(Message::wrong(title, details));
+                }
+            },
+        );
+    }
+}

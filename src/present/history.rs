@@ -1,0 +1,244 @@
+//! How a robot changed from session to session: as tables and as a chart of one parameter.
+//!
+//! Values are in the units of the files. What belongs to the measuring set-up is left out.
+
+use std::path::Path;
+
+use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
+use super::names::{parameter, title_on};
+use super::numbers::{grouped, plain, with_interval};
+use super::table::{Cell, Table};
+use crate::fit::Estimate;
+use crate::history::{Change, Entry, RobotHistory, changes, is_of_set_up, is_same};
+
+/// What stands behind a value that changed by more than its interval.
+pub const CHANGED: &str = "●";
+
+/// A parameter through all entries of a robot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<'a> {
+    /// Its name, with effect, joint and place.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its value in each entry; `None` where an entry has none.
+    pub values: Vec<Option<Value>>,
+    of: &'a Estimate,
+}
+
+/// A value with its 95 % interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Value {
+    /// The value.
+    pub value: f64,
+    /// Its interval; `None` where it is not determined.
+    pub ci95: Option<[f64; 2]>,
+    /// Whether it changed by more than its interval since the entry of the same source before.
+    pub changed: bool,
+}
+
+/// The parameters of a robot, in the order in which they occur.
+pub fn rows(robot: &RobotHistory) -> Vec<Row<'_>> {
+    let mut rows: Vec<Row<'_>> = Vec::new();
+    let all = robot.entries.iter().flat_map(|entry| &entry.parameters);
+    let joints = all.filter_map(|one| one.joint).max().unwrap_or(1);
+    for (k, entry) in robot.entries.iter().enumerate() {
+        let own = entry.parameters.iter().enumerate();
+        for (p, one) in own.filter(|(_, one)| !is_of_set_up(one)) {
+            let there = rows.iter().position(|row| is_same(row.of, one));
+            let at = there.unwrap_or_else(|| {
+                rows.push(Row {
+                    name: name(one, joints),
+                    unit: parameter(one.name).1,
+                    values: vec![None; robot.entries.len()],
+                    of: one,
+                });
+                rows.len() - 1
+            });
+            let is_changed = |c: &Change| c.parameter == p && c.is_significant();
+            rows[at].values[k] = Some(Value {
+                value: one.value,
+                ci95: one.ci95,
+                changed: entry.changes.iter().any(is_changed),
+            });
+        }
+    }
+    rows
+}
+
+/// A parameter's name with all that tells it from others.
+fn name(one: &Estimate, joints: usize) -> String {
+    let mut name = title_on(one.effect, one.joint, joints);
+    for place in [&one.setup, &one.target, &one.place].into_iter().flatten() {
+        name += &format!(", {place}");
+    }
+    format!("{name}: {}", parameter(one.name).0)
+}
+
+/// An entry's name where there is little room: its file without the ending.
+pub fn short_name(entry: &Entry) -> String {
+    let stem = Path::new(&entry.file).file_stem();
+    stem.map_or_else(
+        || entry.file.clone(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
+}
+
+/// Sessions and models with their errors, the earliest first.
+pub fn entries(robot: &RobotHistory) -> Table {
+    let mut table = Table::new([
+        "Session",
+        "From",
+        ">Samples",
+        ">RMS error nominal, mm",
+        ">Model, mm",
+        ">With the earliest, mm",
+        ">Changed",
+    ]);
+    let dash = || "–".to_owned();
+    for entry in &robot.entries {
+        let changed = entry.changes.iter().filter(|c| c.is_significant()).count();
+        table.row([
+            short_name(entry),
+            entry.source.name().to_owned(),
+            entry.samples.map_or_else(dash, grouped),
+            plain(entry.before_mm),
+            plain(entry.after_mm),
+            entry.with_first_mm.map_or_else(dash, plain),
+            if entry.changes.is_empty() {
+                dash()
+            } else {
+                format!("{changed} of {}", entry.changes.len())
+            },
+        ]);
+    }
+    table
+}
+
+/// Parameters through these entries.
+pub fn parameters(robot: &RobotHistory, shown: &[usize]) -> Table {
+    let heads = shown.iter().filter_map(|k| robot.entries.get(*k));
+    let heads = heads.map(|entry| format!(">{}", shortened(&short_name(entry), 24)));
+    let fixed = ["Parameter".to_owned(), "Unit".to_owned()];
+    let mut table = Table::new(fixed.into_iter().chain(heads));
+    for row in rows(robot) {
+        let cells = shown.iter().map(|k| row.values.get(*k).copied().flatten());
+        let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| says(value)));
+        let fixed = [row.name.into(), row.unit.into()];
+        table.row(fixed.into_iter().chain(cells));
+    }
+    table
+}
+
+fn says(value: Option<Value>) -> String {
+    let Some(value) = value else {
+        return "–".to_owned();
+    };
+    let [shown, half, _] = with_interval(value.value, value.ci95);
+    let changed = if value.changed { CHANGED } else { "" };
+    format!("{shown} {half} {changed}").trim_end().to_owned()
+}
+
+/// One entry beside another: what was, what is, and whether that is a change.
+pub fn compared(robot: &RobotHistory, before: usize, now: usize) -> Option<Table> {
+    let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
+    let joints = now.parameters.iter().filter_map(|one| one.joint).max();
+    let mut table = Table::new([
+        "Parameter",
+        "Unit",
+        ">Before",
+        ">After",
+        ">Difference",
+        "Beyond its interval",
+    ]);
+    for change in changes(before, now) {
+        let one = &now.parameters[change.parameter];
+        let was = before.parameters.iter().find(|other| is_same(other, one));
+        let [is, half, _] = with_interval(one.value, one.ci95);
+        let [was, was_half, _] = with_interval(change.from, was.and_then(|was| was.ci95));
+        let [difference, about, _] = with_interval(change.difference, change.ci95);
+        let (unit, verdict) = (parameter(one.name).1, verdict(&change));
+        table.row([
+            name(one, joints.unwrap_or(1)),
+            unit.to_owned(),
+            format!("{was} {was_half}"),
+            format!("{is} {half}"),
+            format!("{difference} {about}"),
+            verdict,
+        ]);
+    }
+    Some(table)
+}
+
+fn verdict(change: &Change) -> String {
+    match change.ci95 {
+        None => "not determined".to_owned(),
+        Some(_) if change.is_significant() => format!("{CHANGED} changed"),
+        Some(_) => "no".to_owned(),
+    }
+}
+
+/// A parameter with its intervals over the entries.
+pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
+    let there = row.values.iter().enumerate();
+    let there: Vec<(f64, Value)> = there
+        .filter_map(|(k, value)| Some((k as f64, (*value)?)))
+        .collect();
+    let ends = there
+        .iter()
+        .flat_map(|(_, v)| v.ci95.unwrap_or([v.value; 2]));
+    let ends = ends.filter(|end| end.is_finite());
+    let range = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], end| {
+        [a.min(end), b.max(end)]
+    });
+    let [low, high] = super::chart::panel::room(range);
+    let by = 0.08 * (high - low);
+    let way: Vec<[f64; 2]> = there.iter().map(|(x, v)| [*x, v.value]).collect();
+    let mut items = vec![Item::Line(way, Stands::Reference, 1.0, true)];
+    for (x, value) in &there {
+        if let Some([from, to]) = value.ci95 {
+            items.push(Item::Line(
+                vec![[*x, from], [*x, to]],
+                Stands::After,
+                2.0,
+                false,
+            ));
+        }
+    }
+    let marks = |changed: bool, form: Form| {
+        let those = there.iter().filter(|(_, v)| v.changed == changed);
+        let marks = those.map(|(x, v)| Mark {
+            at: [*x, v.value],
+            form,
+        });
+        marks.collect::<Vec<_>>()
+    };
+    items.push(Item::Marks(marks(false, Form::Disc), Stands::After, true));
+    items.push(Item::Marks(
+        marks(true, Form::Diamond),
+        Stands::Before,
+        true,
+    ));
+    let names = robot.entries.iter().enumerate();
+    let names = names.map(|(k, entry)| (k as f64, shortened(&short_name(entry), 18)));
+    let disc = Sign::Mark(Form::Disc);
+    let diamond = Sign::Mark(Form::Diamond);
+    Chart {
+        title: row.name.clone(),
+        across: Axis {
+            label: robot.ordered_by.in_words().to_owned(),
+            ticks: Ticks::Words(names.collect()),
+        },
+        upwards: Axis::numbers(row.unit),
+        bounds: [
+            [-0.5, low - by],
+            [robot.entries.len() as f64 - 0.5, high + by],
+        ],
+        items,
+        legend: vec![
+            Named::new("value, 95 % interval", disc, Stands::After, true),
+            Named::new("changed", diamond, Stands::Before, true),
+        ],
+        note: String::new(),
+    }
+}

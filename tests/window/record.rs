@@ -1,0 +1,292 @@
+//! The record of a machine: what its report states, and how it changed from session to session.
+
+use std::io::Write;
+use std::net::TcpListener;
+use std::path::Path;
+use std::time::Duration;
+
+use crate::window::{Window, choose, copy_of, keys, open, press, says, seconds, there, window_at};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// What stands in a field of a sheet.
+fn field(window: &Window, label: &str) -> String {
+    let node = window.get_by_role_and_label(Role::TextInput, label);
+    node.accesskit_node().value().unwrap_or_default()
+}
+
+/// Types into a field whose name stands before it.
+fn type_into(window: &mut Window, label: &str, text: &str) {
+    window.get_by_role_and_label(Role::TextInput, label).focus();
+    window.run_steps(2);
+    keys(window, Modifiers::COMMAND, Key::A);
+    window
+        .get_by_role_and_label(Role::TextInput, label)
+        .type_text(text);
+    window.run_steps(2);
+    keys(window, Modifiers::NONE, Key::Enter);
+}
+
+fn details(window: &mut Window) {
+    choose(window, "File", "Report details…");
+    window.run_steps(4);
+}
+
+#[test]
+fn what_the_report_states_is_remembered_for_the_next_session_of_the_machine() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let home = folder.path().join("home");
+    let first = copy_of("lamp-commissioning", folder.path());
+    let second = folder.path().join("after.json");
+    let text = std::fs::read_to_string(&first).expect("the session");
+    let text = text.replace("\"lamp commissioning\"", "\"after the repair\"");
+    std::fs::write(&second, text).expect("written");
+    let mut window = window_at(Some(first.clone()), Some(&home));
+    details(&mut window);
+    for (label, text) in [
+        ("Customer", "Lamps & Co"),
+        ("Serial number of the machine", "L-17"),
+        ("Report number", "R-1"),
+        ("Operator", "A. Meier"),
+    ] {
+        type_into(&mut window, label, text);
+        assert!(there(&window, "Done"), "Enter ends the field only");
+    }
+    press(&mut window, "simple acceptance");
+    press(&mut window, "Done");
+
+    let html = folder.path().join("report.html");
+    window.state_mut().type_report_path(&html);
+    window.run_steps(4);
+    press(&mut window, "Save");
+    window.run_steps(4);
+    let page = std::fs::read_to_string(&html).expect("the report is there");
+    for part in ["Lamps &amp; Co", "L-17", "R-1", "decision rule: simple"] {
+        assert!(page.contains(part), "{part}");
+    }
+
+    // Another session of the machine: its serial number comes back, the report's number does not.
+    open(&mut window, &second);
+    let now = |window: &mut Window| {
+        details(window);
+        let labels = ["Serial number of the machine", "Report number", "Operator"];
+        let now = labels.map(|label| field(window, label));
+        press(window, "Done");
+        now
+    };
+    assert_eq!(now(&mut window), ["L-17", "", "A. Meier"]);
+    drop(window);
+
+    // And in another window, tomorrow; the same session has its report's number.
+    let mut window = window_at(Some(second), Some(&home));
+    assert_eq!(now(&mut window), ["L-17", "", "A. Meier"]);
+    open(&mut window, &first);
+    assert_eq!(now(&mut window), ["L-17", "R-1", "A. Meier"]);
+}
+
+#[test]
+fn pass_or_fail_stands_in_the_results_once_a_rule_is_chosen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("lamp-commissioning", folder.path());
+    let mut window = window_at(Some(session), None);
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    let decided = "expanded uncertainty U";
+    assert!(!says(&window, decided), "no rule is chosen");
+    details(&mut window);
+    press(&mut window, "ISO 14253-1");
+    window.run_steps(4);
+    assert!(there(&window, "Fail"), "a joint cannot mend its radius");
+    press(&mut window, "simple acceptance");
+    assert!(says(&window, "simple acceptance (JCGM 106, 8.2)"));
+    press(&mut window, "Done");
+    assert!(there(&window, "Fail") && says(&window, decided));
+}
+
+#[test]
+fn a_logo_that_is_none_is_refused_and_no_report_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("paper-30", folder.path());
+    let mut window = window_at(Some(session), None);
+    details(&mut window);
+    type_into(&mut window, "Logo", "/nowhere/logo.png");
+    press(&mut window, "Done");
+    let html = folder.path().join("report.html");
+    window.state_mut().type_report_path(&html);
+    window.run_steps(4);
+    press(&mut window, "Save");
+    window.run_steps(4);
+    assert!(says(&window, "/nowhere/logo.png") && says(&window, "expected a PNG file"));
+    assert!(!html.exists());
+}
+
+/// Sessions of one machine, by the offset of its joint in degrees.
+fn sessions(folder: &Path, offsets_deg: &[f64]) {
+    for (k, offset_deg) in offsets_deg.iter().enumerate() {
+        let q: Vec<f64> = (0..40).map(|i| -117.0 + 6.0 * f64::from(i)).collect();
+        let scatter = |i: usize, by: f64| 0.02 * (((i + 50 * k) as f64) * by).sin();
+        let point = |of: fn(f64) -> f64, by: f64| -> Vec<f64> {
+            let each = q.iter().enumerate();
+            each.map(|(i, q)| 250.3 * of((q + offset_deg).to_radians()) + scatter(i, by))
+                .collect()
+        };
+        let (x, y) = (point(f64::cos, 12.9898), point(f64::sin, 78.233));
+        let z: Vec<f64> = (0..q.len()).map(|i| 300.0 + scatter(i, 37.719)).collect();
+        let session = serde_json::json!({
+            "format": "truepose-session/1", "name": format!("day {k}"),
+            "robot": { "name": "lamp",
+                "joints": [{ "name": "pan", "kind": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0] }],
+                "tool": { "position_mm": [250, 0, 300], "quaternion_wxyz": [1, 0, 0, 0] } },
+            "samples": { "columns": { "q1_deg": q, "x_mm": x, "y_mm": y, "z_mm": z } }
+        });
+        std::fs::write(folder.join(format!("day {k}.json")), session.to_string()).expect("written");
+    }
+}
+
+#[test]
+fn the_sessions_of_a_machine_are_compared_and_a_repair_stands_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    sessions(folder.path(), &[0.2, 0.2, 0.26, 0.26]);
+    std::fs::write(
+        folder.path().join("broken.json"),
+        "{\"format\":\"truepose-session/1\",",
+    )
+    .expect("written");
+    let mut window = window_at(Some(folder.path().join("day 3.json")), None);
+    choose(&mut window, "File", "History of the machine…");
+    window.run_steps(8);
+    assert!(says(&window, "History of lamp"));
+    assert!(says(&window, "broken.json is excluded"));
+    assert_eq!(window.query_all_by_label("day 2").count(), 2, "two tables");
+    assert_eq!(
+        window.query_all_by_label_contains("± 0.0").count(),
+        8,
+        "two parameters of four sessions"
+    );
+    let changed = |window: &Window| window.query_all_by_label_contains("●").count();
+    assert_eq!(
+        changed(&window),
+        2,
+        "the offset of day 2, and what it means"
+    );
+    let offset = "Joint zero offset: offset";
+    assert!(there(&window, &format!("{offset} over the sessions")));
+    press(&mut window, "Link length: delta");
+    assert!(there(&window, "Link length: delta over the sessions"));
+
+    press(&mut window, "Before and after");
+    window.run_steps(4);
+    assert!(
+        says(&window, "0 of 2 parameters changed"),
+        "day 2 and day 3"
+    );
+    window
+        .get_by_role_and_label(Role::ComboBox, "Before")
+        .click();
+    window.run_steps(4);
+    press(&mut window, "day 0 (session)");
+    window.run_steps(4);
+    assert!(says(&window, "1 of 2 parameters changed"));
+    assert!(says(&window, "● changed"));
+    press(&mut window, "Done");
+    assert!(!says(&window, "History of lamp"));
+}
+
+#[test]
+fn a_folder_without_sessions_says_so() {
+    let mut window = window_at(None, None);
+    let folder = tempfile::tempdir().expect("a folder");
+    window.state_mut().compare_sessions(folder.path());
+    window.run_steps(4);
+    assert!(says(&window, "There are no sessions to compare"));
+    assert!(says(&window, "expected a folder with truepose-session/1"));
+}
+
+/// Frames until the window says this, as lines come over a socket of this machine.
+fn wait_until(window: &mut Window, part: &str) {
+    for _ in 0..400 {
+        seconds(window, 1);
+        if says(window, part) {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(25));
+    }
+    panic!("nothing says: {part}");
+}
+
+#[test]
+fn lines_of_an_instrument_become_samples_while_its_connection_breaks_and_comes_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("lamp-commissioning", folder.path());
+    let text = std::fs::read_to_string(session.with_extension("csv")).expect("the samples");
+    let lines: Vec<&str> = text.lines().collect();
+    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = format!("tcp://{}", server.local_addr().expect("it has one"));
+    let mut window = window_at(Some(session), None);
+    let sheet = |window: &mut Window| {
+        choose(window, "File", "Record from instrument…");
+        window.run_steps(4);
+    };
+    sheet(&mut window);
+    type_into(&mut window, "Address", "tracker:4000");
+    assert!(says(&window, "expected tcp://HOST:PORT"));
+    type_into(&mut window, "Address", &address);
+    let file = folder.path().join("lamp-commissioning.csv");
+    type_into(&mut window, "File", &file.display().to_string());
+    assert!(says(&window, "nothing is replaced by a recording"));
+    let file = folder.path().join("today.csv");
+    type_into(&mut window, "File", &file.display().to_string());
+    press(&mut window, "Record");
+
+    let (mut stream, _) = server.accept().expect("the window connects");
+    let first = lines[..=60].join("\n") + "\n";
+    stream.write_all(first.as_bytes()).expect("sent");
+    wait_until(&mut window, "recording · 60 lines · connected");
+    wait_until(&mut window, "60 samples · RMS error");
+    let half = &lines[61][..lines[61].len() / 2];
+    stream.write_all(half.as_bytes()).expect("sent");
+    drop(stream);
+    wait_until(&mut window, "tries again");
+
+    let (mut stream, _) = server.accept().expect("the window connects again");
+    let more = format!(
+        "{}\n\u{7}rm -rf ~\n{}\n",
+        lines[0],
+        lines[61..=70].join("\n")
+    );
+    stream.write_all(more.as_bytes()).expect("sent");
+    wait_until(&mut window, "recording · 70 lines · 2 left out · connected");
+    wait_until(&mut window, "70 samples · RMS error");
+    sheet(&mut window);
+    assert!(says(&window, "Left out last"));
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, "Stop recording");
+    assert!(!says(&window, "recording ·") || says(&window, "Recorded"));
+    assert!(!there(&window, "Stop recording"));
+    let recorded = std::fs::read_to_string(&file).expect("the table");
+    assert_eq!(recorded.lines().collect::<Vec<_>>(), lines[..=70]);
+    let read = truepose::sessions::load(folder.path().join("today.json"));
+    assert_eq!(read.expect("a session").session.samples.len(), 70);
+}
+
+#[test]
+fn lines_of_other_columns_are_opened_as_what_an_instrument_wrote() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("paper-30", folder.path());
+    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let mut window = window_at(Some(session), None);
+    choose(&mut window, "File", "Record from instrument…");
+    window.run_steps(4);
+    let address = format!("tcp://{}", server.local_addr().expect("it has one"));
+    type_into(&mut window, "Address", &address);
+    let file = folder.path().join("points.csv");
+    type_into(&mut window, "File", &file.display().to_string());
+    press(&mut window, "Record");
+    let (mut stream, _) = server.accept().expect("the window connects");
+    let text = "Name X Y Z\nP1 250 0 300\nP2 240 70 300\n";
+    stream.write_all(text.as_bytes()).expect("sent");
+    wait_until(&mut window, "points.csv");
+    wait_until(&mut window, "recording · 2 lines");
+    assert!(!folder.path().join("points.json").exists());
+}
