@@ -42,10 +42,13 @@ fn tracker(session: &Session) -> String {
 fn commands(session: &Session) -> String {
     let samples = &session.samples;
     let joints = samples.q.len();
-    let heading = |what: &str, unit: &str| -> String {
-        (1..=joints).map(|j| format!(",{what}{j}{unit}")).collect()
-    };
-    let mut text = format!("name{}{}\n", heading("q", "_deg"), heading("dir", ""));
+    let mut text = String::from("name");
+    for (what, unit) in [("q", "_deg"), ("dir", "")] {
+        for joint in 1..=joints {
+            let _ = write!(text, ",{what}{joint}{unit}");
+        }
+    }
+    text.push('\n');
     for row in 0..samples.len() {
         let _ = write!(text, "P{:03}", row + 1);
         for q in &samples.q {

@@ -94,9 +94,10 @@ pub(crate) fn as_said(
             return Ok(());
         }
         // As the model keeps them: names alone.
-        let alone = match found.fit.shapes.is_empty() {
-            true => found.fit.clone(),
-            false => regression.fit(&found.fit.model, Vec::new()),
+        let alone = if found.fit.shapes.is_empty() {
+            found.fit.clone()
+        } else {
+            regression.fit(&found.fit.model, Vec::new())
         };
         let idle = |step: &Step| step.held_out_mm.is_some_and(|h| h[1] >= h[0]);
         let steps = steps(prepared, &base, &alone);

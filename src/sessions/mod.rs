@@ -50,5 +50,6 @@ pub use mend::Mend;
 pub use references::{
     Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };
+#[cfg(feature = "gui")]
 pub(crate) use save::save_document;
 pub use save::{Replacing, samples_path, save, save_watched, write_csv, write_inline};
