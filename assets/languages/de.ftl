@@ -841,6 +841,9 @@ dialog-svg-picture-svg = SVG-Bild (*.svg)
 dialog-model-json = Modell (*.json)
 dialog-csv-table-csv = CSV-Tabelle (*.csv)
 dialog-targets = Zielpunkte
+dialog-folder-with-the-sessions = Ordner mit den Messungen einer Maschine
+dialog-logo-of-the-report = Logo des Berichts
+dialog-png-pictures = PNG-Bilder
 
 ## running
 
@@ -961,6 +964,13 @@ message-what-is-not-saved-cannot = Nicht Gespeichertes kann nicht gegen einen Ab
 message-not-everything-could-be-set = Nicht alles konnte eingerichtet werden
 message-not-everything-could-be-kept = Nicht alles konnte gesichert werden
 message-the-session-is-as = Die Messung ist unverändert; speichern Sie sie unter eigenem Namen
+message-waiting-for-a-folder = warten auf die Wahl eines Ordners
+message-comparing-the-sessions = Messungen in { $folder } werden verglichen
+message-there-are-no-sessions = Es gibt keine Messungen zu vergleichen
+message-nothing-can-be-recorded = Es kann nichts aufgezeichnet werden
+message-recorded = { $path } aufgezeichnet: { $says }
+message-the-recording-ended = Die Aufzeichnung ist beendet
+message-what-was-recorded-before = Was bis dahin aufgezeichnet wurde, steht in der Datei
 
 ## view
 
@@ -1300,6 +1310,7 @@ results-sample-is-excluded = Messpunkt { $sample } ist ausgeschlossen: { $becaus
 results-and-more = und { $more } weitere
 results-notes = Hinweise
 results-region = Region
+results-no-decision = Keine Entscheidung: { $because }
 
 ## samples
 
@@ -1365,6 +1376,104 @@ status-understood = Verstanden
 ## toast
 
 toast-show-in-folder = Im Ordner zeigen
+
+## details
+
+details-report-details = Angaben zum Bericht
+details-stated-at-the-head = Steht am Anfang des Berichts und wird für diese Maschine gemerkt; was leer ist, wird eine Zeile zum Ausfüllen von Hand
+details-such-as-a-date = zum Beispiel 22. Nov. 2026
+details-field-report_number = Berichtsnummer
+details-field-date = Datum
+details-field-customer = Kunde
+details-field-machine = Maschine
+details-field-machine_serial = Seriennummer der Maschine
+details-field-instrument = Messgerät
+details-field-instrument_serial = Seriennummer des Messgeräts
+details-field-instrument_calibrated = Messgerät kalibriert am
+details-field-operator = Bediener
+details-logo = Logo
+details-a-png-file = eine PNG-Datei
+details-logo-cannot-be-used = Logo { $found }; erwartet: { $expected }
+details-pass-or-fail = Bestanden oder nicht
+details-last-time-it-was = Letztes Mal waren es { $last } mm
+details-use-it = Übernehmen
+details-decision-rule = Entscheidungsregel
+details-not-decided = keine Entscheidung
+details-simple-acceptance = einfache Akzeptanz
+details-the-reader-decides = Der Bericht nennt die Fehler und überlässt die Entscheidung dem Leser
+details-pass-with-its-uncertainty = Bestanden, wo die größte Abweichung zusammen mit ihrer Unsicherheit in der Toleranz liegt; nicht bestanden, wo die Abweichung ohne ihre Unsicherheit darüber liegt; dazwischen ist keines von beiden nachgewiesen
+details-pass-without-its-uncertainty = Bestanden, wo die größte Abweichung in der Toleranz liegt; die Unsicherheit wird angegeben und zählt nicht (JCGM 106, 8.2)
+
+## history
+
+history-of = Verlauf von { $robot }
+history-of-the-folder-by-time = Messungen und Modelle des Ordners { $folder }, nach der Zeit des ersten Messpunkts
+history-of-the-folder-by-name = Messungen und Modelle des Ordners { $folder }, nach Dateinamen, Zahlen darin nach ihrem Wert
+history-robot = Roboter
+history-all-sessions = Alle Messungen
+history-before-and-after = Vorher und nachher
+history-before = Vorher
+history-after = Nachher
+history-is-excluded = { $file } ist ausgeschlossen: { $because }
+history-other-folder = Anderer Ordner …
+history-errors = Fehler
+history-parameters = Parameter
+history-no-parameter-was-identified = Es wurde kein Parameter identifiziert
+history-half-the-95-interval = ± halbes 95-%-Intervall; { $mark } um mehr als sein Intervall geändert
+history-the-last-sessions = ; die letzten { $shown } von { $all } Messungen
+history-over-the-sessions = { $parameter } über den Messungen
+history-no-parameter-in-common = Sie haben keinen Parameter gemeinsam
+history-parameters-changed = { $changed } von { $all } Parametern haben sich um mehr als das 95-%-Intervall der Differenz geändert
+history-errors-before = Vorher: RMS-Fehler { $nominal } am Sollroboter, { $identified } nach der Identifikation
+history-errors-after = Nachher: RMS-Fehler { $nominal } am Sollroboter, { $identified } nach der Identifikation
+history-changed-of = { $changed } von { $all }
+history-heading-session = Messung
+history-heading-from = Aus
+history-heading-samples = Messpunkte
+history-heading-rms-error-nominal-mm = RMS-Fehler am Sollroboter, mm
+history-heading-model-mm = Modell, mm
+history-heading-with-the-earliest-mm = Mit dem frühesten, mm
+history-heading-changed = Geändert
+history-heading-parameter = Parameter
+history-heading-unit = Einheit
+history-heading-before = Vorher
+history-heading-after = Nachher
+history-heading-difference = Differenz
+history-heading-beyond-its-interval = Über dem Intervall
+history-cell-session = Messung
+history-cell-model = Modell
+history-cell-not-determined = nicht bestimmt
+history-cell-changed = geändert
+history-cell-no = nein
+
+## recording
+
+recording-record-from-instrument = Vom Messgerät aufzeichnen
+recording-lines-of-text-become = Textzeilen, je eine für einen gemessenen Punkt, werden Messpunkte einer neuen Messung von { $robot }; eine Verbindung, die endet, wird wiederhergestellt
+recording-address = Adresse
+recording-address-forms = tcp://HOST:PORT oder udp://:PORT
+recording-columns = Spalten
+recording-empty-the-first-line = leer: die erste Zeile nennt sie
+recording-file = Datei
+recording-a-new-csv-table = eine neue CSV-Tabelle
+recording-type-where-it-sends = Geben Sie ein, wohin die Software des Messgeräts sendet, zum Beispiel tcp://192.168.0.10:4000
+recording-columns-such-as = Spalten wie q1_deg, x_mm, y_mm, z_mm; getrennt durch Kommas, Semikolons, Tabulatoren oder Leerzeichen
+recording-a-name-that-ends-in-csv = { $path }: erwartet wird ein Name, der auf .csv endet
+recording-the-folder-is-not-there = { $folder }: den Ordner gibt es nicht
+recording-exists-already = { $path } gibt es schon: eine Aufzeichnung ersetzt nichts
+recording-record = Aufzeichnen
+recording-stop = Aufzeichnung beenden
+recording-left-out-last = Zuletzt ausgelassen: { $line }
+recording-stands = Aufzeichnung · { $lines }{ $left_out } · { $state }
+recording-lines =
+    { $count ->
+        [one] { $count } Zeile
+       *[other] { $count } Zeilen
+    }
+recording-left-out = {" "}· { $count } ausgelassen
+recording-connecting = verbindet
+recording-connected = verbunden
+recording-not-connected = nicht verbunden, wird erneut versucht: { $why }
 
 ## unexplained
 
@@ -1514,6 +1623,10 @@ chart-word-rms-error = RMS-Fehler
 chart-word-nominal-robot = Sollroboter
 chart-word-exact-identification = exakte Identifikation
 chart-word-by-region = nach Regionen
+chart-word-value-95-interval = Wert, 95-%-Intervall
+chart-word-changed = geändert
+chart-word-by-the-time-of-the-first-sample = nach der Zeit des ersten Messpunkts
+chart-word-by-file-name-numbers-in-it-by-their-value = nach Dateinamen, Zahlen darin nach ihrem Wert
 
 ## scale
 

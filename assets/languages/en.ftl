@@ -841,6 +841,9 @@ dialog-svg-picture-svg = SVG picture (*.svg)
 dialog-model-json = Model (*.json)
 dialog-csv-table-csv = CSV table (*.csv)
 dialog-targets = Targets
+dialog-folder-with-the-sessions = Folder with the sessions of a machine
+dialog-logo-of-the-report = Logo of the report
+dialog-png-pictures = PNG pictures
 
 ## running
 
@@ -961,6 +964,13 @@ message-what-is-not-saved-cannot = What is not saved cannot be kept against a cr
 message-not-everything-could-be-set = Not everything could be set up
 message-not-everything-could-be-kept = Not everything could be kept for tomorrow
 message-the-session-is-as = The session is as it was; save it under a name of your own
+message-waiting-for-a-folder = waiting for a folder to be chosen
+message-comparing-the-sessions = comparing the sessions of { $folder }
+message-there-are-no-sessions = There are no sessions to compare
+message-nothing-can-be-recorded = Nothing can be recorded
+message-recorded = Recorded { $path }: { $says }
+message-the-recording-ended = The recording ended
+message-what-was-recorded-before = What was recorded before is in the file
 
 ## view
 
@@ -1300,6 +1310,7 @@ results-sample-is-excluded = sample { $sample } is excluded: { $because }
 results-and-more = and { $more } more
 results-notes = Notes
 results-region = region
+results-no-decision = No decision: { $because }
 
 ## samples
 
@@ -1365,6 +1376,104 @@ status-understood = Understood
 ## toast
 
 toast-show-in-folder = Show in folder
+
+## details
+
+details-report-details = Report details
+details-stated-at-the-head = Stated at the head of the report, and remembered for this machine; what is empty is a line to fill in by hand
+details-such-as-a-date = such as 22 Nov 2026
+details-field-report_number = Report number
+details-field-date = Date
+details-field-customer = Customer
+details-field-machine = Machine
+details-field-machine_serial = Serial number of the machine
+details-field-instrument = Instrument
+details-field-instrument_serial = Serial number of the instrument
+details-field-instrument_calibrated = Instrument calibrated on
+details-field-operator = Operator
+details-logo = Logo
+details-a-png-file = a PNG file
+details-logo-cannot-be-used = Logo { $found }; expected { $expected }
+details-pass-or-fail = Pass or fail
+details-last-time-it-was = Last time it was { $last } mm
+details-use-it = Use it
+details-decision-rule = Decision rule
+details-not-decided = not decided
+details-simple-acceptance = simple acceptance
+details-the-reader-decides = The report states the errors and leaves the decision to its reader
+details-pass-with-its-uncertainty = Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven
+details-pass-without-its-uncertainty = Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)
+
+## history
+
+history-of = History of { $robot }
+history-of-the-folder-by-time = Sessions and models of the folder { $folder }, by the time of the first sample
+history-of-the-folder-by-name = Sessions and models of the folder { $folder }, by file name, numbers in it by their value
+history-robot = Robot
+history-all-sessions = All sessions
+history-before-and-after = Before and after
+history-before = Before
+history-after = After
+history-is-excluded = { $file } is excluded: { $because }
+history-other-folder = Other folder…
+history-errors = Errors
+history-parameters = Parameters
+history-no-parameter-was-identified = No parameter was identified
+history-half-the-95-interval = ± half the 95 % interval; { $mark } changed by more than its interval
+history-the-last-sessions = ; the last { $shown } of { $all } sessions
+history-over-the-sessions = { $parameter } over the sessions
+history-no-parameter-in-common = They have no parameter in common
+history-parameters-changed = { $changed } of { $all } parameters changed by more than the 95 % interval of the difference
+history-errors-before = Before: RMS error { $nominal } nominal, { $identified } after identification
+history-errors-after = After: RMS error { $nominal } nominal, { $identified } after identification
+history-changed-of = { $changed } of { $all }
+history-heading-session = Session
+history-heading-from = From
+history-heading-samples = Samples
+history-heading-rms-error-nominal-mm = RMS error nominal, mm
+history-heading-model-mm = Model, mm
+history-heading-with-the-earliest-mm = With the earliest, mm
+history-heading-changed = Changed
+history-heading-parameter = Parameter
+history-heading-unit = Unit
+history-heading-before = Before
+history-heading-after = After
+history-heading-difference = Difference
+history-heading-beyond-its-interval = Beyond its interval
+history-cell-session = session
+history-cell-model = model
+history-cell-not-determined = not determined
+history-cell-changed = changed
+history-cell-no = no
+
+## recording
+
+recording-record-from-instrument = Record from instrument
+recording-lines-of-text-become = Lines of text, one for each measurement, become samples of a new session of { $robot }; a connection that ends is made again
+recording-address = Address
+recording-address-forms = tcp://HOST:PORT or udp://:PORT
+recording-columns = Columns
+recording-empty-the-first-line = empty: the first line names them
+recording-file = File
+recording-a-new-csv-table = a new CSV table
+recording-type-where-it-sends = Type where the instrument's software sends, such as tcp://192.168.0.10:4000
+recording-columns-such-as = Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces
+recording-a-name-that-ends-in-csv = { $path }: expected a name that ends in .csv
+recording-the-folder-is-not-there = { $folder }: the folder is not there
+recording-exists-already = { $path } exists already: nothing is replaced by a recording
+recording-record = Record
+recording-stop = Stop recording
+recording-left-out-last = Left out last: { $line }
+recording-stands = recording · { $lines }{ $left_out } · { $state }
+recording-lines =
+    { $count ->
+        [one] { $count } line
+       *[other] { $count } lines
+    }
+recording-left-out = {" "}· { $count } left out
+recording-connecting = connecting
+recording-connected = connected
+recording-not-connected = not connected, tries again: { $why }
 
 ## unexplained
 
@@ -1514,6 +1623,10 @@ chart-word-rms-error = RMS error
 chart-word-nominal-robot = nominal robot
 chart-word-exact-identification = exact identification
 chart-word-by-region = by region
+chart-word-value-95-interval = value, 95 % interval
+chart-word-changed = changed
+chart-word-by-the-time-of-the-first-sample = by the time of the first sample
+chart-word-by-file-name-numbers-in-it-by-their-value = by file name, numbers in it by their value
 
 ## scale
 

@@ -817,6 +817,9 @@ dialog-svg-picture-svg = SVG 图片 (*.svg)
 dialog-model-json = 模型 (*.json)
 dialog-csv-table-csv = CSV 表格 (*.csv)
 dialog-targets = 目标点
+dialog-folder-with-the-sessions = 存放一台机器各次测量的文件夹
+dialog-logo-of-the-report = 报告的徽标
+dialog-png-pictures = PNG 图片
 
 ## running
 
@@ -937,6 +940,13 @@ message-what-is-not-saved-cannot = 未保存的内容无法防崩溃备份：{ $
 message-not-everything-could-be-set = 有些内容无法设置
 message-not-everything-could-be-kept = 有些内容无法保留
 message-the-session-is-as = 测量保持原样；请另取名称保存
+message-waiting-for-a-folder = 等待选择文件夹
+message-comparing-the-sessions = 正在比较 { $folder } 中的各次测量
+message-there-are-no-sessions = 没有可比较的测量
+message-nothing-can-be-recorded = 无法记录
+message-recorded = 已记录 { $path }：{ $says }
+message-the-recording-ended = 记录已结束
+message-what-was-recorded-before = 此前记录的内容在文件中
 
 ## view
 
@@ -1276,6 +1286,7 @@ results-sample-is-excluded = 样本 { $sample } 已排除：{ $because }
 results-and-more = 以及另外 { $more } 个
 results-notes = 备注
 results-region = 区域
+results-no-decision = 无法判定：{ $because }
 
 ## samples
 
@@ -1341,6 +1352,100 @@ status-understood = 知道了
 ## toast
 
 toast-show-in-folder = 在文件夹中显示
+
+## details
+
+details-report-details = 报告信息
+details-stated-at-the-head = 写在报告开头，并为这台机器保存；留空之处是供手工填写的一行
+details-such-as-a-date = 例如 2026 年 11 月 22 日
+details-field-report_number = 报告编号
+details-field-date = 日期
+details-field-customer = 客户
+details-field-machine = 机器
+details-field-machine_serial = 机器序列号
+details-field-instrument = 测量仪器
+details-field-instrument_serial = 测量仪器序列号
+details-field-instrument_calibrated = 测量仪器校准日期
+details-field-operator = 操作员
+details-logo = 徽标
+details-a-png-file = PNG 文件
+details-logo-cannot-be-used = 徽标 { $found }；应为 { $expected }
+details-pass-or-fail = 合格判定
+details-last-time-it-was = 上次为 { $last } mm
+details-use-it = 采用
+details-decision-rule = 判定规则
+details-not-decided = 不判定
+details-simple-acceptance = 简单接受
+details-the-reader-decides = 报告给出误差，由读者自行判定
+details-pass-with-its-uncertainty = 最大偏差加其不确定度在公差内为合格；偏差不计不确定度即超出公差为不合格；介于两者之间则均未证实
+details-pass-without-its-uncertainty = 最大偏差在公差内为合格；不确定度会给出，但不计入 (JCGM 106, 8.2)
+
+## history
+
+history-of = { $robot } 的历史
+history-of-the-folder-by-time = 文件夹 { $folder } 中的测量和模型，按第一个样本的时间排列
+history-of-the-folder-by-name = 文件夹 { $folder } 中的测量和模型，按文件名排列，其中的数字按数值
+history-robot = 机器人
+history-all-sessions = 所有测量
+history-before-and-after = 前后对比
+history-before = 之前
+history-after = 之后
+history-is-excluded = { $file } 已排除：{ $because }
+history-other-folder = 其他文件夹…
+history-errors = 误差
+history-parameters = 参数
+history-no-parameter-was-identified = 没有辨识出参数
+history-half-the-95-interval = ± 95 % 区间的一半；{ $mark } 变化超过其区间
+history-the-last-sessions = ；{ $all } 次测量中的最后 { $shown } 次
+history-over-the-sessions = { $parameter }-各次测量
+history-no-parameter-in-common = 它们没有共同的参数
+history-parameters-changed = { $all } 个参数中有 { $changed } 个的变化超过差值的 95 % 区间
+history-errors-before = 之前：RMS 误差，名义机器人 { $nominal }，辨识后 { $identified }
+history-errors-after = 之后：RMS 误差，名义机器人 { $nominal }，辨识后 { $identified }
+history-changed-of = { $changed } / { $all }
+history-heading-session = 测量
+history-heading-from = 来源
+history-heading-samples = 样本
+history-heading-rms-error-nominal-mm = 名义机器人的 RMS 误差，mm
+history-heading-model-mm = 模型，mm
+history-heading-with-the-earliest-mm = 用最早的模型，mm
+history-heading-changed = 已变化
+history-heading-parameter = 参数
+history-heading-unit = 单位
+history-heading-before = 之前
+history-heading-after = 之后
+history-heading-difference = 差值
+history-heading-beyond-its-interval = 超出其区间
+history-cell-session = 测量
+history-cell-model = 模型
+history-cell-not-determined = 未确定
+history-cell-changed = 已变化
+history-cell-no = 否
+
+## recording
+
+recording-record-from-instrument = 从测量仪器记录
+recording-lines-of-text-become = 每行文本对应一个测得的点，成为 { $robot } 新测量的样本；连接中断后会重新建立
+recording-address = 地址
+recording-address-forms = tcp://HOST:PORT 或 udp://:PORT
+recording-columns = 列
+recording-empty-the-first-line = 留空：由第一行给出
+recording-file = 文件
+recording-a-new-csv-table = 新的 CSV 表格
+recording-type-where-it-sends = 请输入测量仪器软件的发送地址，例如 tcp://192.168.0.10:4000
+recording-columns-such-as = 列例如 q1_deg, x_mm, y_mm, z_mm；以逗号、分号、制表符或空格分隔
+recording-a-name-that-ends-in-csv = { $path }：应为以 .csv 结尾的名称
+recording-the-folder-is-not-there = { $folder }：文件夹不存在
+recording-exists-already = { $path } 已存在：记录不会替换任何文件
+recording-record = 记录
+recording-stop = 停止记录
+recording-left-out-last = 最近略去：{ $line }
+recording-stands = 正在记录 · { $lines }{ $left_out } · { $state }
+recording-lines = { $count } 行
+recording-left-out = {" "}· 略去 { $count } 行
+recording-connecting = 正在连接
+recording-connected = 已连接
+recording-not-connected = 未连接，正在重试：{ $why }
 
 ## unexplained
 
@@ -1490,6 +1595,10 @@ chart-word-rms-error = RMS 误差
 chart-word-nominal-robot = 名义机器人
 chart-word-exact-identification = 完整辨识
 chart-word-by-region = 按区域
+chart-word-value-95-interval = 值，95 % 区间
+chart-word-changed = 已变化
+chart-word-by-the-time-of-the-first-sample = 按第一个样本的时间
+chart-word-by-file-name-numbers-in-it-by-their-value = 按文件名，其中的数字按数值
 
 ## scale
 

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
-use super::names::{parameter, title_on};
+use super::names::parameter;
 use super::numbers::{grouped, plain, with_interval};
 use super::table::{Cell, Table};
 use crate::fit::Estimate;
@@ -13,6 +13,10 @@ use crate::history::{Change, Entry, RobotHistory, changes, is_of_set_up, is_same
 
 /// What stands behind a value that changed by more than its interval.
 pub const CHANGED: &str = "●";
+
+/// What an effect is called, with the joint, counted from 1, where the robot has as many as are given
+/// last: names of effects are in the language of the reader.
+pub type Titles = fn(&str, Option<usize>, usize) -> String;
 
 /// A parameter through all entries of a robot.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +42,7 @@ pub struct Value {
 }
 
 /// The parameters of a robot, in the order in which they occur.
-pub fn rows(robot: &RobotHistory) -> Vec<Row<'_>> {
+pub fn rows(robot: &RobotHistory, titles: Titles) -> Vec<Row<'_>> {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let all = robot.entries.iter().flat_map(|entry| &entry.parameters);
     let joints = all.filter_map(|one| one.joint).max().unwrap_or(1);
@@ -48,7 +52,7 @@ pub fn rows(robot: &RobotHistory) -> Vec<Row<'_>> {
             let there = rows.iter().position(|row| is_same(row.of, one));
             let at = there.unwrap_or_else(|| {
                 rows.push(Row {
-                    name: name(one, joints),
+                    name: name(one, joints, titles),
                     unit: parameter(one.name).1,
                     values: vec![None; robot.entries.len()],
                     of: one,
@@ -67,8 +71,8 @@ pub fn rows(robot: &RobotHistory) -> Vec<Row<'_>> {
 }
 
 /// A parameter's name with all that tells it from others.
-fn name(one: &Estimate, joints: usize) -> String {
-    let mut name = title_on(one.effect, one.joint, joints);
+fn name(one: &Estimate, joints: usize, titles: Titles) -> String {
+    let mut name = titles(one.effect, one.joint, joints);
     for place in [&one.setup, &one.target, &one.place].into_iter().flatten() {
         name += &format!(", {place}");
     }
@@ -116,12 +120,12 @@ pub fn entries(robot: &RobotHistory) -> Table {
 }
 
 /// Parameters through these entries.
-pub fn parameters(robot: &RobotHistory, shown: &[usize]) -> Table {
+pub fn parameters(robot: &RobotHistory, shown: &[usize], titles: Titles) -> Table {
     let heads = shown.iter().filter_map(|k| robot.entries.get(*k));
     let heads = heads.map(|entry| format!(">{}", shortened(&short_name(entry), 24)));
     let fixed = ["Parameter".to_owned(), "Unit".to_owned()];
     let mut table = Table::new(fixed.into_iter().chain(heads));
-    for row in rows(robot) {
+    for row in rows(robot, titles) {
         let cells = shown.iter().map(|k| row.values.get(*k).copied().flatten());
         let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| says(value)));
         let fixed = [row.name.into(), row.unit.into()];
@@ -140,7 +144,7 @@ fn says(value: Option<Value>) -> String {
 }
 
 /// One entry beside another: what was, what is, and whether that is a change.
-pub fn compared(robot: &RobotHistory, before: usize, now: usize) -> Option<Table> {
+pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles) -> Option<Table> {
     let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
     let joints = now.parameters.iter().filter_map(|one| one.joint).max();
     let mut table = Table::new([
@@ -159,7 +163,7 @@ pub fn compared(robot: &RobotHistory, before: usize, now: usize) -> Option<Table
         let [difference, about, _] = with_interval(change.difference, change.ci95);
         let (unit, verdict) = (parameter(one.name).1, verdict(&change));
         table.row([
-            name(one, joints.unwrap_or(1)),
+            name(one, joints.unwrap_or(1), titles),
             unit.to_owned(),
             format!("{was} {was_half}"),
             format!("{is} {half}"),

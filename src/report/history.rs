@@ -3,6 +3,7 @@
 use super::document::{Block, Section};
 use crate::history::History;
 use crate::present::history::{CHANGED, chart, entries, parameters, rows};
+use crate::present::names::title_on;
 
 /// Sessions whose values stand side by side on a page.
 const MOST: usize = 4;
@@ -25,9 +26,9 @@ pub(super) fn section(history: &History, robot: &str) -> Option<Section> {
              the interval of the difference since the one before",
             shown.len()
         )),
-        Block::Table(parameters(robot, &shown)),
+        Block::Table(parameters(robot, &shown, title_on)),
     ];
-    let rows = rows(robot);
+    let rows = rows(robot, title_on);
     let changed = rows
         .iter()
         .filter(|row| row.values.iter().flatten().any(|value| value.changed));

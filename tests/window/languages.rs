@@ -13,6 +13,7 @@ use fluent_syntax::ast;
 use truepose::fonts::Library;
 use truepose::gui::{App, Language, Runner};
 
+use crate::record::open_records;
 use crate::sizes::look;
 use crate::tiny_font::Tiny;
 use crate::touring::texts;
@@ -140,7 +141,15 @@ fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message
     );
     let english = messages("en");
     // Of these the code has the end of the key only.
-    let built = ["word-", "effect-", "plot-", "chart-word-"];
+    let built = [
+        "word-",
+        "effect-",
+        "plot-",
+        "chart-word-",
+        "details-field-",
+        "history-heading-",
+        "history-cell-",
+    ];
     for key in english
         .keys()
         .filter(|key| !built.iter().any(|b| key.starts_with(b)))
@@ -329,6 +338,7 @@ fn no_text_of_the_window_is_outside_of_the_table() {
     let mut see = |window: &Window, at: &str| untranslated(window, at, &allowed, &mut found);
     visit(&mut window, &mut see);
     open_all(&mut window, &mut see);
+    open_records(&mut window, &mut see);
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("messung.csv");
     std::fs::write(&path, "winkel;x;y\n0;250;0\n10;246;43\n20;235;85\n").expect("written");

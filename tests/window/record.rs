@@ -290,3 +290,46 @@ fn lines_of_other_columns_are_opened_as_what_an_instrument_wrote() {
     wait_until(&mut window, "recording · 2 lines");
     assert!(!folder.path().join("points.json").exists());
 }
+
+/// Opens the sheets of the record in the marked language, and looks at each as it can stand.
+pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
+    let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+    keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
+    for rule in ["⟦not decided⟧", "⟦simple acceptance⟧", "ISO 14253-1"] {
+        press(window, rule);
+        window.run_steps(4);
+        see(window, &format!("report details, {rule}"));
+    }
+    press(window, "⟦Done⟧");
+    let folder = tempfile::tempdir().expect("a folder");
+    sessions(folder.path(), &[0.2, 0.2, 0.26, 0.26]);
+    let broken = folder.path().join("broken.json");
+    std::fs::write(broken, "{\"format\":\"truepose-session/1\",").expect("written");
+    window.state_mut().compare_sessions(folder.path());
+    window.run_steps(8);
+    see(window, "history");
+    press(window, "⟦Before and after⟧");
+    window.run_steps(4);
+    see(window, "history, before and after");
+    press(window, "⟦Done⟧");
+    std::fs::remove_dir_all(folder.path()).expect("the sessions");
+    window.state_mut().compare_sessions(folder.path());
+    window.run_steps(8);
+    see(window, "history of nothing");
+    let folder = tempfile::tempdir().expect("a folder");
+    keys(window, shifted, Key::L);
+    see(window, "recording, as it opens");
+    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = server.local_addr().expect("it has one");
+    type_into(window, "⟦Address⟧", &format!("tcp://{address}"));
+    for name in ["table.txt", "nowhere/table.csv", "table.csv"] {
+        let path = folder.path().join(name).display().to_string();
+        type_into(window, "⟦File⟧", &path);
+        see(window, &format!("recording to {name}"));
+    }
+    press(window, "⟦Record⟧");
+    keys(window, shifted, Key::L);
+    see(window, "recording");
+    keys(window, Modifiers::NONE, Key::Escape);
+    press(window, "⟦Stop recording⟧");
+}

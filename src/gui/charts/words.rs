@@ -1,6 +1,6 @@
 //! What the core writes into a chart, in the language of the window.
 
-use crate::gui::language::known;
+use crate::gui::language::known_words;
 use crate::present::chart::{Chart, Item, Ticks};
 
 /// Words of the core that a number may follow.
@@ -34,8 +34,7 @@ pub(super) fn translated(mut chart: Chart) -> Chart {
 fn translate(text: &mut String) {
     let own = BEFORE_NUMBERS.into_iter().find(|own| text.starts_with(own));
     let word = own.unwrap_or(text);
-    let id = word.trim_end_matches(',').to_lowercase().replace(' ', "-");
-    if let Some(known) = known("chart-word", &id) {
+    if let Some(known) = known_words("chart-word", word) {
         let end = if word.ends_with(',') { "," } else { "" };
         *text = format!("{known}{end}{}", &text[word.len()..]);
     }

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::gui::language::say;
+use crate::gui::units::grouped;
 use crate::recorder::live::State;
 use crate::recorder::source::Address;
 
@@ -30,21 +32,21 @@ impl Wanted {
         }
         let path = &self.path;
         if path.extension().is_none_or(|ending| ending != "csv") {
-            return Some(format!(
-                "{}: expected a name that ends in .csv",
-                path.display()
+            return Some(say!(
+                "recording-a-name-that-ends-in-csv",
+                path = path.display()
             ));
         }
         let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
         if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
-            return Some(format!("{}: the folder is not there", folder.display()));
+            return Some(say!(
+                "recording-the-folder-is-not-there",
+                folder = folder.display()
+            ));
         }
         let there = [path.clone(), self.session()];
         let there = there.iter().find(|path| path.exists())?;
-        Some(format!(
-            "{} exists already: nothing is replaced by a recording",
-            there.display()
-        ))
+        Some(say!("recording-exists-already", path = there.display()))
     }
 
     /// The session that its lines become samples of.
@@ -79,19 +81,22 @@ pub(crate) struct Heard {
 impl Heard {
     /// In a line.
     pub(crate) fn says(&self) -> String {
-        let lines = crate::gui::units::number_of(
-            usize::try_from(self.recorded).unwrap_or(usize::MAX),
-            "line",
-        );
+        let recorded = usize::try_from(self.recorded).unwrap_or(usize::MAX);
+        let lines = say!("recording-lines", count = grouped(recorded));
         let left_out = match self.refused {
             0 => String::new(),
-            n => format!(" · {n} left out"),
+            n => say!("recording-left-out", count = n),
         };
         let state = match &self.state {
-            State::Connecting => "connecting".to_owned(),
-            State::Connected => "connected".to_owned(),
-            State::Waiting(why) => format!("not connected, tries again: {why}"),
+            State::Connecting => say!("recording-connecting").to_owned(),
+            State::Connected => say!("recording-connected").to_owned(),
+            State::Waiting(why) => say!("recording-not-connected", why = why),
         };
-        format!("recording · {lines}{left_out} · {state}")
+        say!(
+            "recording-stands",
+            lines = lines,
+            left_out = left_out,
+            state = state
+        )
     }
 }

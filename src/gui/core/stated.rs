@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::gui::language::say;
 use crate::report::{Details, Logo};
 
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -21,7 +22,13 @@ impl Stated {
         let path = self.logo.trim();
         let logo = (!path.is_empty()).then(|| {
             let read = Logo::read(Path::new(path));
-            read.map_err(|found| format!("Logo {found}; expected {}", Logo::EXPECTED))
+            read.map_err(|found| {
+                say!(
+                    "details-logo-cannot-be-used",
+                    found = found,
+                    expected = Logo::EXPECTED
+                )
+            })
         });
         Ok(Details {
             logo: logo.transpose()?,

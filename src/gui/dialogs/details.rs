@@ -4,6 +4,7 @@ use egui::{Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
+use crate::gui::language::{named, say};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;
@@ -16,12 +17,8 @@ const WIDE: f32 = 560.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
-    widgets::heading(ui, "Report details");
-    widgets::hint(
-        ui,
-        "Stated at the head of the report, and remembered for this machine; what is empty is a line \
-         to fill in by hand",
-    );
+    widgets::heading(ui, say!("details-report-details"));
+    widgets::hint(ui, say!("details-stated-at-the-head"));
     let before = workbench.stated();
     let mut stated = before.clone();
     let muted = Palette::of(ui).muted;
@@ -31,41 +28,44 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show(ui, |ui| {
             for line in Details::LINES {
                 let hint = if line.key == "date" {
-                    "such as 22 Nov 2026"
+                    say!("details-such-as-a-date")
                 } else {
                     ""
                 };
-                text(ui, line.name, (line.of)(&mut stated.details), hint);
+                let name = named("details-field", line.key, line.name);
+                text(ui, name, (line.of)(&mut stated.details), hint);
                 ui.end_row();
             }
-            ui.label(RichText::new("Logo").color(muted));
+            let name = say!("details-logo");
+            ui.label(RichText::new(name).color(muted));
             ui.horizontal(|ui| {
                 let width = ui.available_width() - 86.0;
-                field(ui, "Logo", &mut stated.logo, "a PNG file", width);
-                if ui.button("Choose…").clicked() {
+                let hint = say!("details-a-png-file");
+                field(ui, name, &mut stated.logo, hint, width);
+                if ui.button(say!("import-choose")).clicked() {
                     commands.push(Command::ChooseLogo);
                 }
             });
             ui.end_row();
         });
-    widgets::section(ui, "Pass or fail");
+    widgets::section(ui, say!("details-pass-or-fail"));
     views::session::tolerance(ui, workbench, commands);
     let now = workbench.document().tolerance_mm;
     if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
-        let says = format!("Last time it was {last} mm");
+        let says = say!("details-last-time-it-was", last = last);
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
-            if ui.small_button("Use it").clicked() {
+            if ui.small_button(say!("details-use-it")).clicked() {
                 commands.push(Command::Edit(Edit::Tolerance(Some(last))));
             }
         });
     }
     let rules = [
-        (None, "not decided"),
+        (None, say!("details-not-decided")),
         (Some(Rule::Iso14253), "ISO 14253-1"),
-        (Some(Rule::Simple), "simple acceptance"),
+        (Some(Rule::Simple), say!("details-simple-acceptance")),
     ];
-    widgets::form_row(ui, "Decision rule", |ui| {
+    widgets::form_row(ui, say!("details-decision-rule"), |ui| {
         if let Some(rule) = widgets::segmented(ui, &rules, stated.details.rule) {
             stated.details.rule = rule;
         }
@@ -78,13 +78,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let measured = !workbench.subject().is_empty();
-        let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, "Report…"));
+        let report =
+            columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("common-report")));
         if report.inner.clicked() {
             commands.push(Command::Sheet(None));
             commands.push(Command::ChooseWhereToExport(What::Report(About::Session)));
         }
         // Enter ends what is typed into one of many fields.
-        if widgets::primary(&mut columns[1], "Done").clicked() {
+        if widgets::primary(&mut columns[1], say!("common-done")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });
@@ -93,15 +94,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// What a rule says, for whoever has to choose one.
 fn about(rule: Option<Rule>) -> &'static str {
     match rule {
-        None => "The report states the errors and leaves the decision to its reader",
-        Some(Rule::Iso14253) => {
-            "Pass where the largest deviation and its uncertainty together are within the tolerance, \
-             fail where the deviation without its uncertainty is above it; between them neither is proven"
-        }
-        Some(Rule::Simple) => {
-            "Pass where the largest deviation is within the tolerance; the uncertainty is stated \
-             and does not count (JCGM 106, 8.2)"
-        }
+        None => say!("details-the-reader-decides"),
+        Some(Rule::Iso14253) => say!("details-pass-with-its-uncertainty"),
+        Some(Rule::Simple) => say!("details-pass-without-its-uncertainty"),
     }
 }
 

@@ -3,14 +3,17 @@
 
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
+use crate::gui::language::names::title_on;
+use crate::gui::language::{known_words, say};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::history::{Entry, RobotHistory};
+use crate::history::{Entry, Order, RobotHistory};
 use crate::present::history::{
     CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name,
 };
+use crate::present::numbers::mm;
 use crate::present::table::Table;
 
 /// Widest, points.
@@ -49,18 +52,18 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let Some(robot) = found.or(all.first()) else {
         return commands.push(Command::Sheet(None));
     };
-    widgets::heading(ui, &format!("History of {}", robot.robot));
+    widgets::heading(ui, &say!("history-of", robot = robot.robot));
     let name = past.folder.file_name().unwrap_or(past.folder.as_os_str());
-    let says = format!(
-        "Sessions and models of the folder {}, {}",
-        name.to_string_lossy(),
-        robot.ordered_by.in_words()
-    );
+    let name = name.to_string_lossy();
+    let says = match robot.ordered_by {
+        Order::Time => say!("history-of-the-folder-by-time", folder = name),
+        Order::Name => say!("history-of-the-folder-by-name", folder = name),
+    };
     widgets::hint(ui, says);
     if all.len() > 1 {
         let names: Vec<&str> = all.iter().map(|one| one.robot.as_str()).collect();
         let now = names.iter().position(|name| *name == robot.robot);
-        if let Some(next) = list(ui, "Robot", &names, now.unwrap_or(0)) {
+        if let Some(next) = list(ui, say!("history-robot"), &names, now.unwrap_or(0)) {
             choice = Choice {
                 robot: names[next].to_owned(),
                 two: choice.two,
@@ -68,7 +71,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             };
         }
     }
-    let ways = [(false, "All sessions"), (true, "Before and after")];
+    let ways = [
+        (false, say!("history-all-sessions")),
+        (true, say!("history-before-and-after")),
+    ];
     if let Some(two) = widgets::segmented(ui, &ways, choice.two) {
         choice.two = two;
     }
@@ -78,15 +84,20 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         over_time(ui, workbench, robot, &mut choice);
     }
     for file in &past.history.not_read {
-        widgets::wrong(ui, &format!("{} is excluded: {}", file.file, file.because));
+        let says = say!(
+            "history-is-excluded",
+            file = file.file,
+            because = file.because
+        );
+        widgets::wrong(ui, &says);
     }
     ui.data_mut(|data| data.insert_temp(id, choice));
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], "Other folder…").clicked() {
+        if widgets::other(&mut columns[0], say!("history-other-folder")).clicked() {
             commands.push(Command::ChooseFolder);
         }
-        let done = widgets::primary(&mut columns[1], "Done").clicked();
+        let done = widgets::primary(&mut columns[1], say!("common-done")).clicked();
         if done || super::ends::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }
@@ -95,31 +106,37 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 /// All sessions: their errors, their parameters, and one of these as a chart.
 fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &mut Choice) {
-    widgets::section(ui, "Errors");
-    table(ui, "errors", &entries(robot), None);
-    let rows = rows(robot);
+    widgets::section(ui, say!("history-errors"));
+    let errors = translated(entries(robot), usize::MAX, &[1, 6]);
+    table(ui, "errors", &errors, None);
+    let rows = rows(robot, title_on);
     let is_changed = |row: &Row<'_>| row.values.iter().flatten().any(|value| value.changed);
     let changed = || rows.iter().position(is_changed);
     let mut charted = choice.row.or_else(changed).unwrap_or(0);
     let Some(row) = rows.get(charted).or(rows.first()) else {
-        return widgets::hint(ui, "No parameter was identified");
+        return widgets::hint(ui, say!("history-no-parameter-was-identified"));
     };
-    widgets::section(ui, "Parameters");
+    widgets::section(ui, say!("history-parameters"));
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-    let all = parameters(robot, &shown);
+    let all = translated(parameters(robot, &shown, title_on), 2, &[]);
     table(ui, "parameters", &all, Some((&mut charted, &names)));
     if rows.get(charted).is_some_and(|now| now.name != row.name) {
         choice.row = Some(charted);
     }
-    let mut says = format!("± half the 95 % interval; {CHANGED} changed by more than its interval");
+    let mut says = say!("history-half-the-95-interval", mark = CHANGED);
     if shown.len() < last {
-        says += &format!("; the last {} of {last} sessions", shown.len());
+        says += &say!("history-the-last-sessions", shown = shown.len(), all = last);
     }
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);
-    let chart = chart_of(robot, row);
+    let mut chart = chart_of(robot, row);
+    // Its other words are names of sessions.
+    translate("chart-word", &mut chart.across.label);
+    for entry in &mut chart.legend {
+        translate("chart-word", &mut entry.name);
+    }
     let room = vec2(ui.available_width(), CHART);
     let layout = egui::Layout::top_down(egui::Align::Min);
     ui.allocate_ui_with_layout(room, layout, |ui| {
@@ -129,7 +146,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
         let (response, _) = chart::show(ui, id, &chart, workbench.view(), |_, _| {});
         figure(
             &response,
-            &format!("{} over the sessions", row.name),
+            &say!("history-over-the-sessions", parameter = row.name),
             String::new(),
         );
     });
@@ -142,40 +159,47 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
     let newest = names.len().saturating_sub(1);
     let usual = [newest.saturating_sub(1), newest];
     let mut ends = [0, 1].map(|k| choice.ends[k].unwrap_or(usual[k]).min(newest));
-    for (k, says) in ["Before", "After"].into_iter().enumerate() {
+    for (k, says) in [say!("history-before"), say!("history-after")]
+        .into_iter()
+        .enumerate()
+    {
         if let Some(next) = list(ui, says, &names, ends[k]) {
             choice.ends[k] = Some(next);
             ends[k] = next;
         }
     }
-    let Some(both) = compared(robot, ends[0], ends[1]) else {
+    let Some(both) = compared(robot, ends[0], ends[1], title_on) else {
         return;
     };
     if both.rows.is_empty() {
-        return widgets::hint(ui, "They have no parameter in common");
+        return widgets::hint(ui, say!("history-no-parameter-in-common"));
     }
     let changed = both.rows.iter().filter(|row| {
         row.last()
             .is_some_and(|cell| cell.shown.starts_with(CHANGED))
     });
-    let says = format!(
-        "{} of {} parameters changed by more than the 95 % interval of the difference",
-        changed.count(),
-        both.rows.len()
+    let says = say!(
+        "history-parameters-changed",
+        changed = changed.count(),
+        all = both.rows.len()
     );
     ui.label(RichText::new(says).font(strong(size::BODY)));
+    let both = translated(both, usize::MAX, &[5]);
     table(ui, "before and after", &both, None);
-    let errors = |k: usize| {
-        let entry = &robot.entries[k];
-        let [before, after] = [entry.before_mm, entry.after_mm].map(crate::present::numbers::mm);
-        format!("RMS error {before} nominal, {after} after identification")
-    };
-    widgets::hint(ui, format!("Before: {}", errors(ends[0])));
-    widgets::hint(ui, format!("After: {}", errors(ends[1])));
+    for (end, key) in ends
+        .into_iter()
+        .zip(["history-errors-before", "history-errors-after"])
+    {
+        let entry = &robot.entries[end];
+        let [nominal, identified] = [entry.before_mm, entry.after_mm].map(mm);
+        widgets::hint(ui, say!(key, nominal = nominal, identified = identified));
+    }
 }
 
 fn title(entry: &Entry) -> String {
-    format!("{} ({})", short_name(entry), entry.source.name())
+    let source = entry.source.name();
+    let source = known_words("history-cell", source).unwrap_or(source);
+    format!("{} ({source})", short_name(entry))
 }
 
 /// A list with its name before it; what was chosen.
@@ -198,6 +222,38 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
             .accesskit_node_builder(list.response.id, |node| node.set_label(name));
     });
     chosen.filter(|k| *k != now)
+}
+
+/// The table with the first of its headings, and what is in these of its columns, in the language of
+/// the window. What else is in it are names of sessions and numbers.
+fn translated(mut table: Table, headings: usize, columns: &[usize]) -> Table {
+    for column in table.columns.iter_mut().take(headings) {
+        translate("history-heading", &mut column.heading);
+    }
+    for row in &mut table.rows {
+        for k in columns {
+            let Some(cell) = row.get_mut(*k) else {
+                continue;
+            };
+            if let Some((changed, all)) = cell.shown.split_once(" of ") {
+                cell.shown = say!("history-changed-of", changed = changed, all = all);
+            } else if let Some(word) = cell.shown.strip_prefix(CHANGED) {
+                let mut word = word.trim().to_owned();
+                translate("history-cell", &mut word);
+                cell.shown = format!("{CHANGED} {word}");
+            } else {
+                translate("history-cell", &mut cell.shown);
+            }
+        }
+    }
+    table
+}
+
+/// What the table of texts does not know stays as it is.
+fn translate(kind: &str, text: &mut String) {
+    if let Some(known) = known_words(kind, text) {
+        known.clone_into(text);
+    }
 }
 
 /// A table; where its rows have names, one of them can be chosen.

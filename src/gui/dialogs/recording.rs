@@ -3,13 +3,14 @@
 use egui::{Id, RichText, TextEdit, Ui};
 
 use crate::gui::core::recording::{Wanted, free_name};
+use crate::gui::language::say;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, "Record from instrument");
+    widgets::heading(ui, say!("recording-record-from-instrument"));
     if let Some((wanted, heard)) = workbench.recording() {
         ui.label(heard.says());
         widgets::hint(
@@ -17,9 +18,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             format!("{} → {}", wanted.address, wanted.path.display()),
         );
         if let Some(last) = &heard.last_refused {
-            widgets::hint(ui, format!("Left out last: {last}"));
+            widgets::hint(ui, say!("recording-left-out-last", line = last));
         }
-        if super::ends::buttons(ui, "Stop recording", true, commands) {
+        if super::ends::buttons(ui, say!("recording-stop"), true, commands) {
             commands.push(Command::StopRecording);
             commands.push(Command::Sheet(None));
         }
@@ -28,11 +29,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let robot = &workbench.subject().session.robot;
     widgets::hint(
         ui,
-        format!(
-            "Lines of text, one for each measurement, become samples of a new session of {}; \
-             a connection that ends is made again",
-            robot.name
-        ),
+        say!("recording-lines-of-text-become", robot = robot.name),
     );
     let id = Id::unique("recording");
     let blank = || Wanted {
@@ -49,16 +46,20 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut path = wanted.path.display().to_string();
     let fields = [
         (
-            "Address",
+            say!("recording-address"),
             &mut wanted.address,
-            "tcp://HOST:PORT or udp://:PORT",
+            say!("recording-address-forms"),
         ),
         (
-            "Columns",
+            say!("recording-columns"),
             &mut wanted.columns,
-            "empty: the first line names them",
+            say!("recording-empty-the-first-line"),
         ),
-        ("File", &mut path, "a new CSV table"),
+        (
+            say!("recording-file"),
+            &mut path,
+            say!("recording-a-new-csv-table"),
+        ),
     ];
     for (name, text, hint) in fields {
         widgets::form_row(ui, name, |ui| {
@@ -78,19 +79,15 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let problem = placed.problem();
     let empty = matches!(wanted.address.trim(), "tcp://" | "udp://" | "");
     match &problem {
-        Some(_) if empty => widgets::hint(
-            ui,
-            "Type where the instrument's software sends, such as tcp://192.168.0.10:4000",
-        ),
+        Some(_) if empty => widgets::hint(ui, say!("recording-type-where-it-sends")),
         Some(problem) => widgets::wrong(ui, problem),
         None => {}
     }
-    let small = RichText::new(
-        "Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces",
-    );
+    let small = RichText::new(say!("recording-columns-such-as"));
     ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
     ui.data_mut(|data| data.insert_temp(id, wanted));
-    if super::ends::buttons_without_enter(ui, "Record", problem.is_none(), commands) {
+    if super::ends::buttons_without_enter(ui, say!("recording-record"), problem.is_none(), commands)
+    {
         ui.data_mut(|data| data.remove_temp::<Wanted>(id));
         commands.push(Command::Record(Box::new(placed)));
     }

@@ -37,14 +37,16 @@ pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a folder of sessions.
 pub(crate) fn choose_folder(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title("Folder with the sessions of a machine");
+    let dialog = dialog_beside(beside).set_title(say!("dialog-folder-with-the-sessions"));
     dialog.pick_folder()
 }
 
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title("Logo of the report");
-    dialog.add_filter("PNG pictures", &["png"]).pick_file()
+    let dialog = dialog_beside(beside).set_title(say!("dialog-logo-of-the-report"));
+    dialog
+        .add_filter(say!("dialog-png-pictures"), &["png"])
+        .pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote, beside this file.

@@ -53,6 +53,14 @@ pub(crate) fn known(kind: &str, id: &str) -> Option<&'static str> {
     table(current()).named(kind, id)
 }
 
+/// What the core says in these words, among those of this kind, where the language has it. The id is
+/// the words themselves: `value, 95 % interval` is `value-95-interval`.
+pub(crate) fn known_words(kind: &str, english: &str) -> Option<&'static str> {
+    let words = english.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    known(kind, &words.join("-").to_lowercase())
+}
+
 /// How much wider than in English what stands in one row may be, at most.
 pub(crate) fn stretch() -> f32 {
     match current() {

@@ -175,7 +175,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     match workbench.decision() {
         None => {}
-        Some(Err(because)) => widgets::hint(ui, format!("No decision: {because}")),
+        Some(Err(because)) => widgets::hint(ui, say!("results-no-decision", because = because)),
         Some(Ok((outcome, says))) => {
             let color = match outcome {
                 Conformity::Pass => palette.within,

@@ -103,7 +103,7 @@ fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) ->
         return false;
     };
     let palette = Palette::of(ui);
-    if ui.small_button("Stop recording").clicked() {
+    if ui.small_button(say!("recording-stop")).clicked() {
         commands.push(Command::StopRecording);
     }
     let color = match heard.state {

@@ -8,6 +8,7 @@ use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::{self, Machine, Of};
 use crate::gui::file_state::settings;
 use crate::gui::files;
+use crate::gui::language::say;
 use crate::present::decision::rests_on;
 
 use super::Workbench;
@@ -58,7 +59,7 @@ impl Workbench {
     pub(super) fn choose_logo(&mut self) {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_logo(beside.as_deref());
-        self.choose("waiting for a file to be chosen", ask, |bench, path| {
+        self.choose(say!("message-waiting-for-a-file"), ask, |bench, path| {
             if let Some(path) = path {
                 let logo = path.display().to_string();
                 bench.state(Stated {

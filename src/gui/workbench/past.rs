@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::gui::core::past::Past;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
+use crate::gui::language::say;
 use crate::gui::view::{Message, Sheet};
 use crate::pipeline;
 use crate::progress::ReadError;
@@ -30,16 +31,20 @@ impl Workbench {
     pub(super) fn choose_folder(&mut self) {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_folder(beside.as_deref());
-        self.choose("waiting for a folder to be chosen", ask, |bench, folder| {
-            if let Some(folder) = folder {
-                bench.execute(Command::CompareSessions(folder));
-            }
-        });
+        self.choose(
+            say!("message-waiting-for-a-folder"),
+            ask,
+            |bench, folder| {
+                if let Some(folder) = folder {
+                    bench.execute(Command::CompareSessions(folder));
+                }
+            },
+        );
     }
 
     /// Compares the sessions of a folder, and shows what changed.
     pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
-        let says = format!("comparing the sessions of {}", folder.display());
+        let says = say!("message-comparing-the-sessions", folder = folder.display());
         let work = move |watch: &Watch| {
             let told = pipeline::history_watched(&folder, &watch.told());
             (folder, told)
@@ -56,7 +61,7 @@ impl Workbench {
                 Err(ReadError::Cancelled(_)) => {}
                 Err(ReadError::Rejected(rejected)) => {
                     let lines = rejected.diagnostics.iter().take(5);
-                    let title = "There are no sessions to compare".to_owned();
+                    let title = say!("message-there-are-no-sessions").to_owned();
                     let details = lines.map(ToString::to_string).collect();
                     bench.view.message = Some(Message::wrong(title, details));
                 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::gui::core::recording::{Heard, Wanted};
 use crate::gui::file_state::recording::{Recording, UnderWay};
+use crate::gui::language::say;
 use crate::gui::view::{Message, Then};
 use crate::pipeline;
 use crate::sessions::{Replacing, Samples, Session, save_document};
@@ -21,7 +22,7 @@ impl Workbench {
     /// Begins to record.
     pub(super) fn record(&mut self, mut wanted: Wanted) {
         wanted.path = self.placed(&wanted.path);
-        let title = "Nothing can be recorded";
+        let title = say!("message-nothing-can-be-recorded");
         if let Some(problem) = wanted.problem() {
             return self.complain(title, vec![problem]);
         }
@@ -50,7 +51,11 @@ impl Workbench {
         self.look_at_disk();
         if heard.recorded > 0 {
             let path = under_way.recording.wanted.path.clone();
-            let title = format!("Recorded {}: {}", path.display(), heard.says());
+            let title = say!(
+                "message-recorded",
+                path = path.display(),
+                says = heard.says()
+            );
             self.view.message = Some(Message::done(title, Vec::new()));
         }
     }
@@ -64,10 +69,10 @@ impl Workbench {
         if let Some(Err(problem)) = &under_way.heard.over {
             let details = vec![
                 problem.clone(),
-                "What was recorded before is in the file".to_owned(),
+                say!("message-what-was-recorded-before").to_owned(),
             ];
             self.desk.recording = None;
-            return self.complain("The recording ended", details);
+            return self.complain(say!("message-the-recording-ended"), details);
         }
         if under_way.heard.recorded > 0 && !under_way.opened {
             under_way.opened = true;
