@@ -42,7 +42,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         );
         ui.add_space(8.0);
         // A menu bar takes all the width that it is given.
-        ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
+        let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
                 let menu = &mut Menu {
                     workbench,
@@ -59,6 +59,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let room = actions::room(ui.ctx(), workbench);
         let over_the_plots = room.left + f32::from(space::PLOT) - ui.cursor().left();
         ui.add_space(over_the_plots.max(0.0));
+        // Menus of another language may be wider.
+        if menus.response.rect.width() > MENUS + 0.5 {
+            ui.add_space(space::ROW);
+        }
         let width = (ui.available_width() - BUTTONS).max(0.0);
         let high = ui.available_height();
         let left = Layout::left_to_right(Align::Center);
