@@ -79,7 +79,7 @@ impl Record {
         };
         let connection = address.connect();
         let connection = connection.with_context(|| format!("{}: {failed}", self.source))?;
-        // Port 0 is any: whoever sends has to know which.
+        // Port 0 is any free one: the sender has to be configured for the one that was taken.
         if let (Some(here), true) = (connection.listens_on(), self.source.ends_with(":0")) {
             output::messages(&[format!("listening on {here}")]);
         }

@@ -92,7 +92,7 @@ pub struct Measured {
     pub predicted: bool,
 }
 
-/// RMS errors of a model, mm: what tells how well it predicts.
+/// RMS errors of a model, mm, from which its prediction error is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Fitted {
     /// On the samples that it was fitted to.
@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_uncertainty_counts_against_whoever_has_to_prove() {
+    fn the_uncertainty_counts_against_the_side_that_has_to_prove() {
         let measured = Measured {
             largest_mm: 0.25,
             expanded_mm: 0.125,

@@ -64,7 +64,7 @@ pub(crate) struct Next {
 }
 
 impl Next {
-    /// That which may stand beside the others of the rest.
+    /// The likeliest that is compatible with the rest.
     pub(crate) fn than(prepared: &Prepared, term: &Term, worth: &Worth) -> Option<Self> {
         let regression = &prepared.regression;
         let about = term.effect.about();

@@ -12,7 +12,7 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - `crate::effects::places`: anchors, stations, planes and sockets that nobody knows are fitted beside the
+//! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted beside the
 //!   robot, and reported like everything that is fitted.
 //! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
 //!   `streams`: how they flow through the model.

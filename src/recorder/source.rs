@@ -6,7 +6,7 @@ use std::time::Duration;
 
 /// Longest wait for a server to answer.
 const CONNECT: Duration = Duration::from_secs(2);
-/// Longest wait for bytes, so that whoever waits can be asked to stop.
+/// Longest wait for bytes, so that a recording can be stopped meanwhile.
 const SILENCE: Duration = Duration::from_millis(200);
 
 /// What an address has to look like.

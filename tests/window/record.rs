@@ -33,6 +33,14 @@ fn details(window: &mut Window) {
     window.run_steps(4);
 }
 
+/// Saves the report there, as a person does who types the path.
+fn save_report(window: &mut Window, path: &Path) {
+    window.state_mut().type_report_path(path);
+    window.run_steps(4);
+    press(window, "Save");
+    window.run_steps(4);
+}
+
 #[test]
 fn what_the_report_states_is_remembered_for_the_next_session_of_the_machine() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -57,10 +65,7 @@ fn what_the_report_states_is_remembered_for_the_next_session_of_the_machine() {
     press(&mut window, "Done");
 
     let html = folder.path().join("report.html");
-    window.state_mut().type_report_path(&html);
-    window.run_steps(4);
-    press(&mut window, "Save");
-    window.run_steps(4);
+    save_report(&mut window, &html);
     let page = std::fs::read_to_string(&html).expect("the report is there");
     for part in ["Lamps &amp; Co", "L-17", "R-1", "decision rule: simple"] {
         assert!(page.contains(part), "{part}");
@@ -113,10 +118,7 @@ fn a_logo_that_is_none_is_refused_and_no_report_is_written() {
     type_into(&mut window, "Logo", "/nowhere/logo.png");
     press(&mut window, "Done");
     let html = folder.path().join("report.html");
-    window.state_mut().type_report_path(&html);
-    window.run_steps(4);
-    press(&mut window, "Save");
-    window.run_steps(4);
+    save_report(&mut window, &html);
     assert!(says(&window, "/nowhere/logo.png") && says(&window, "expected a PNG file"));
     assert!(!html.exists());
 }

@@ -91,7 +91,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
 }
 
-/// What a rule says, for whoever has to choose one.
+/// What choosing a rule means.
 fn about(rule: Option<Rule>) -> &'static str {
     match rule {
         None => say!("details-the-reader-decides"),

@@ -1,6 +1,5 @@
-//! Records from an instrument on a thread of its own for as long as the window wants it. What was
-//! heard is kept in one place and the window is told that there is something: nothing piles up where
-//! it does not look.
+//! Records from an instrument on a thread of its own until the window ends it. Only the latest state is
+//! kept, and the window is woken once until it has read it: memory is bounded however seldom it looks.
 
 use std::fs::OpenOptions;
 use std::ops::ControlFlow;
