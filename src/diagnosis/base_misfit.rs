@@ -5,6 +5,7 @@
 use crate::fit::base_model;
 
 use super::aliases::{self, Rival};
+use super::final_set;
 use super::floor::floor;
 use super::prepare::Prepared;
 use super::regression::Fit;
@@ -52,7 +53,8 @@ fn without_less_likely(prepared: &Prepared, mut fit: Fit) -> Fit {
         return fit;
     }
     loop {
-        let likelier = |r: &Rival| r.other_names() && r.fit.ln_evidence > fit.ln_evidence + 1e-3;
+        let likelier =
+            |r: &Rival| r.other_names() && final_set::stands_above(prepared, &r.fit, &fit);
         let rival = aliases::rivals(regression, &fit).into_iter().find(likelier);
         let Some(rival) = rival else {
             return fit;

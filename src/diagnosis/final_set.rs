@@ -24,18 +24,23 @@ pub(crate) struct Worth {
 
 /// Takes out, worst first, every name that does not carry itself.
 pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
+    found.fit = tested(prepared, found.fit.clone(), watch)?;
+    Ok(())
+}
+
+/// A fit without the names that do not carry themselves in it.
+pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<Fit, Cancelled> {
     let regression = &prepared.regression;
     loop {
         if !watch(&Progress::Comparing) {
             return Err(Cancelled);
         }
-        let fit = &found.fit;
-        let unseen = prepared.folds.rms(regression, fit);
+        let unseen = prepared.folds.rms(regression, &fit);
         let mut worst: Option<(f64, Fit)> = None;
-        for term in regression.added(fit) {
-            let worth = worth(prepared, fit, term);
-            let improbable = regression.family_p(worth.minus_ln_p, fit).p > CHANCE;
-            let unlikely = worth.ln_odds < needed(fit, term).max(0.0);
+        for term in regression.added(&fit) {
+            let worth = worth(prepared, &fit, term);
+            let improbable = regression.family_p(worth.minus_ln_p, &fit).p > CHANCE;
+            let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
             if improbable || unlikely || useless() {
                 let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
@@ -45,10 +50,18 @@ pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Resu
             }
         }
         let Some((_, rest)) = worst else {
-            return Ok(());
+            return Ok(fit);
         };
-        found.fit = rest;
+        fit = rest;
     }
+}
+
+/// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
+/// doubt what does.
+pub(crate) fn stands_above(prepared: &Prepared, rival: &Fit, fit: &Fit) -> bool {
+    let above = |rival: &Fit| rival.ln_evidence > fit.ln_evidence + 1e-3;
+    let tested = || tested(prepared, rival.clone(), &|_| true);
+    above(rival) && tested().is_ok_and(|rival| above(&rival))
 }
 
 /// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
@@ -131,5 +144,67 @@ pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
         minus_ln_p: Significance::new(rank, freedom).of(share) - 0.5 * tried,
         ln_odds: fit.ln_evidence - rest.ln_evidence,
         rest,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::diagnosis::candidates::What;
+    use crate::sessions::Session;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// One axis with an eccentric encoder, measured every 15° from both sides.
+    fn eccentric() -> Session {
+        let scenario = br#"{"format":"truepose-scenario/1","name":"eccentric","robot":{"name":"r","joints":[
+            {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}],
+            "tool":{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}},"targets":{"T1":[0,0,0]},
+            "instrument":{"name":"tracker","sigma_mm":0.03},
+            "poses":{"sweep":{"joint":1,"from_deg":-165,"to_deg":165,"step_deg":15,"both_ways":true}},
+            "effects":[{"effect":"encoder-eccentricity","joint":1,"parameters":{"amplitude_deg":0.03,"phase_deg":40}}],
+            "noise":{"sigma_mm":0.03,"kind":"gauss"},"seed":4}"#;
+        let scenario = parse_scenario(scenario).unwrap().scenario;
+        simulate(&scenario, 1, unwatched).unwrap().0
+    }
+
+    /// What is said of a set of these names that a search would have ended with.
+    fn said_of(names: &[&str]) -> Vec<&'static str> {
+        let session = eccentric();
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let mut fit = regression.fit(&regression.base, Vec::new());
+        for name in names {
+            let named = |what: &What| what.term().is_some_and(|t| t.effect.about().id == *name);
+            let candidates = &regression.table.candidates;
+            let what = &candidates.iter().find(|c| named(&c.what)).unwrap().what;
+            fit = regression.with(&fit, what);
+        }
+        let mut found = Found {
+            names_only: fit.clone(),
+            fit,
+            base_misfit: false,
+            other_ends: Vec::new(),
+        };
+        as_said(&prepared, &mut found, &|_| true).unwrap();
+        let added = regression.added(&found.fit);
+        added.iter().map(|t| t.effect.about().id).collect()
+    }
+
+    #[test]
+    fn a_name_gives_way_to_a_likelier_one() {
+        assert_eq!(said_of(&["encoder-two-cycle"]), ["encoder-eccentricity"]);
+    }
+
+    #[test]
+    fn a_name_with_which_unseen_samples_are_predicted_no_better_is_not_said() {
+        let names = ["encoder-eccentricity", "encoder-two-cycle"];
+        assert_eq!(said_of(&names), ["encoder-eccentricity"]);
+    }
+
+    #[test]
+    fn what_is_right_stays() {
+        let names = ["encoder-eccentricity"];
+        assert_eq!(said_of(&names), names);
     }
 }

@@ -127,3 +127,50 @@ fn with_curve(
     fit.ln_evidence = ln_evidence;
     fit
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::fit::gap::deviations;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// Two axes over a grid, the second at the same sixteen values each time; what a curve over it can do and
+    /// what the geometry can do is nearly the same.
+    #[test]
+    fn a_curve_and_the_geometry_do_not_run_off_against_each_other() {
+        let stops = (0..208).map(|k| {
+            let (tilt, turn) = (5.0 * f64::from(k / 16) - 30.0, 22.5 * f64::from(k % 16));
+            format!(r#"{{"q_deg":[{tilt},{turn}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
+            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
+            "tool":{{"position_mm":[0,0,0],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[-600,-180,510]}},
+            "instrument":{{"name":"camera","sigma_mm":0.1}},"poses":{{"list":[{}]}},
+            "effects":[{{"effect":"gear-transmission-error","joint":2,
+            "parameters":{{"order":7,"amplitude_deg":0.03,"phase_deg":20}}}}],
+            "noise":{{"sigma_mm":0.1,"kind":"gauss"}},"seed":1}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let base = regression.fit(&regression.base, Vec::new());
+        let beside = with_curve(regression, &base, 1, 48, 0.0);
+        let at = |fit: &Fit| deviations(&prepared.problem, &fit.model).axes_mm;
+        let (alone, with) = (at(&base), at(&beside));
+        let moved = (0..3).flat_map(|axis| alone[axis].iter().zip(&with[axis]));
+        let most = moved.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(most < 0.1, "the geometry alone moves by {most} mm");
+        // And the curve does its part.
+        assert!(
+            beside.rss < 0.7 * base.rss,
+            "{} of {}",
+            beside.rss,
+            base.rss
+        );
+    }
+}

@@ -93,9 +93,16 @@ const FEWEST: usize = 4;
 /// A noise that changes by no more than this, as a logarithm, has settled.
 const SETTLED: f64 = 0.02;
 
+/// How many standard deviations of itself a noise has to be below the stated one to be believed instead.
+const CLEARLY: f64 = 3.0;
+
 /// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
 /// whose σ nobody states. `rank` is the number of coefficients that the rows carry. Returns whether
 /// anything that matters has changed.
+///
+/// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
+/// careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the
+/// stated one may be an effect that is still missing, and changes no weight.
 pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let left = left(layer, model);
     let marked = apart(layer, &left.rows);
@@ -111,20 +118,33 @@ pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let all = layer.used_rows();
     let freedom = all.saturating_sub(rank).max(1) as f64 / all.max(1) as f64;
     for kind in 0..KINDS.len() {
-        let stated = KINDS[kind].sigma(&layer.session.instrument);
-        if stated.is_some() {
-            continue;
-        }
-        let Some(found) = spread(layer, kind, &left) else {
+        let Some((found, rows)) = spread(layer, kind, &left) else {
             continue;
         };
-        // What nobody states is never taken for better than rounding.
-        let now = (layer.sigma[kind] * found / freedom.sqrt())
-            .max(1e-3 * KINDS[kind].about().usual_sigma);
+        let found = found * layer.sigma[kind];
+        let now = match KINDS[kind].sigma(&layer.session.instrument) {
+            // What nobody states is never taken for better than rounding.
+            None => (found / freedom.sqrt()).max(1e-3 * KINDS[kind].about().usual_sigma),
+            Some(stated) if rows < all => no_larger(stated, found, rows, rank),
+            Some(_) => continue,
+        };
         changed |= (now / layer.sigma[kind]).ln().abs() > SETTLED;
         layer.sigma[kind] = now;
     }
     changed
+}
+
+/// The stated noise of a kind, or what is found where that is clearly less, were all coefficients fitted to
+/// this kind alone.
+fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
+    let freedom = rows.saturating_sub(rank).max(1) as f64;
+    let found = found * (rows as f64 / freedom).sqrt();
+    let clear = 1.0 - CLEARLY * (2.0 / freedom).sqrt();
+    if (found / stated).powi(2) < clear {
+        found
+    } else {
+        stated
+    }
 }
 
 /// Which observations stand apart from their kind beside a model.
@@ -167,7 +187,7 @@ pub(crate) fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
 /// What is left of a kind whose noise is stated.
 pub(crate) struct LeftOfKind {
     pub(crate) name: &'static str,
-    /// Squares of its rows that count, in units of the noise.
+    /// Squares of its rows that count, in units of the stated noise.
     pub(crate) squares: Vec<f64>,
 }
 
@@ -178,11 +198,15 @@ pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<LeftOfKind> {
     for (kind, own) in KINDS.iter().enumerate() {
         let items =
             (0..layer.items.len()).filter(|i| layer.items[*i].kind == kind && layer.used[*i]);
+        let Some(stated) = own.sigma(&layer.session.instrument) else {
+            continue;
+        };
+        let to_stated = layer.sigma[kind] / stated;
         let squares: Vec<f64> = items
             .flat_map(|i| left.rows[i].into_iter().take(layer.items[i].rows))
-            .map(|e| e * e)
+            .map(|e| (e * to_stated).powi(2))
             .collect();
-        if !squares.is_empty() && own.sigma(&layer.session.instrument).is_some() {
+        if !squares.is_empty() {
             let name = own.about().name;
             all.push(LeftOfKind { name, squares });
         }
@@ -190,8 +214,8 @@ pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<LeftOfKind> {
     all
 }
 
-/// Root mean square over the whitened rows of the items of a kind that count.
-fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<f64> {
+/// Root mean square over the whitened rows of the items of a kind that count, and their number.
+fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<(f64, usize)> {
     let (mut sum, mut count) = (0.0, 0);
     for (i, item) in layer.items.iter().enumerate() {
         if item.kind == kind && layer.used[i] {
@@ -199,7 +223,7 @@ fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<f64> {
             count += item.rows;
         }
     }
-    (count >= FEWEST).then(|| (sum / count as f64).sqrt())
+    (count >= FEWEST).then(|| ((sum / count as f64).sqrt(), count))
 }
 
 /// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
@@ -279,7 +303,7 @@ pub(crate) fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindF
                 .map(|i| layer.items[*i].rows)
                 .sum(),
             stated_sigma: stated.map(|s| s * factor),
-            found_sigma: spread(layer, kind, &now).map(|s| s * layer.sigma[kind] * factor),
+            found_sigma: spread(layer, kind, &now).map(|(s, _)| s * layer.sigma[kind] * factor),
         });
     }
     all

@@ -11,7 +11,7 @@ use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
 use truepose::model::{read_model, write_model};
-use truepose::sessions::{Session, load, parse_with_csv, save};
+use truepose::sessions::{Session, Sigma, load, parse_with_csv, save};
 
 const CASES: [&str; 18] = [
     "six-partial",
@@ -350,6 +350,24 @@ fn a_noise_that_nobody_states_is_found() {
     }
     let (own, numpy) = from_truth("six-mix", &answer);
     assert!(own <= 1.6 * numpy, "{own} beside {numpy}");
+}
+
+#[test]
+fn a_noise_that_is_stated_too_large_leaves_the_robot_to_no_other_kind() {
+    for (name, times) in [("six-pose", 20.0), ("six-mix", 20.0)] {
+        let right = session(name);
+        let mut careful = right.clone();
+        let stated = 0.03 * times;
+        careful.instrument.sigma_mm = Some(Sigma::Overall(stated));
+        let (right, careful) = (identified(&right), identified(&careful));
+        let point = careful.kinds.iter().find(|k| k.kind == "point").unwrap();
+        assert_eq!(point.stated_sigma, Some(stated));
+        let found = point.found_sigma.unwrap();
+        assert!((0.02..0.04).contains(&found), "{name}: {found}");
+        let (own, _) = from_truth(name, &right);
+        let (with_it, _) = from_truth(name, &careful);
+        assert!(with_it <= 1.1 * own, "{name}: {with_it} beside {own}");
+    }
 }
 
 #[test]

@@ -95,6 +95,8 @@ impl Kind for Point {
         let measured = coordinates(session, sample);
         let mut by = [[0.0; 3]; 3];
         let instrument = &session.instrument;
+        // Where the noise is another than is stated it keeps its form.
+        let scale = self.sigma(instrument).map_or(1.0, |stated| stated / sigma);
         if let Some(tracker) = instrument.tracker {
             let at = Vector3::from(measured.map(|v| if v.is_nan() { 0.0 } else { v }));
             let beam = at - tracker.position_mm.coords;
@@ -111,7 +113,7 @@ impl Kind for Point {
             if let Some(inverse) = factor.and_then(DMatrix::try_inverse) {
                 for i in 0..there.len() {
                     for j in 0..there.len() {
-                        by[i][j] = inverse[(i, j)];
+                        by[i][j] = scale * inverse[(i, j)];
                     }
                 }
                 return residual.mixed(&by, residual.rows);
@@ -119,7 +121,7 @@ impl Kind for Point {
         }
         for (row, axis) in axes(measured).enumerate() {
             by[row][row] = match instrument.sigma_mm {
-                Some(Sigma::PerAxis(each)) => 1.0 / each[axis],
+                Some(Sigma::PerAxis(each)) => scale / each[axis],
                 _ => 1.0 / sigma,
             };
         }
