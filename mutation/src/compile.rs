@@ -90,8 +90,6 @@ fn cargo(copy: &Path, arguments: &[&str]) -> Outcome<Built> {
             "json",
             "--locked",
         ])
-        // Compiled fast: the quick tests decide.
-        .args(["--config", "profile.dev.package.truepose.opt-level=1"])
         .env("RUSTFLAGS", "--cap-lints allow")
         .env("CARGO_TARGET_DIR", copy.join("../build"))
         .current_dir(copy)

@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release --manifest-path mutation/Cargo.toml -- src/kinematics src/fit
 //! cargo run --release --manifest-path mutation/Cargo.toml -- --every 7 src/effects
+//! cargo run --release --manifest-path mutation/Cargo.toml -- --tests programs --tests export src/programs
 //! ```
 //!
 //! A tool that compiles the program anew for every change needs days for some thousand changes. Here all of
@@ -37,12 +38,19 @@ type Outcome<T> = Result<T, String>;
 
 fn run() -> Outcome<()> {
     let mut every = 1;
+    let mut wanted = Vec::new();
     let mut under = Vec::new();
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         if argument == "--every" {
             let count = arguments.next().and_then(|n| n.parse().ok());
             every = count.filter(|n| *n > 0).ok_or("--every wants a number")?;
+        } else if argument == "--tests" {
+            wanted.push(
+                arguments
+                    .next()
+                    .ok_or("--tests wants a part of their names")?,
+            );
         } else {
             under.push(argument);
         }
@@ -56,7 +64,7 @@ fn run() -> Outcome<()> {
     println!("{} operators to change", changes.len());
     let binaries = compile::all(&copy, &mut changes)?;
     println!("{} compile; every test runs once alone", changes.len());
-    let tests = tests::trace(&copy, &binaries)?;
+    let tests = tests::trace(&copy, &binaries, &wanted)?;
     let mut survivors = Vec::new();
     let (mut unseen, mut failed) = (0, 0);
     for (index, change) in changes.iter().enumerate() {

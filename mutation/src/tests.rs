@@ -30,8 +30,9 @@ const MOST: Duration = Duration::from_secs(30);
 /// Tests run in one process at most so long.
 const AT_ONCE: Duration = Duration::from_secs(2);
 
-/// Every test alone, as many at once as there are processors.
-pub fn trace(copy: &Path, binaries: &[Binary]) -> Outcome<Vec<Test>> {
+/// Every test alone, or those with one of the wanted parts in their names; as many at once as there are
+/// processors.
+pub fn trace(copy: &Path, binaries: &[Binary], wanted: &[String]) -> Outcome<Vec<Test>> {
     let mut names = Vec::new();
     for binary in binaries {
         let listed = Command::new(&binary.path)
@@ -43,6 +44,9 @@ pub fn trace(copy: &Path, binaries: &[Binary]) -> Outcome<Vec<Test>> {
         let tests = text.lines().filter_map(|l| l.strip_suffix(": test"));
         names.extend(tests.map(|name| (binary.path.clone(), name.to_owned())));
     }
+    names.retain(|(_, name)| {
+        wanted.is_empty() || wanted.iter().any(|part| name.contains(part.as_str()))
+    });
     let traces = copy.join("../traces");
     std::fs::create_dir_all(&traces).map_err(|e| format!("{}: {e}", traces.display()))?;
     let waiting = Mutex::new(names.into_iter().enumerate());
