@@ -22,6 +22,7 @@
 
 use std::borrow::Cow;
 
+use crate::answers::identification::FULL_MODEL;
 use crate::compensation::decision::{Fitted, Measured};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::effects::{Inputs, JointValues, Term};
@@ -132,7 +133,7 @@ pub fn identify_unless(
             };
             calibration.history.push(GapStep {
                 what: match n.checked_sub(1) {
-                    None => "exact identification".to_owned(),
+                    None => FULL_MODEL.to_owned(),
                     Some(last) => format!("with {}", with[last].effect.about().id),
                 },
                 gap_mm,
