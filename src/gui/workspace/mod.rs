@@ -2,6 +2,7 @@
 //! deviation around the joint's angle.
 
 mod about;
+mod apart;
 mod card;
 mod drawn;
 mod free_space;

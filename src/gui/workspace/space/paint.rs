@@ -230,7 +230,7 @@ fn cloud(
 ) -> Shape {
     let layer = CloudLayer {
         cloud: Arc::clone(&Cloud::of(workbench.subject())),
-        remainder: workbench.after().map(|after| Arc::clone(&after.remainder)),
+        remainder: workbench.remainder(),
         frame: Frame::new(&scene.look, palette, transform, None, pixels),
         counts: layout::counts(scene, transform),
         ghosts: scene.look.ghosts(),
