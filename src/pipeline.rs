@@ -40,7 +40,7 @@ use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 pub use crate::compensation::verify;
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
-pub use crate::history::{history, history_watched, sessions_of_folder};
+pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::{is_model, load_model, write_model};
 pub use crate::paper::{RegionalStart, regional_start};
