@@ -98,14 +98,18 @@ impl Workbench {
 }
 
 #[cfg(test)]
-#[test]
-fn the_date_of_a_report_is_proposed_and_can_be_another() {
-    let mut workbench = crate::gui::testing::workbench();
-    assert_eq!(workbench.stated().details.date, "");
-    workbench.propose_date(Some("2026-11-23".to_owned()));
-    let mut stated = workbench.stated();
-    assert_eq!(stated.details.date, "2026-11-23");
-    stated.details.date.clear();
-    workbench.state(stated);
-    assert_eq!(workbench.stated().details.date, "", "it was taken away");
+mod tests {
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn the_date_of_a_report_is_proposed_and_can_be_another() {
+        let mut workbench = workbench();
+        assert_eq!(workbench.stated().details.date, "");
+        workbench.propose_date(Some("2026-11-23".to_owned()));
+        let mut stated = workbench.stated();
+        assert_eq!(stated.details.date, "2026-11-23");
+        stated.details.date.clear();
+        workbench.state(stated);
+        assert_eq!(workbench.stated().details.date, "", "it was taken away");
+    }
 }

@@ -5,6 +5,7 @@ mod about;
 mod apart;
 mod card;
 mod drawn;
+mod extent;
 mod free_space;
 mod handles;
 mod label_layout;

@@ -14,7 +14,7 @@ use crate::gui::layers::Look;
 use crate::gui::view::{Ball, Canvas, Colouring, Plane};
 use crate::gui::workbench::Workbench;
 
-use super::apart::{self, Extent};
+use super::extent::{Extent, SOME};
 
 /// An error vector of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +134,7 @@ impl Scene {
             (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
         };
         let extent = (canvas != Canvas::Shapes && usable.len() > FEW).then(|| {
-            let some = spread.iter().take(apart::SOME);
+            let some = spread.iter().take(SOME);
             let some: Vec<_> = some.map(|s| flat(subject.measured(*s as usize))).collect();
             Extent::of(&some)
         });

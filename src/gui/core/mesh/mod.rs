@@ -5,44 +5,14 @@
 //! that somebody wants to see.
 
 mod obj;
+mod parts;
 mod stl;
 mod thinned;
 
 use std::path::Path;
 
+pub(crate) use parts::{Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle};
 pub(crate) use thinned::thinned;
-
-/// Corners of a triangle, in the units of the file until they are placed.
-pub(crate) type Triangle = [[f32; 3]; 3];
-
-/// A file that is longer, bytes, is not read.
-pub(crate) const MOST_BYTES: u64 = 64 << 20;
-/// A mesh with more triangles is refused.
-pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
-
-/// What is wrong with a file: its line, counted from 1, where it has lines; what was found and what was
-/// expected.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Flaw {
-    pub(crate) line: Option<u64>,
-    pub(crate) found: String,
-    pub(crate) expected: &'static str,
-}
-
-impl Flaw {
-    fn new(line: impl Into<Option<u64>>, found: impl Into<String>, expected: &'static str) -> Self {
-        Self {
-            line: line.into(),
-            found: found.into(),
-            expected,
-        }
-    }
-
-    fn too_many(line: impl Into<Option<u64>>) -> Self {
-        let found = format!("more than {MOST_TRIANGLES} triangles");
-        Self::new(line, found, "a mesh of no more triangles than that")
-    }
-}
 
 /// Whether the ending of a name is that of a mesh that can be read.
 pub(crate) fn can_be_read(name: &str) -> bool {
@@ -77,32 +47,6 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
         return Err(Flaw::new(None, "no triangle", "at least one triangle"));
     }
     Ok(triangles)
-}
-
-/// Three finite numbers of a line of text.
-fn corner<'w>(words: &mut impl Iterator<Item = &'w str>, line: u64) -> Result<[f32; 3], Flaw> {
-    let mut corner = [0.0; 3];
-    for value in &mut corner {
-        let number = words.next().and_then(|word| word.parse::<f32>().ok());
-        let number = number.filter(|number| number.is_finite());
-        *value = number.ok_or_else(|| {
-            Flaw::new(
-                line,
-                "a corner without three numbers",
-                "three finite numbers",
-            )
-        })?;
-    }
-    Ok(corner)
-}
-
-/// A file of text.
-fn text(bytes: &[u8]) -> Result<&str, Flaw> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
-        Flaw::new(line, "bytes that are no text", "a mesh in ASCII")
-    })
 }
 
 #[cfg(test)]

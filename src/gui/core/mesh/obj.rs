@@ -2,7 +2,7 @@
 //! `a/b/c` names texture and normal behind the corner. A face of more corners is a fan of triangles.
 //! All other lines (normals, materials, groups, lines) are passed over.
 
-use super::{Flaw, MOST_TRIANGLES, Triangle, corner, text};
+use super::parts::{Flaw, MOST_TRIANGLES, Triangle, corner, text};
 
 /// More corners than any mesh of so many triangles has.
 const MOST_CORNERS: usize = 3 * MOST_TRIANGLES;

@@ -4,7 +4,7 @@
 //! Some programs begin a binary file with `solid` as well: a file whose length is what its number of
 //! triangles asks for is binary. Normals are not read, the corners say them.
 
-use super::{Flaw, MOST_TRIANGLES, Triangle, corner, text};
+use super::parts::{Flaw, MOST_TRIANGLES, Triangle, corner, text};
 
 const HEAD: usize = 84;
 const EACH: usize = 50;

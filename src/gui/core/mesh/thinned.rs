@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Triangle;
+use super::parts::Triangle;
 
 /// Cells along the longest side of the box around a mesh, at first.
 const CELLS: f32 = 192.0;
