@@ -1,7 +1,8 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --example gallery`; with `-- arm` only the pictures of the arm
+//! `cargo run --example gallery`; with `-- arm` only the pictures of the arm; with `-- looks FOLDER [de|zh]` every
+//! step of three robots at four sizes into that folder, to be looked at
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
 //! nothing.
@@ -9,6 +10,8 @@
 #![allow(clippy::print_stdout, reason = "it is run by hand")]
 #![allow(unreachable_pub, reason = "the parts are modules of one program")]
 
+#[path = "gallery/looks.rs"]
+mod looks;
 #[path = "gallery/palette.rs"]
 mod palette;
 #[path = "gallery/report.rs"]
@@ -160,7 +163,13 @@ fn main() -> anyhow::Result<()> {
         println!("skipped: no adapter to draw with, no picture was written");
         return Ok(());
     }
-    let only_the_arm = std::env::args().any(|argument| argument == "arm");
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [mode, folder, language @ ..] = &arguments[..]
+        && mode == "looks"
+    {
+        return looks::all(Path::new(folder), language.first().map(String::as_str));
+    }
+    let only_the_arm = arguments.iter().any(|argument| argument == "arm");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     // Short names on the sheet, as a person has them who works beside the files.
     let beside = |folder: &str| std::env::set_current_dir(root.join("sessions").join(folder));

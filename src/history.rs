@@ -12,7 +12,7 @@
 //! never a change. No clock and no date of a file is asked: order comes from what the documents hold.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -180,6 +180,34 @@ pub fn history_watched(
     folder: &Path,
     watch: &dyn Fn(f64) -> ControlFlow<()>,
 ) -> Result<History, ReadError> {
+    compare(folder, None, watch)
+}
+
+/// What became of the robot of this name, by the sessions and models of a folder; `None` where they
+/// were all measured at once: fewer than two have samples of their own.
+///
+/// # Errors
+/// As [`history_watched`], but nothing to read is no error.
+pub fn history_of_robot(
+    folder: &Path,
+    robot: &str,
+    watch: &dyn Fn(f64) -> ControlFlow<()>,
+) -> Result<Option<History>, ReadError> {
+    let history = match compare(folder, Some(robot), watch) {
+        Ok(history) => history,
+        Err(ReadError::Rejected(_)) => return Ok(None),
+        Err(cancelled) => return Err(cancelled),
+    };
+    let entries = history.robots.iter().flat_map(|one| &one.entries);
+    let samples: BTreeSet<&str> = entries.map(|entry| &*entry.samples_hash).collect();
+    Ok((samples.len() > 1).then_some(history))
+}
+
+fn compare(
+    folder: &Path,
+    only: Option<&str>,
+    watch: &dyn Fn(f64) -> ControlFlow<()>,
+) -> Result<History, ReadError> {
     let progress = Progress::new(watch);
     let whole = progress.whole();
     let mut not_read = Vec::new();
@@ -196,12 +224,14 @@ pub fn history_watched(
             .to_string_lossy()
             .into_owned();
         let entry = match source_of(&bytes) {
-            Some(Source::Session) => of_session(path, &file),
-            Some(Source::Model) => of_model(path, &file),
+            Some(Source::Session) => of_session(path, &file, only),
+            Some(Source::Model) => of_model(path, &file).map(Some),
             None => continue,
         };
         match entry {
-            Ok(entry) => read.push(entry),
+            Ok(entry) => {
+                read.extend(entry.filter(|read| only.is_none_or(|robot| read.robot == robot)));
+            }
             Err(because) => not_read.push(NotRead { file, because }),
         }
     }
@@ -287,8 +317,12 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     Ok(paths)
 }
 
-fn of_session(path: &Path, file: &str) -> Result<Read, String> {
+/// A session; `None` where it is of another robot than the `only` one that is wanted.
+fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read>, String> {
     let session = load(path).map_err(|rejected| rejected.to_string())?.session;
+    if only.is_some_and(|robot| session.robot.name != robot) {
+        return Ok(None);
+    }
     let values = JointValues::Commanded;
     let identified = identify_exact(&session, &DEFAULT_EFFECTS.map(str::to_owned), values);
     let identification = identified.map_err(|error| error.to_string())?;
@@ -298,7 +332,7 @@ fn of_session(path: &Path, file: &str) -> Result<Read, String> {
     } = identification;
     let times = session.samples.time_s.iter().flatten();
     let start_s = times.copied().find(|time| *time >= EPOCH_S);
-    Ok(Read {
+    Ok(Some(Read {
         entry: Entry {
             file: file.to_owned(),
             source: Source::Session,
@@ -316,7 +350,7 @@ fn of_session(path: &Path, file: &str) -> Result<Read, String> {
         calibration,
         loaded: Some(session),
         start_s,
-    })
+    }))
 }
 
 fn of_model(path: &Path, file: &str) -> Result<Read, String> {

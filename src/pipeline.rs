@@ -22,6 +22,7 @@
 
 use std::borrow::Cow;
 
+use crate::answers::identification::FULL_MODEL;
 use crate::compensation::decision::{Fitted, Measured};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::effects::{Inputs, JointValues, Term};
@@ -39,7 +40,7 @@ use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 pub use crate::compensation::verify;
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
-pub use crate::history::{history, history_watched, sessions_of_folder};
+pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::{is_model, load_model, write_model};
 pub use crate::paper::{RegionalStart, regional_start};
@@ -132,7 +133,7 @@ pub fn identify_unless(
             };
             calibration.history.push(GapStep {
                 what: match n.checked_sub(1) {
-                    None => "exact identification".to_owned(),
+                    None => FULL_MODEL.to_owned(),
                     Some(last) => format!("with {}", with[last].effect.about().id),
                 },
                 gap_mm,

@@ -5,12 +5,17 @@ use std::path::{Path, PathBuf};
 use egui::Theme;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use truepose::gui::{App, Runner};
+use truepose::gui::{App, Language, Runner};
 
 pub type Window = Harness<'static, App>;
 
 /// A window in one of the themes, with something to draw with.
 pub fn window(theme: Theme, path: Option<PathBuf>) -> Window {
+    window_in(Language::English, theme, path)
+}
+
+/// The same in a language.
+pub fn window_in(language: Language, theme: Theme, path: Option<PathBuf>) -> Window {
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
         .with_theme(theme)
@@ -18,6 +23,7 @@ pub fn window(theme: Theme, path: Option<PathBuf>) -> Window {
         .build_eframe(|cc| {
             let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
             app.drawn_by(cc.wgpu_render_state.as_ref())
+                .speaking(language)
         });
     window.run_steps(4);
     window

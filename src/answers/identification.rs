@@ -178,7 +178,18 @@ pub struct Identification {
     pub notes: Vec<String>,
 }
 
+/// The step of a calibration's history that is an identification with the full model.
+pub(crate) const FULL_MODEL: &str = "full model";
+
 impl Identification {
+    /// What identified the robot, as a step: the full model, or regions.
+    pub fn identified_by(&self) -> String {
+        match self.method {
+            "exact" => FULL_MODEL.to_owned(),
+            method => format!("{method} identification"),
+        }
+    }
+
     /// Samples that a person took out, counted from 0: they count in no fit and no figure.
     pub fn excluded(&self) -> Vec<usize> {
         let by_hand = self
@@ -220,7 +231,7 @@ impl Identification {
             compensated_by: session.compensated_by.clone(),
             history: vec![
                 step("nominal robot", |g| g.before),
-                step(&format!("{} identification", self.method), |g| g.after),
+                step(&self.identified_by(), |g| g.after),
             ],
             samples_hash: crate::sessions::hash_of_samples(session),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),

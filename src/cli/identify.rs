@@ -20,7 +20,7 @@ use crate::units::rad_from_deg;
 use super::failure::Failure;
 use super::{geometry, levels, output};
 
-/// Identify a session's robot: the exact fit, or the paper's method by regions
+/// Identify a session's robot: the full model, or the paper's method by regions
 #[derive(Debug, Args)]
 pub(crate) struct Identify {
     /// Session to identify
@@ -147,7 +147,13 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
     let gap = &answer.gap;
     let mut text = format!(
         "{}: {} identification of {} samples\n",
-        answer.session, answer.method, answer.samples
+        answer.session,
+        if answer.method == "exact" {
+            "full-model"
+        } else {
+            answer.method
+        },
+        answer.samples
     );
     for problem in data_problems {
         text += &format!(

@@ -55,7 +55,7 @@ enum Command {
     Simulate(simulate::Simulate),
     /// Make a session of a file that an instrument wrote
     Import(Box<import::Import>),
-    /// Identify a session's robot: the exact fit, or the paper's method by regions
+    /// Identify a session's robot: the full model, or the paper's method by regions
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
     Diagnose(diagnose::Diagnose),

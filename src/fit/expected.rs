@@ -26,9 +26,9 @@ pub(crate) fn expected_error(
     covariance: &DMatrix<f64>,
 ) -> Option<Expected> {
     let inputs = over_the_ranges(problem);
-    let over = errors(model, &inputs, covariance)?;
+    let over = uncertainties_mm(model, &inputs, covariance)?;
     let some = spread(&problem.used, POSES);
-    let measured = errors(model, &problem.inputs.select(&some), covariance)?;
+    let measured = uncertainties_mm(model, &problem.inputs.select(&some), covariance)?;
     let rms = |all: &[f64]| {
         let square: f64 = all.iter().map(|e| e * e).sum();
         (square / all.len().max(1) as f64).sqrt()
@@ -42,8 +42,13 @@ pub(crate) fn expected_error(
     })
 }
 
-/// √ tr J Σ Jᵀ of every pose, mm; `None` where the sizes do not fit.
-fn errors(model: &Model, inputs: &Inputs, covariance: &DMatrix<f64>) -> Option<Vec<f64>> {
+/// √ tr J Σ Jᵀ of every pose, mm: one standard uncertainty of the predicted point; `None` where the
+/// sizes do not fit.
+pub(crate) fn uncertainties_mm(
+    model: &Model,
+    inputs: &Inputs,
+    covariance: &DMatrix<f64>,
+) -> Option<Vec<f64>> {
     let count = model.coefficient_count();
     if covariance.nrows() < count || inputs.is_empty() {
         return None;

@@ -125,6 +125,13 @@ impl App {
         self
     }
 
+    /// Proposes this date for reports; none unless it is said.
+    #[must_use]
+    pub fn on_day(mut self, date: Option<String>) -> Self {
+        self.workbench.propose_date(date);
+        self
+    }
+
     /// Speaks this language where none is preferred; English unless it is said.
     #[must_use]
     pub fn speaking(mut self, language: Language) -> Self {

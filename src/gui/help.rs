@@ -57,6 +57,7 @@ words! {
     PREDICTED, "predicted";
     LANGUAGE, "language";
     REMAINDER, "remainder";
+    UNCERTAINTY, "uncertainty";
     PLANAR, "planar";
     DIRECTION, "direction";
     POLAR, "polar";

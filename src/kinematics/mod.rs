@@ -57,6 +57,7 @@ pub(crate) mod robot;
 pub(crate) mod screw;
 mod tree;
 pub(crate) mod urdf;
+mod visuals;
 mod xml;
 
 #[cfg(test)]
@@ -73,3 +74,4 @@ pub use robot::{
     pose_from_parts,
 };
 pub use urdf::robot_from_urdf;
+pub use visuals::{Visual, visuals_of_urdf};

@@ -70,11 +70,22 @@ pub(super) struct Tree {
 }
 
 /// A body of the chain at home.
+#[derive(Clone, Copy)]
 struct Carried {
     body: usize,
     base_from_body: Pose,
     /// The last moving joint before it.
     carrier: Option<usize>,
+}
+
+/// Where a body of a chain is at home.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AtHome {
+    /// Its place in the list.
+    pub(super) index: usize,
+    pub(super) base_from_body: Pose,
+    /// Moving joints before it.
+    pub(super) behind: usize,
 }
 
 impl Tree {
@@ -84,6 +95,24 @@ impl Tree {
     /// Names that are not there or not connected, joints that no chain can have, a chain without a
     /// moving joint, numbers too large to add up.
     pub(super) fn robot(&self, base: &str, tip: &str) -> Result<Robot, Rejected> {
+        Ok(self.built(base, tip)?.0)
+    }
+
+    /// The bodies from `base` to `tip`, at home.
+    ///
+    /// # Errors
+    /// As [`Tree::robot`].
+    pub(super) fn at_home(&self, base: &str, tip: &str) -> Result<Vec<AtHome>, Rejected> {
+        let (_, carried) = self.built(base, tip)?;
+        let at_home = carried.into_iter().map(|body| AtHome {
+            index: body.body,
+            base_from_body: body.base_from_body,
+            behind: body.carrier.map_or(0, |joint| joint + 1),
+        });
+        Ok(at_home.collect())
+    }
+
+    fn built(&self, base: &str, tip: &str) -> Result<(Robot, Vec<Carried>), Rejected> {
         let chain = self.chain(base, tip)?;
         let mut robot = Robot {
             name: self.name.clone(),
@@ -135,9 +164,9 @@ impl Tree {
         }
         robot.base_from_tool = base_from_body;
         robot.source = RobotSource::Links(frames);
-        self.add_masses(&mut robot.joints, carried);
+        self.add_masses(&mut robot.joints, carried.clone());
         if is_finite(&robot) {
-            Ok(robot)
+            Ok((robot, carried))
         } else {
             Err(self.refuse(
                 "numbers that are too large to add up",

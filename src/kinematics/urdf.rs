@@ -9,7 +9,7 @@
 //!
 //! Metres become mm; fixed joints are folded into what they carry. `continuous` is a revolute joint
 //! without limits. Gravity is not part of URDF, so it stays unknown. Only what matters to kinematics
-//! is looked at: meshes, materials, plug-ins of simulators, and mistakes in them, are not.
+//! is looked at here: meshes (`visuals`), materials, plug-ins of simulators, and mistakes in them, are not.
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
 
@@ -23,7 +23,7 @@ use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
 
-const MM_PER_M: f64 = 1e3;
+pub(super) const MM_PER_M: f64 = 1e3;
 
 /// The chain from link `base` to link `tip` of the URDF document `text`, which came from `file`.
 ///
@@ -163,7 +163,7 @@ fn mass(document: &Document, link: usize) -> Result<Mass, Rejected> {
 }
 
 /// The `origin` in an element; none is the identity.
-fn origin(document: &Document, element: usize) -> Result<Pose, Rejected> {
+pub(super) fn origin(document: &Document, element: usize) -> Result<Pose, Rejected> {
     let Some(origin) = document.children(element, "origin").next() else {
         return Ok(Pose::identity());
     };

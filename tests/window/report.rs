@@ -105,10 +105,10 @@ fn a_wrong_ending_is_said_and_nothing_is_written() {
         is_said(&window, "ends in .html or .pdf");
         press(&mut window, "Dismiss");
     }
-    let picture = folder.path().join("picture.png");
+    let picture = folder.path().join("picture.gif");
     window.state_mut().type_picture_path("workspace", &picture);
     save(&mut window, false);
-    is_said(&window, "expected a file name that ends in .svg");
+    is_said(&window, "expected a file name that ends in .svg or .png");
     assert_eq!(files_in(folder.path()), 0);
 }
 
@@ -202,12 +202,36 @@ fn every_plot_is_saved_as_svg() {
         let svg = std::fs::read_to_string(&path).expect("the picture is there");
         assert!(svg.contains("http://www.w3.org/2000/svg") && svg.ends_with("</svg>\n"));
         let says = if plot == "gap by step" {
-            "exact identification"
+            ">full model<"
         } else {
             "Against the model"
         };
         assert!(svg.contains(says), "{plot}: {svg}");
     }
+}
+
+#[test]
+fn a_picture_whose_name_ends_in_png_is_pixels() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
+    let mut sizes = Vec::new();
+    for plot in ["workspace", "3-D view", "deviation"] {
+        let path = folder.path().join(format!("{plot}.PNG"));
+        window.state_mut().type_picture_path(plot, &path);
+        save(&mut window, false);
+        is_said(&window, "Saved ");
+        let file = std::fs::File::open(&path).expect("the picture is there");
+        let mut reader = png::Decoder::new(std::io::BufReader::new(file))
+            .read_info()
+            .expect("it is a PNG file");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        reader.next_frame(&mut pixels).expect("it is whole");
+        let drawn = pixels.chunks_exact(3).filter(|p| *p != [255; 3]).count();
+        assert!(drawn > pixels.len() / 300, "{plot}: {drawn} pixels");
+        sizes.push([reader.info().width, reader.info().height]);
+    }
+    assert_eq!(sizes[1], [1920, 1560], "four pixels to the point");
+    assert!(sizes.iter().all(|[w, _]| *w > 1900), "{sizes:?}");
 }
 
 #[test]

@@ -15,6 +15,9 @@ use crate::sessions::Samples;
 /// there is none.
 pub(crate) type Place = [f32; 9];
 
+/// A row of the [`Remainder`].
+pub(crate) type Left = [f32; 5];
+
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cloud {
     /// What is known of each sample that can be used.
@@ -26,12 +29,12 @@ pub(crate) struct Cloud {
     pub(crate) conditions: [Option<[f64; 2]>; 3],
 }
 
-/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected, in the order of
-/// the [`Cloud`].
+/// What an answer leaves of the deviations, mm, 1 where the sample is suspected, and the uncertainty of
+/// the model there from 0 to 1, below 0 where it is not shown; in the order of the [`Cloud`].
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Remainder {
     /// One for each sample of the cloud.
-    pub(crate) rows: Vec<[f32; 4]>,
+    pub(crate) rows: Vec<Left>,
 }
 
 impl Cloud {
@@ -80,7 +83,7 @@ impl Cloud {
             let sample = *sample as usize;
             let mark = if suspected[sample] { 1.0 } else { 0.0 };
             let [x, y, z] = [0, 1, 2].map(|k| single(after_mm[k][sample]));
-            [x, y, z, mark]
+            [x, y, z, mark, -1.0]
         };
         Remainder {
             rows: self.samples.iter().map(row).collect(),

@@ -38,7 +38,7 @@ impl After {
         Self {
             remainder: Arc::new(remainder),
             lengths: Lengths::new(&answer.lengths_mm),
-            readable: readable(subject.overview.reach_mm, &answer.lengths_mm),
+            readable: readable(subject.overview.radius_mm, &answer.lengths_mm),
         }
     }
 }

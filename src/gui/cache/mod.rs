@@ -10,4 +10,5 @@ pub(crate) mod nearest;
 pub(crate) mod over;
 pub(crate) mod plot_cache;
 pub(crate) mod preview;
+pub(crate) mod uncertain;
 pub(crate) mod work;

@@ -11,6 +11,7 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::over::{Over, Variable};
+use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::cache::work::{Given, Work, WorkedOut};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
@@ -19,6 +20,10 @@ use crate::gui::view::Plane;
 
 /// What a backdrop is made of.
 #[derive(Debug, Clone, PartialEq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each says whether one thing is shown"
+)]
 pub(crate) struct Scenery {
     pub(crate) subject: Arc<Subject>,
     pub(crate) outcome: Option<Arc<Outcome>>,
@@ -26,6 +31,8 @@ pub(crate) struct Scenery {
     pub(crate) plane: Plane,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
+    /// Whether colour says how sure the model is.
+    pub(crate) uncertain: bool,
     /// Whether not all samples can be drawn.
     pub(crate) thins: bool,
     /// Whether the deviation is looked at around the joint's angle.
@@ -55,7 +62,7 @@ impl Scenery {
 
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.many() || self.chart.is_some()
+        self.heat || self.uncertain || self.many() || self.chart.is_some()
     }
 }
 
@@ -67,6 +74,8 @@ pub(crate) struct Backdrop {
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
+    /// How sure the model is at each sample.
+    pub(crate) uncertain: Option<Arc<Uncertain>>,
     /// What the chart is made of.
     pub(crate) charted: Option<WorkedOut>,
     /// Samples that are drawn where not all can be.
@@ -104,6 +113,11 @@ impl Backdrop {
             });
             wanted.flatten()
         });
+        let known = same_answer.and_then(|l| l.uncertain.clone());
+        let uncertain = known.or_else(|| {
+            let answer = scenery.answer().filter(|_| scenery.uncertain)?;
+            Uncertain::of(subject, answer).map(Arc::new)
+        });
         let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
             let work = scenery.chart.as_ref()?;
             Some(work.done(scenery.given()))
@@ -130,6 +144,7 @@ impl Backdrop {
             scenery,
             nearest,
             heat,
+            uncertain,
             charted,
             thinned,
             around,

@@ -3,8 +3,8 @@
 use crate::gui::language::say;
 use std::convert::Infallible;
 use std::path::PathBuf;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Isometry3;
 
@@ -22,6 +22,7 @@ use crate::sessions::Session;
 
 use super::angles::Angles;
 use super::answer::measuring_from_base;
+use super::appearance::Appearance;
 use super::attached::Attached;
 use super::coverage::Known;
 use super::overview::Overview;
@@ -146,6 +147,8 @@ pub(crate) struct Subject {
     /// The files that it was read from, as they looked then: the document first.
     pub(crate) files: Vec<Print>,
     pub(crate) samples_file: Option<PathBuf>,
+    /// What the robot looks like, where its URDF has meshes.
+    pub(crate) appearance: Option<Arc<Appearance>>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
     pub(crate) measured_range: Option<Range>,
 }
@@ -230,6 +233,7 @@ impl Subject {
             lineage: OPENINGS.fetch_add(1, Ordering::Relaxed),
             files: Vec::new(),
             samples_file: None,
+            appearance: None,
             measured_range: None,
         };
         done(1.0)?;
@@ -242,6 +246,7 @@ impl Subject {
             lineage: self.lineage,
             files: self.files.clone(),
             samples_file: self.samples_file.clone(),
+            appearance: self.appearance.clone(),
             ..Self::new(session, self.findings.clone(), self.origin.clone())
         }
     }

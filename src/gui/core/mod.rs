@@ -3,6 +3,7 @@
 
 pub(crate) mod angles;
 pub(crate) mod answer;
+pub(crate) mod appearance;
 pub(crate) mod attached;
 pub(crate) mod boundaries;
 pub(crate) mod boundary_entry;
@@ -17,6 +18,7 @@ pub(crate) mod identify;
 pub(crate) mod loaded;
 pub(crate) mod loaded_model;
 pub(crate) mod loaded_session;
+pub(crate) mod mesh;
 pub(crate) mod overview;
 pub(crate) mod past;
 pub(crate) mod recording;

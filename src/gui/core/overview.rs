@@ -1,7 +1,7 @@
 //! What every frame needs to know of a session, worked out once: no frame may look at all samples.
 
 use crate::effects::term::travel_of;
-use crate::gui::core::scale::{MOST_ARROWS, round_down, stride};
+use crate::gui::core::scale::{MOST_ARROWS, round, stride};
 use crate::gui::core::skeleton::robot_extent;
 use crate::model::Positions;
 use crate::sessions::Session;
@@ -52,6 +52,8 @@ pub(crate) struct Overview {
     pub(crate) readable: f64,
     /// Size of the workspace, mm.
     pub(crate) reach_mm: f64,
+    /// From its middle to its edge, mm.
+    pub(crate) radius_mm: f64,
 }
 
 impl Overview {
@@ -75,6 +77,7 @@ impl Overview {
         let measured_mm = of(&samples.x_mm, &samples.y_mm, z_mm);
         let sides = (0..3).map(|k| (nominal_mm[1][k] - nominal_mm[0][k]).max(0.0));
         let reach_mm = arm_mm.unwrap_or_else(|| sides.fold(1.0, f64::max));
+        let radius_mm = arm_mm.unwrap_or(0.5 * reach_mm);
         let held_out = samples.held_out.as_deref().unwrap_or(&[]);
         let range = travel_of(&session.robot, 0, &samples.q[0]);
         Self {
@@ -86,8 +89,9 @@ impl Overview {
             measured_mm,
             robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
             lengths: Lengths::new(lengths_mm),
-            readable: readable(reach_mm, lengths_mm),
+            readable: readable(radius_mm, lengths_mm),
             reach_mm,
+            radius_mm,
             usable,
         }
     }
@@ -112,11 +116,18 @@ fn extent(column: &[f64], usable: &[u32]) -> [f64; 2] {
     })
 }
 
-/// The part of the workspace that a long deviation is drawn over.
-const LONG: f64 = 0.2;
+/// The part of the workspace's radius that a long deviation is drawn over.
+const LONG: f64 = 0.32;
 
-/// The magnification at which the longer ones of these deviations can be read.
-pub(crate) fn readable(reach_mm: f64, lengths_mm: &[f64]) -> f64 {
+/// The part that the median one is drawn over: 25 points where the whole workspace is drawn on 310, as in a
+/// window of 1280 × 800.
+const USUAL: f64 = 0.16;
+/// The part over which the longer ones are drawn at most.
+const LONGEST: f64 = 0.4;
+
+/// The magnification at which these deviations can be read: the median one is 20 to 30 points long where
+/// the whole workspace is in sight, and nine of ten stay within it.
+pub(crate) fn readable(radius_mm: f64, lengths_mm: &[f64]) -> f64 {
     let step = stride(lengths_mm.len(), MOST_ARROWS);
     let some = lengths_mm.iter().copied().step_by(step);
     let mut some: Vec<f64> = some.filter(|l| l.is_finite()).collect();
@@ -124,18 +135,21 @@ pub(crate) fn readable(reach_mm: f64, lengths_mm: &[f64]) -> f64 {
         return 1.0;
     }
     // One sample that is far off must not shrink all others.
-    let place = (some.len() - 1) * 9 / 10;
-    let (_, long, _) = some.select_nth_unstable_by(place, f64::total_cmp);
-    if *long < 1e-9 {
+    let mut of_rank = |tenths: usize| {
+        let place = (some.len() - 1) * tenths / 10;
+        *some.select_nth_unstable_by(place, f64::total_cmp).1
+    };
+    let (median, long) = (of_rank(5), of_rank(9));
+    if long < 1e-9 {
         return 1.0;
     }
-    round_down(LONG * reach_mm / *long)
+    round(f64::min(USUAL / median.max(1e-12), LONGEST / long) * radius_mm)
 }
 
 /// The deviation that is drawn long at this magnification, mm: the upper end of colour scales, so
 /// that colour and length say the same.
-pub(crate) fn long_mm(reach_mm: f64, magnification: f64) -> f64 {
-    LONG * reach_mm / magnification
+pub(crate) fn long_mm(radius_mm: f64, magnification: f64) -> f64 {
+    LONG * radius_mm / magnification
 }
 
 #[cfg(test)]
@@ -144,8 +158,17 @@ mod tests {
 
     #[test]
     fn vectors_are_magnified_by_a_round_number_that_shows_the_longer_ones() {
-        assert_eq!(readable(250.0, &[13.8; 30]), 2.0);
-        assert_eq!(readable(250.0, &[0.05; 30]), 1000.0);
+        assert_eq!(readable(250.0, &[13.8; 30]), 3.0);
+        assert_eq!(readable(250.0, &[0.05; 30]), 800.0);
+        // A part of them that is long stays within the workspace.
+        let mixed: Vec<f64> = (0..30)
+            .map(|k| if k % 5 == 0 { 5.0 } else { 0.1 })
+            .collect();
+        assert_eq!(readable(250.0, &mixed), 20.0);
+        let exact: Vec<f64> = (0..30)
+            .map(|k| if k % 5 == 0 { 5.0 } else { 0.0 })
+            .collect();
+        assert_eq!(readable(250.0, &exact), 20.0);
         assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
         assert_eq!(readable(250.0, &[]), 1.0);
     }

@@ -33,6 +33,18 @@ pub(crate) fn thinned(stride: usize, what: &'static str) -> Option<String> {
     })
 }
 
+/// The nearest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ⁿ, by ratio; for what is a factor and no scale.
+pub(crate) fn round(value: f64) -> f64 {
+    const LEADS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
+    if !(value.is_finite() && value > 0.0) {
+        return 1.0;
+    }
+    let decade = 10f64.powf(value.log10().floor());
+    let off = |lead: f64| (value / decade / lead).ln().abs();
+    let nearest = LEADS.into_iter().min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    nearest.unwrap_or(1.0) * decade
+}
+
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`.
 pub(crate) fn round_down(value: f64) -> f64 {
     if !(value.is_finite() && value > 0.0) {

@@ -11,6 +11,8 @@ pub(crate) struct Stated {
     pub(crate) details: Details,
     /// Path of the logo, as it is typed; may be empty.
     pub(crate) logo: String,
+    /// Whether the report leaves out what became of the machine.
+    pub(crate) without_history: bool,
 }
 
 impl Stated {

@@ -1,6 +1,6 @@
 //! What the report states besides its measurements.
 
-use egui::{Grid, RichText, TextEdit, Ui};
+use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
@@ -47,6 +47,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 }
             });
             ui.end_row();
+            history(ui, workbench, &mut stated.without_history);
+            ui.end_row();
         });
     widgets::section(ui, say!("details-pass-or-fail"));
     views::session::tolerance(ui, workbench, commands);
@@ -89,6 +91,22 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             commands.push(Command::Sheet(None));
         }
     });
+}
+
+/// Whether the report says what became of the machine.
+fn history(ui: &mut Ui, workbench: &Workbench, without: &mut bool) {
+    ui.label(RichText::new(say!("details-history")).color(Palette::of(ui).muted));
+    let in_file = workbench.folder().is_some();
+    let mut with = in_file && !*without;
+    let text = if in_file {
+        say!("details-compare-the-sessions")
+    } else {
+        say!("details-save-the-session-first")
+    };
+    let switch = ui.add_enabled(in_file, Checkbox::new(&mut with, text));
+    if switch.changed() {
+        *without = !with;
+    }
 }
 
 /// What choosing a rule means.

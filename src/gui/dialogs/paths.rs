@@ -108,7 +108,7 @@ pub(super) fn export(
         What::Report(_) => (say!("common-save-report"), say!("path-a-name-that-ends")),
         What::Picture(_) => (
             say!("common-save-picture"),
-            say!("path-a-name-that-ends-in-svg"),
+            say!("path-a-name-that-ends-in-svg-or-png"),
         ),
         What::Targets => (
             say!("common-save-corrected-file"),

@@ -27,6 +27,8 @@ pub(crate) struct Machine {
     folder: PathBuf,
     #[serde(default)]
     logo: String,
+    #[serde(default)]
+    without_history: bool,
     /// A `truepose-details/1` document.
     details: serde_json::Value,
 }
@@ -49,6 +51,7 @@ impl Machine {
             session: of.session.to_owned(),
             folder: of.folder.to_owned(),
             logo: stated.logo.clone(),
+            without_history: stated.without_history,
             details: document.unwrap_or_default(),
         }
     }
@@ -58,6 +61,7 @@ impl Machine {
         Some(Stated {
             details: Details::parse(Place::default(), &text).ok()?,
             logo: self.logo.clone(),
+            without_history: self.without_history,
         })
     }
 
@@ -108,6 +112,7 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
     Stated {
         details,
         logo: String::new(),
+        without_history: false,
     }
 }
 
@@ -129,6 +134,7 @@ mod tests {
         stated.details.machine_serial = serial.to_owned();
         stated.details.report_number = "R-1".to_owned();
         stated.details.operator = "A. Meier".to_owned();
+        stated.without_history = true;
         stated.details.instrument = "tracker".to_owned();
         stated.details.instrument_serial = "T-4".to_owned();
         stated

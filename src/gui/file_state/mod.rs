@@ -10,6 +10,7 @@ pub(crate) mod machines;
 pub(crate) mod recording;
 pub(crate) mod recovery;
 pub(crate) mod settings;
+pub(crate) mod today;
 pub(crate) mod watcher;
 
 use std::path::PathBuf;

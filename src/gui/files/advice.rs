@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::atomic::WriteError;
 
 /// Why something was not read or written.
-pub(super) fn cancelled() -> String {
+pub(crate) fn cancelled() -> String {
     say!("file-it-was-cancelled").to_owned()
 }
 

@@ -118,7 +118,9 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Report(_) => dialog
             .add_filter(say!("dialog-html-or-pdf-html-pdf"), &["html", "pdf"])
             .add_filter(say!("dialog-pdf"), &["pdf"]),
-        What::Picture(_) => dialog.add_filter(say!("dialog-svg-picture-svg"), &["svg"]),
+        What::Picture(_) => dialog
+            .add_filter(say!("dialog-svg-or-png-picture"), &["svg", "png"])
+            .add_filter(say!("dialog-png-pictures"), &["png"]),
         What::Model => dialog.add_filter(say!("dialog-model-json"), &["json"]),
         What::Poses => dialog.add_filter(say!("dialog-csv-table-csv"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {

@@ -10,7 +10,7 @@ mod pictures;
 pub(crate) mod reporting;
 mod saving;
 
-pub(crate) use advice::ending;
+pub(crate) use advice::{cancelled, ending};
 pub(crate) use dialogs::{
     choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export, choose_to_import,
     choose_to_open, choose_to_save,

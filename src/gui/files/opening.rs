@@ -6,11 +6,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
+use crate::kinematics::RobotSource;
 use crate::pipeline::{self, is_model, load_model};
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::Loaded;
 
 use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::appearance::{Appearance, Chain, seen};
 use crate::gui::core::disk::Print;
 use crate::gui::core::loaded_model::Given;
 use crate::gui::core::loaded_session::{Origin, Subject};
@@ -54,23 +56,28 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
-    let subject = loaded.and_then(|loaded| {
+    let subject = loaded.and_then(|mut loaded| {
+        let is_of_links = matches!(loaded.session.robot.source, RobotSource::Links(_));
+        let chain = is_of_links.then(|| Chain::of_session(path)).flatten();
+        let appearance = seen(chain, &mut loaded.findings);
         watch.doing(say!(
             "file-checking-samples",
             samples = loaded.session.samples.len()
         ));
         let origin = Origin::File(path.to_path_buf());
-        Ok(looked_through(loaded, origin, whole.part(READING, 1.0))?)
+        let part = whole.part(READING, 1.0);
+        Ok(looked_through(loaded, origin, appearance, part)?)
     });
     subject
         .map(Opened::Session)
         .map_err(|error| not_read(path.display(), say!("file-opened"), &error))
 }
 
-/// Everything that follows from a session that was read.
+/// Everything that follows from a session that was read, of a robot that looks like this.
 pub(super) fn looked_through(
     loaded: Loaded,
     origin: Origin,
+    appearance: Option<Appearance>,
     part: Part<'_>,
 ) -> Result<Arc<Subject>, Cancelled> {
     let in_a_file = !loaded.session.samples.line.is_empty();
@@ -78,6 +85,7 @@ pub(super) fn looked_through(
     let findings = loaded.findings;
     let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
     subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
+    subject.appearance = appearance.map(Arc::new);
     subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
     // Made here, so that the window never waits for it.
     Cloud::of(&subject);
@@ -147,7 +155,7 @@ mod tests {
                 pipeline::parse_with_csv(document, samples)
             };
             let progress = Progress::new(watch);
-            looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
+            looked_through(loaded.unwrap(), Origin::Bundled, None, progress.whole())
         };
         let (shares, subject) = told(through);
         assert_grows(&shares);
@@ -155,5 +163,45 @@ mod tests {
         for number in 0..shares.len() {
             assert!(through(&no_at(number)).is_err(), "{number}");
         }
+    }
+
+    #[test]
+    fn a_session_of_a_urdf_brings_its_meshes_and_a_damaged_one_is_a_warning() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |name: &str, text: &str| {
+            std::fs::write(folder.path().join(name), text).expect("written");
+        };
+        write(
+            "arm.urdf",
+            r#"<robot name="arm"><link name="base"/><link name="arm"><visual><geometry>
+            <mesh filename="arm.obj"/></geometry></visual></link><joint name="j" type="continuous">
+            <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"#,
+        );
+        write(
+            "session.json",
+            r#"{"format": "truepose-session/1", "name": "arm", "targets": {"SMR": [250, 0, 300]},
+            "robot": {"name": "arm", "urdf": {"file": "arm.urdf", "base": "base", "tip": "arm"}},
+            "samples": {"columns": {"q1_deg": [0, 30, 60], "x_mm": [250, 216.5, 125],
+            "y_mm": [0, 125, 216.5], "z_mm": [300, 300, 300]}}}"#,
+        );
+        let opened = || match open(&folder.path().join("session.json"), &Watch::default()) {
+            Ok(Opened::Session(subject)) => subject,
+            other => panic!("{other:?}"),
+        };
+        write("arm.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+        let subject = opened();
+        let parts = subject.appearance.as_deref().map(|a| a.parts.len());
+        assert_eq!(parts, Some(1));
+        // Whatever is changed of the session, the robot looks as it did.
+        assert!(subject.with(subject.session.clone()).appearance.is_some());
+        write("arm.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+        let subject = opened();
+        assert!(subject.appearance.is_none());
+        let warned = subject.findings.iter().map(ToString::to_string);
+        let warned: Vec<String> = warned.filter(|says| says.contains("arm.obj")).collect();
+        assert!(
+            warned.len() == 1 && warned[0].contains("line 3"),
+            "{warned:?}"
+        );
     }
 }

@@ -3,9 +3,11 @@
 use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
+use crate::fonts::Library;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 use crate::present::drawing::Drawing;
+use crate::report::raster::png_file;
 use crate::report::svg::svg_file;
 
 use super::{can_be_written, ending, not_written, saved, write_one};
@@ -19,12 +21,20 @@ pub(crate) fn write_picture(
     watch: &Watch,
 ) -> Message {
     let make = || {
-        if ending(path).as_deref() != Some("svg") {
-            return Err(say!("file-expected-a-file-name").to_owned());
-        }
+        let ending = ending(path);
+        let as_pixels = match ending.as_deref() {
+            Some("svg") => false,
+            Some("png") => true,
+            _ => return Err(say!("file-expected-a-file-name").to_owned()),
+        };
         can_be_written(path, replace, inputs)?;
         let (drawing, title) = draw()?;
-        write_one(path, replace, svg_file(&drawing, &title).as_bytes(), watch)
+        let bytes = if as_pixels {
+            png_file(&drawing, &Library::system()).map_err(|e| e.to_string())?
+        } else {
+            svg_file(&drawing, &title).into_bytes()
+        };
+        write_one(path, replace, &bytes, watch)
     };
     match make() {
         Ok(()) => saved(path, Vec::new()),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::fonts;
+use crate::history::History;
 use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{ExportedTable, Extras, Kind};
@@ -33,6 +34,8 @@ pub(crate) struct Wanted {
     pub(crate) source: Source,
     /// What the certificate states besides its measurements.
     pub(crate) stated: Stated,
+    /// Where the machine's other sessions lie, and the name of its robot; `None`: without its history.
+    pub(crate) past: Option<(PathBuf, String)>,
     /// Tables that were exported from this session.
     pub(crate) tables: Vec<PathBuf>,
     /// Files that it may not replace.
@@ -61,7 +64,7 @@ fn make(
     files::can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
         details: wanted.stated.complete()?,
-        history: None,
+        history: past(wanted, watch)?,
         tables: named_tables(&wanted.tables, details),
     };
     let report = match &wanted.source {
@@ -97,6 +100,15 @@ fn make(
     files::write_one(path, replace, &written.bytes, watch)
 }
 
+/// What became of the machine, where its folder has more than one measurement of it.
+fn past(wanted: &Wanted, watch: &Watch) -> Result<Option<History>, String> {
+    let Some((folder, robot)) = &wanted.past else {
+        return Ok(None);
+    };
+    let told = watch.told();
+    pipeline::history_of_robot(folder, robot, &told).map_err(|_| files::cancelled())
+}
+
 /// The tables with their hashes; what cannot be named any more is said.
 fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTable> {
     let mut tables = Vec::new();
@@ -122,6 +134,7 @@ mod tests {
         Wanted {
             source: Source::Session(Arc::new(Document::new(first_example())), None, None),
             stated: Stated::default(),
+            past: None,
             tables: Vec::new(),
             inputs: Vec::new(),
         }

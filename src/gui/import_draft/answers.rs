@@ -43,6 +43,10 @@ pub(crate) enum Beside {
     Targets,
 }
 
+impl Beside {
+    pub(crate) const ALL: [Self; 4] = [Self::Robot, Self::Commands, Self::Reference, Self::Targets];
+}
+
 impl Said {
     /// Takes a file that was chosen.
     pub(crate) fn choose(&mut self, which: Beside, path: &Path) {

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
-use crate::importers::{Inspection, Reading, inspect_watched};
+use crate::importers::{ColumnGuess, Inspection, Reading, inspect_watched};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::files;
@@ -52,6 +52,8 @@ pub(crate) struct Foreign {
     bytes: Arc<Vec<u8>>,
     /// What lies beside it.
     pub(crate) neighbours: Arc<Neighbours>,
+    /// What of it was taken because its name is that of the file.
+    pub(crate) taken: Vec<(Beside, PathBuf)>,
     /// What a person said.
     pub(crate) said: Said,
     /// What was seen last.
@@ -99,7 +101,7 @@ impl Foreign {
     }
 
     fn read(path: &Path, bytes: Vec<u8>, part: Part<'_>) -> Result<Self, ReadError> {
-        let said = Said {
+        let mut said = Said {
             name: path
                 .file_stem()
                 .unwrap_or_default()
@@ -111,7 +113,20 @@ impl Foreign {
             },
             ..Said::default()
         };
-        let seen = Look::of(&bytes, path, &said, part)?;
+        let neighbours = Neighbours::of(path);
+        let mut taken = neighbours.named_alike(path);
+        for (which, file) in &taken {
+            said.choose(*which, file);
+        }
+        let first = if said.commands.is_empty() { 1.0 } else { 0.9 };
+        let mut seen = Look::of(&bytes, path, &said, part.part(0.0, first))?;
+        // A file that has its commands itself needs no others.
+        if !said.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
+            taken.retain(|(which, _)| *which != Beside::Commands);
+            said.commands.clear();
+            seen = Look::of(&bytes, path, &said, part.part(first, 1.0))?;
+        }
+        part.reached(1.0)?;
         if seen.inspection.kind.is_none() {
             // Not even text: there is nothing that anybody could say about it.
             return Err(Rejected {
@@ -122,7 +137,8 @@ impl Foreign {
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
-            neighbours: Arc::new(Neighbours::of(path)),
+            neighbours: Arc::new(neighbours),
+            taken,
             said,
             seen: Arc::new(seen),
             confirmed: None,
@@ -220,6 +236,12 @@ impl Foreign {
         let trial = self.seen.trial.as_ref()?.as_ref().ok();
         trial.filter(|_| self.missing().is_none())
     }
+}
+
+/// Whether a column says where a joint was sent, such as `q1_deg`.
+fn is_command(column: &ColumnGuess) -> bool {
+    let joint = column.meaning.strip_prefix('q');
+    joint.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 impl Look {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::answers::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
+use crate::gui::core::appearance::seen;
 use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings};
 use crate::kinematics::Robot;
@@ -53,14 +54,16 @@ impl Trial {
             ..Settings::new(said.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
-        let findings = imported.findings;
+        let mut findings = imported.findings;
+        let appearance = seen(said.robot.chain(), &mut findings);
         let notes = findings
             .iter()
             .map(|finding| (finding.severity, in_the_sheets_words(&finding.to_string())))
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
-        let subject = Subject::watched(imported.session, findings, origin, looking)?;
+        let mut subject = Subject::watched(imported.session, findings, origin, looking)?;
+        subject.appearance = appearance.map(Arc::new);
         Ok(Self {
             subject: Arc::new(subject),
             matched: imported.matched,

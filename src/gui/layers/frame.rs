@@ -179,6 +179,7 @@ fn mode(colouring: Colouring) -> f32 {
         Colouring::Load => 3.0,
         Colouring::Temperature => 4.0,
         Colouring::Time => 5.0,
+        Colouring::Uncertainty => 6.0,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use egui_wgpu::wgpu::{self, Device};
 
-use crate::gui::cache::cloud::Place;
+use crate::gui::cache::cloud::{Left, Place};
 
 /// What arrows and marks are both drawn from.
 pub(super) const SAMPLE: &str = include_str!("sample.wgsl");
@@ -30,8 +30,8 @@ pub(super) fn pipeline_layout(
 pub(super) fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     const PLACE: [wgpu::VertexAttribute; 3] =
         wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
-    const REMAINS: [wgpu::VertexAttribute; 2] =
-        wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32];
+    const REMAINS: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32, 5 => Float32];
     let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
         array_stride: stride as u64,
         step_mode: wgpu::VertexStepMode::Instance,
@@ -39,7 +39,7 @@ pub(super) fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     };
     [
         Some(layout(size_of::<Place>(), &PLACE)),
-        Some(layout(size_of::<[f32; 4]>(), &REMAINS)),
+        Some(layout(size_of::<Left>(), &REMAINS)),
     ]
 }
 

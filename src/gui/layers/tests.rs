@@ -114,7 +114,7 @@ fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
             at[0], at[1], 3.0, before[0], before[1], 0.2, 0.25, -1.0, -1.0,
         ]
     };
-    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0];
+    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0, 0.75];
     let cloud = Cloud {
         places: ARROWS.iter().map(place).collect(),
         samples: (0..5).collect(),
@@ -192,13 +192,15 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
                 scale_at(colouring, &palette, turn as f32)
             }
             Colouring::Load => scale_at(colouring, &palette, 0.25),
+            Colouring::Uncertainty => scale_at(colouring, &palette, 0.75),
             _ => palette.after,
         });
-        let width = if colouring == Colouring::Load {
-            0.9 + 0.25 * (3.2 - 0.9)
-        } else {
-            f64::from(WIDTH)
-        } * point;
+        let width = point
+            * match colouring {
+                Colouring::Load => 0.9 + 0.25 * (3.2 - 0.9),
+                Colouring::Uncertainty => 0.9 + 0.75 * (3.2 - 0.9),
+                _ => f64::from(WIDTH),
+            };
         let around = |a: f64, b: f64| {
             let low = crate::gui::units::whole(a.min(b) - 6.0 * point);
             low..crate::gui::units::whole(a.max(b) + 6.0 * point)
@@ -249,6 +251,7 @@ fn arrows_cover_what_their_outline_covers() {
     compare_arrows(1.0, DARK, Colouring::Deviation, 1.0);
     compare_arrows(2.0, LIGHT, Colouring::Direction, 0.5);
     compare_arrows(1.5, DARK, Colouring::Load, 0.25);
+    compare_arrows(1.0, LIGHT, Colouring::Uncertainty, 1.0);
 }
 
 /// How much of a pixel is covered, by 8 × 8 points of it from the middle of a mark.

@@ -79,16 +79,19 @@ pub(crate) enum Colouring {
     Deviation,
     /// Where it points to.
     Direction,
+    /// One standard uncertainty of what the model predicts.
+    Uncertainty,
     Load,
     Temperature,
     Time,
 }
 
 impl Colouring {
-    pub(crate) const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self::State,
         Self::Deviation,
         Self::Direction,
+        Self::Uncertainty,
         Self::Load,
         Self::Temperature,
         Self::Time,
@@ -99,10 +102,16 @@ impl Colouring {
             Self::State => say!("looking-before-and-after"),
             Self::Deviation => say!("common-deviation"),
             Self::Direction => say!("common-direction"),
+            Self::Uncertainty => say!("looking-uncertainty"),
             Self::Load => say!("common-load"),
             Self::Temperature => say!("common-temperature"),
             Self::Time => say!("common-time"),
         }
+    }
+
+    /// Whether the width of a vector says the same as its colour.
+    pub(crate) fn by_width(self) -> bool {
+        self.condition().is_some() || self == Self::Uncertainty
     }
 
     /// The condition that it shows, in the order of [`crate::gui::cache::cloud::Cloud`].
@@ -111,7 +120,7 @@ impl Colouring {
             Self::Load => Some(0),
             Self::Temperature => Some(1),
             Self::Time => Some(2),
-            Self::State | Self::Deviation | Self::Direction => None,
+            Self::State | Self::Deviation | Self::Direction | Self::Uncertainty => None,
         }
     }
 }

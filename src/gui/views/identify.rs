@@ -25,15 +25,13 @@ fn state(workbench: &Workbench) -> (String, Progress) {
         _ if document.given.is_some() => say!("identify-model-from-a-file").to_owned(),
         (false, _) => say!("common-not-yet").to_owned(),
         (true, Method::Regional) => say!("identify-by-region").to_owned(),
-        (true, Method::Exact) => {
-            let n = document.effects.len();
-            let effects = if n == 1 {
-                say!("common-effect")
-            } else {
-                say!("identify-effects")
-            };
-            say!("identify-exact", count = n, effects = effects)
-        }
+        (true, Method::Exact) => match workbench.answer() {
+            Some(answer) => {
+                let count = answer.identification.parameters.len();
+                say!("identify-parameters", count = count)
+            }
+            None => say!("identify-with-the-full-model").to_owned(),
+        },
     };
     (caption, Progress::of(workbench.answer().is_some()))
 }

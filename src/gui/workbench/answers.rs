@@ -8,17 +8,19 @@ use nalgebra::{Isometry3, Vector3};
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
+use crate::gui::cache::cloud::Remainder;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{After, Outcome};
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::plot_cache::{Backdrop, Scenery};
 use crate::gui::cache::preview::{Made, Wanted};
+use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::answer::{Answer, measuring_from_base};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_model::Given;
 use crate::gui::core::search::term_of;
-use crate::gui::view::{Canvas, Facing, Message, Step};
+use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
 
 use super::Workbench;
 
@@ -130,6 +132,21 @@ impl Workbench {
         let wanted = self.view.heat && !self.view.in_space();
         let seen = |b: &&Backdrop| wanted && b.scenery.plane == self.view.plane;
         self.backdrop().filter(seen)?.heat.as_ref()
+    }
+
+    /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
+    pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
+        let wanted = self.view.colouring == Colouring::Uncertainty;
+        let backdrop = self.backdrop().filter(|_| wanted)?;
+        let of = backdrop.scenery.outcome.as_deref();
+        backdrop.uncertain.as_ref().filter(|_| of == self.outcome())
+    }
+
+    /// What is left of the deviations, as it is uploaded.
+    pub(crate) fn remainder(&self) -> Option<Arc<Remainder>> {
+        let uncertain = self.uncertain().map(|u| &u.remainder);
+        let plain = self.after().map(|after| &after.remainder);
+        uncertain.or(plain).map(Arc::clone)
     }
 
     /// Samples that are drawn where not all can be; `None` where they are few, or until they are
@@ -252,6 +269,8 @@ impl Workbench {
             outcome,
             plane: self.view.plane,
             heat: self.view.heat && !self.view.in_space(),
+            uncertain: self.view.colouring == Colouring::Uncertainty
+                && self.answer().is_some_and(Uncertain::is_known),
             thins: self.view.canvas == Canvas::Shapes,
             polar: self.view.polar(),
             component: self.view.component,

@@ -19,8 +19,17 @@ impl Workbench {
         let typed = self.desk.stated.get(&self.subject().lineage).cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            machines::proposed(&self.desk.machines, self.machine(&folder))
+            let mut stated = machines::proposed(&self.desk.machines, self.machine(&folder));
+            if let (true, Some(today)) = (stated.details.date.is_empty(), &self.desk.today) {
+                stated.details.date.clone_from(today);
+            }
+            stated
         })
+    }
+
+    /// Proposes this date for reports from now on.
+    pub(crate) fn propose_date(&mut self, date: Option<String>) {
+        self.desk.today = date;
     }
 
     fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
@@ -85,5 +94,22 @@ impl Workbench {
 
     pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn the_date_of_a_report_is_proposed_and_can_be_another() {
+        let mut workbench = workbench();
+        assert_eq!(workbench.stated().details.date, "");
+        workbench.propose_date(Some("2026-11-23".to_owned()));
+        let mut stated = workbench.stated();
+        assert_eq!(stated.details.date, "2026-11-23");
+        stated.details.date.clear();
+        workbench.state(stated);
+        assert_eq!(workbench.stated().details.date, "", "it was taken away");
     }
 }

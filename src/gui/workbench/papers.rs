@@ -55,9 +55,13 @@ impl Workbench {
                 );
             }
         };
+        let stated = self.stated();
+        let folder = self.folder().filter(|_| !stated.without_history);
+        let robot = self.subject().session.robot.name.clone();
         let wanted = reporting::Wanted {
             source,
-            stated: self.stated(),
+            past: folder.map(|folder| (folder, robot)),
+            stated,
             tables: self.exported.clone(),
             inputs: self.inputs(),
         };

@@ -76,7 +76,7 @@ impl Workbench {
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
     /// that it came from.
-    pub(super) fn folder(&self) -> Option<PathBuf> {
+    pub(crate) fn folder(&self) -> Option<PathBuf> {
         let came_from = match &self.subject().origin {
             Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
             Origin::Recovered(path) => path.as_ref(),

@@ -35,6 +35,8 @@ pub(super) struct Desk {
     /// Restored, and to be removed as soon as this window keeps it itself.
     pub(super) restored: Vec<LeftBehind>,
     pub(super) recent: Vec<PathBuf>,
+    /// The date that is proposed for reports.
+    pub(super) today: Option<String>,
     /// What the reports of machines state, newest first.
     pub(super) machines: Vec<Machine>,
     pub(super) recording: Option<UnderWay>,

@@ -3,6 +3,7 @@
 use crate::gui::core::loaded_session::Component;
 use crate::gui::language::say;
 use crate::gui::units::trimmed;
+use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 
 /// One line of what is said about a sample: what, and how much.
@@ -96,6 +97,9 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
             lines.push((say!("common-before").to_owned(), length(before)));
             lines.push((say!("common-after").to_owned(), length(shown)));
         }
+    }
+    if let Some(u) = workbench.uncertain().map(|u| u.mm[sample]) {
+        lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
     }
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
         if component.out_of_plane() && subject.session.samples.z_mm.is_none() {

@@ -12,6 +12,7 @@ use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::sessions::Region;
 
+use super::apart::longest_of_cells;
 use super::layout::{self, HANDLE, SECTOR};
 use super::model::{Dial, Scene, shown};
 
@@ -97,7 +98,9 @@ pub(super) fn arrows(
         palette.before
     };
     let colouring = scene.look.colouring;
-    for arrow in &scene.arrows {
+    let kept = longest_of_cells(scene, transform);
+    let all = kept.unwrap_or_else(|| (0..scene.arrows.len()).collect());
+    for arrow in all.iter().map(|k| &scene.arrows[*k]) {
         if let Some(before) = arrow.before_mm {
             // The simulation that the deviation before belongs to.
             let from = [
@@ -111,16 +114,16 @@ pub(super) fn arrows(
             marks::arrow(shapes, from, to, ghost);
         }
     }
-    for arrow in &scene.arrows {
+    for arrow in all.iter().map(|k| &scene.arrows[*k]) {
         let from = screen(transform, arrow.from_mm);
         let to = screen(transform, tip(arrow.from_mm, arrow.vector_mm));
         let (width, color) = match arrow.says {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
-                let width = colouring.condition().map_or(WIDTH, |_| wedge);
+                let width = if colouring.by_width() { wedge } else { WIDTH };
                 (width, scale_at(colouring, palette, part))
             }
-            None if colouring.condition().is_some() => (WIDTH, ghost.color),
+            None if colouring.by_width() => (WIDTH, ghost.color),
             None => (WIDTH, flat),
         };
         marks::arrow(shapes, from, to, Stroke::new(width, color));

@@ -54,7 +54,7 @@ pub(super) fn cloud(
     let cloud = &Cloud::of(workbench.subject());
     let layer = CloudLayer {
         cloud: Arc::clone(cloud),
-        remainder: workbench.after().map(|after| Arc::clone(&after.remainder)),
+        remainder: workbench.remainder(),
         frame: Frame::new(&scene.look, palette, transform, None, pixels),
         counts: layout::counts(scene, transform),
         ghosts: scene.look.ghosts(),

@@ -9,6 +9,7 @@ use crate::gui::core::scale::{FEW, round_down};
 use crate::gui::view::Canvas;
 use crate::gui::workbench::Workbench;
 
+use super::apart;
 use super::model::{Dial, Scene};
 
 /// Sectors reach from the path's inside to its outside, in parts of the radius.
@@ -121,7 +122,11 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
         }
     };
     let [vectors, points] = APART;
-    [points * wide * tall, vectors * (wide * tall).sqrt()].map(at_most)
+    let vectors = match &scene.extent {
+        Some(extent) => extent.cells(apart::side_mm(transform)),
+        None => vectors * (wide * tall).sqrt(),
+    };
+    [points * wide * tall, vectors].map(at_most)
 }
 
 /// What a layer says when it does not draw everything.

@@ -2,8 +2,10 @@
 //! deviation around the joint's angle.
 
 mod about;
+mod apart;
 mod card;
 mod drawn;
+mod extent;
 mod free_space;
 mod handles;
 mod label_layout;

@@ -6,11 +6,15 @@ use nalgebra::Point3;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
+use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
+use crate::gui::core::scale::FEW;
 use crate::gui::layers::Look;
 use crate::gui::view::{Ball, Canvas, Colouring, Plane};
 use crate::gui::workbench::Workbench;
+
+use super::extent::{Extent, SOME};
 
 /// An error vector of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,6 +98,8 @@ pub(crate) struct Scene {
     pub(crate) look: Look,
     /// How many samples can be used.
     pub(crate) samples: usize,
+    /// Where they lie, where they are many and a layer draws them.
+    pub(crate) extent: Option<Extent>,
     /// Whether the largest deviations are among those that are drawn.
     pub(crate) with_largest: bool,
     /// What draws them.
@@ -127,6 +133,11 @@ impl Scene {
             // Until they are chosen: some.
             (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
         };
+        let extent = (canvas != Canvas::Shapes && usable.len() > FEW).then(|| {
+            let some = spread.iter().take(SOME);
+            let some: Vec<_> = some.map(|s| flat(subject.measured(*s as usize))).collect();
+            Extent::of(&some)
+        });
         let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
         if view.in_space() {
             // What is near covers what is far.
@@ -144,7 +155,7 @@ impl Scene {
                 before_mm: look
                     .ghosts()
                     .then(|| flat(subject.deviation_before(sample))),
-                says: says(subject, &look, sample, e),
+                says: says(workbench, &look, sample, e),
             }
         });
         let points = samples().map(|sample| Point {
@@ -152,7 +163,7 @@ impl Scene {
             at_mm: flat(subject.measured(sample)),
             within: tolerance_mm.map(|t| length(shown(sample)) <= t),
             suspected: answer.is_some_and(|a| a.suspected[sample]),
-            says: says(subject, &look, sample, shown(sample)),
+            says: says(workbench, &look, sample, shown(sample)),
         });
         Self {
             arrows: arrows.collect(),
@@ -167,6 +178,7 @@ impl Scene {
             robot_mm: facing.flat_box(subject.overview.robot_mm),
             look,
             samples: usable.len(),
+            extent: extent.flatten(),
             with_largest: workbench.thinned().is_some(),
             canvas,
         }
@@ -245,7 +257,7 @@ fn look(workbench: &Workbench) -> Look {
     let (view, subject) = (workbench.view(), workbench.subject());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
-    let colouring = offered(subject, view.colouring);
+    let colouring = offered(workbench, view.colouring);
     Look {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
@@ -273,26 +285,32 @@ fn look(workbench: &Workbench) -> Look {
 /// no scale is chosen, it goes from what suits the deviations before to what suits those after.
 fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     let view = workbench.view();
-    let reach_mm = workbench.subject().overview.reach_mm;
-    let before = long_mm(reach_mm, magnification);
+    let radius_mm = workbench.subject().overview.radius_mm;
+    let before = long_mm(radius_mm, magnification);
     match workbench.after() {
         Some(after) if view.heat && view.magnification.is_none() => {
             let t = f64::from(view.blend);
-            before + t * (long_mm(reach_mm, after.readable) - before)
+            before + t * (long_mm(radius_mm, after.readable) - before)
         }
         _ => before,
     }
 }
 
-/// What colour can say of a session: a condition only where it changes.
-pub(crate) fn offers(subject: &Subject, colouring: Colouring) -> bool {
-    let cloud = Cloud::of(subject);
+/// What colour can say of a session: a condition only where it changes, the uncertainty of a model
+/// only where there is one that says it.
+pub(crate) fn offers(workbench: &Workbench, colouring: Colouring) -> bool {
+    if colouring == Colouring::Uncertainty {
+        return workbench.answer().is_some_and(Uncertain::is_known);
+    }
+    let cloud = Cloud::of(workbench.subject());
     let known = |k: usize| cloud.conditions[k].is_some();
     colouring.condition().is_none_or(known)
 }
 
-fn offered(subject: &Subject, colouring: Colouring) -> Colouring {
-    if offers(subject, colouring) {
+/// What colour says now.
+fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
+    let made = colouring != Colouring::Uncertainty || workbench.uncertain().is_some();
+    if made && offers(workbench, colouring) {
         colouring
     } else {
         Colouring::State
@@ -304,13 +322,18 @@ fn offered(subject: &Subject, colouring: Colouring) -> Colouring {
     clippy::cast_possible_truncation,
     reason = "a part of a scale needs no more"
 )]
-fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f32> {
+fn says(workbench: &Workbench, look: &Look, sample: usize, e: [f64; 3]) -> Option<f32> {
+    let subject = workbench.subject();
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
         Colouring::Direction => {
             let [right, up] = look.facing.flat(e);
             up.atan2(right) / (2.0 * std::f64::consts::PI)
+        }
+        Colouring::Uncertainty => {
+            let uncertain = workbench.uncertain()?;
+            uncertain.mm[sample] / uncertain.most_mm
         }
         Colouring::Load | Colouring::Temperature | Colouring::Time => {
             let condition = look.colouring.condition()?;

@@ -5,6 +5,7 @@ use egui_plot::PlotTransform;
 
 use crate::gui::view::Canvas;
 
+use super::apart::longest_of_cells;
 use super::layout;
 use super::model::Scene;
 
@@ -12,26 +13,32 @@ use super::model::Scene;
 /// from the plot's size: the legend says what the frame before found.
 pub(super) struct Notes {
     id: egui::Id,
+    before: Vec<String>,
     pub(super) said: Vec<String>,
 }
 
 impl Notes {
     pub(super) fn recall(ui: &Ui, scene: &Scene) -> Self {
         let id = ui.scope_id().with("what is not drawn");
-        let said = if scene.canvas == Canvas::Shapes {
+        let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+        let mut said = if scene.canvas == Canvas::Shapes {
             scene.notes()
         } else {
-            ui.data(|data| data.get_temp(id)).unwrap_or_default()
+            Vec::new()
         };
-        Self { id, said }
+        said.extend_from_slice(&before);
+        Self { id, before, said }
     }
 
     pub(super) fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
-        if scene.canvas == Canvas::Shapes {
-            return;
-        }
-        let now = layout::drawn(scene, layout::counts(scene, transform));
-        if now != self.said {
+        let counts = if scene.canvas == Canvas::Shapes {
+            let kept = longest_of_cells(scene, transform);
+            [scene.samples, kept.map_or(scene.samples, |kept| kept.len())]
+        } else {
+            layout::counts(scene, transform)
+        };
+        let now = layout::drawn(scene, counts);
+        if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();
         }

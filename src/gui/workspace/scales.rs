@@ -57,6 +57,15 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
             ends: None,
             colouring,
         }),
+        Colouring::Uncertainty => {
+            let most = workbench.uncertain().map_or(0.0, |u| u.most_mm);
+            let most = significant(units.length_value(most), 2);
+            scales.push(Scale {
+                name: format!("{}, {}", colouring.name(), units.length_name()),
+                ends: Some(["0".to_owned(), most]),
+                colouring,
+            });
+        }
         Colouring::Load | Colouring::Temperature | Colouring::Time => {
             let unit = match colouring {
                 Colouring::Load => "kg",
@@ -117,7 +126,7 @@ pub(super) fn show(
 
 /// From little to much; a wedge where the width of vectors says the same.
 fn strip(middle: Pos2, long: f32, scale: &Scale, palette: &Palette) -> Shape {
-    let wedge = scale.colouring.condition().is_some();
+    let wedge = scale.colouring.by_width();
     let half = |part: f32| {
         let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
         0.5 * if wedge { wide } else { THICK }
@@ -222,6 +231,25 @@ mod tests {
             before > between && between > after,
             "{before} {between} {after}"
         );
+    }
+
+    #[test]
+    fn the_uncertainty_of_a_model_is_offered_once_there_is_one() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.receive();
+        assert!(scales(&workbench, &Scene::of(&workbench)).is_empty());
+        workbench.execute(Command::Edit(crate::gui::core::edit::Edit::Identify));
+        workbench.receive();
+        let scene = Scene::of(&workbench);
+        let scale = scales(&workbench, &scene).pop().expect("a scale");
+        assert_eq!(scale.name, "uncertainty (1σ), mm");
+        let most = workbench.uncertain().expect("it is known").most_mm;
+        let [low, high] = scale.ends.expect("its ends");
+        assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
+        let parts: Vec<f32> = scene.arrows.iter().filter_map(|a| a.says).collect();
+        assert_eq!(parts.len(), scene.arrows.len());
+        assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 
     #[test]

@@ -85,9 +85,14 @@ pub(crate) fn show(
                 which(ui, workbench, commands);
             }
             if drawn && fold == Fold::Tight {
-                folded(ui, "drawn", say!("toolbar-how-it-is-drawn"), |ui| {
-                    everything(ui, workbench, commands);
-                });
+                folded(
+                    ui,
+                    say!("toolbar-drawn"),
+                    say!("toolbar-how-it-is-drawn"),
+                    |ui| {
+                        everything(ui, workbench, commands);
+                    },
+                );
             }
             if blends && roomy {
                 ui.add_space(space::TIGHT);
@@ -195,7 +200,7 @@ fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     caption(ui, say!("toolbar-colour"));
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
-        if offers(workbench.subject(), colouring) {
+        if offers(workbench, colouring) {
             let text = RichText::new(colouring.name()).size(size::SMALL);
             if ui.radio(colouring == shown, text).clicked() && colouring != shown {
                 commands.push(Command::Colour(colouring));
@@ -401,7 +406,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let list = list.width(112.0).truncate().height(280.0);
     let list = list.show_ui(ui, |ui| {
         for colouring in Colouring::ALL {
-            if !offers(workbench.subject(), colouring) {
+            if !offers(workbench, colouring) {
                 continue;
             }
             let chosen = colouring == shown;
@@ -418,7 +423,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What colour says, where the session has it.
 fn coloured(workbench: &Workbench) -> Colouring {
     let now = workbench.view().colouring;
-    if offers(workbench.subject(), now) {
+    if offers(workbench, now) {
         now
     } else {
         Colouring::State

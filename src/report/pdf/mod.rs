@@ -6,7 +6,6 @@
 //! `pages` lays the blocks out, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
 
-mod fonts;
 mod pages;
 mod picture;
 
@@ -18,9 +17,9 @@ use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use sha2::{Digest, Sha256};
 
 use super::document::Report;
+use super::fonts::{self, Embedded, Fonts, Run, Used};
 use crate::fonts::{Library, Purpose, is_worth_a_font};
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
-use fonts::{Embedded, Fonts, Run, Used};
 use pages::{Mark, PAGE, pages};
 
 /// Why there is no PDF.

@@ -1,6 +1,6 @@
 //! From blocks to pages of A4: every page is a drawing.
 
-use super::fonts::Fonts;
+use super::super::fonts::Fonts;
 use crate::compensation::decision::Outcome;
 use crate::present::chart::FULL_WIDTH;
 use crate::present::drawing::{

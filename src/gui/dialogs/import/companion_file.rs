@@ -20,7 +20,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         ui,
         field,
         &mut next.commands,
-        (Beside::Commands, &now.neighbours),
+        (Beside::Commands, now),
         commands,
     );
     if next.commands.trim().is_empty() {
@@ -101,7 +101,7 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         ui,
         field,
         &mut next.reference,
-        (Beside::Reference, &now.neighbours),
+        (Beside::Reference, now),
         commands,
     );
     if next.reference.trim().is_empty() {
@@ -197,7 +197,7 @@ pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         ui,
         field,
         &mut next.targets,
-        (Beside::Targets, &now.neighbours),
+        (Beside::Targets, now),
         commands,
     );
 }

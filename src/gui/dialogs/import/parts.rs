@@ -2,10 +2,12 @@
 
 use crate::gui::language::say;
 use egui::{RichText, TextEdit, Ui};
+use std::path::{Path, PathBuf};
 
 use crate::diagnostic::Severity;
-use crate::gui::import_draft::{Beside, Neighbours};
+use crate::gui::import_draft::{Beside, Foreign};
 use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
 /// A finding as a line; its kind is a word as well as a colour.
@@ -25,7 +27,7 @@ pub(super) fn path(
     ui: &mut Ui,
     (label, hint): (&str, &str),
     typed: &mut String,
-    (which, neighbours): (Beside, &Neighbours),
+    (which, now): (Beside, &Foreign),
     commands: &mut Vec<Command>,
 ) -> bool {
     let mut changed = false;
@@ -45,10 +47,17 @@ pub(super) fn path(
         }
     });
     if !typed.trim().is_empty() {
+        let is_this = |(of, path): &&(Beside, PathBuf)| {
+            *of == which && path.as_path() == Path::new(typed.as_str())
+        };
+        if now.taken.iter().any(|one| is_this(&one)) {
+            let says = say!("import-taken-by-its-name");
+            widgets::hint(ui, says);
+        }
         return changed;
     }
     ui.horizontal_wrapped(|ui| {
-        for path in neighbours.suiting(which) {
+        for path in now.neighbours.suiting(which) {
             let file = path.file_name().unwrap_or_default().to_string_lossy();
             let text = say!("import-use-which-lies-beside", file = file);
             let link = ui.link(RichText::new(text).size(size::SMALL));

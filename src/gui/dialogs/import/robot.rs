@@ -49,13 +49,7 @@ pub(super) fn show(
         say!("import-file-of-the-robot"),
         say!("import-a-robot-a-session-or"),
     );
-    if super::parts::path(
-        ui,
-        field,
-        &mut path,
-        (Beside::Robot, &now.neighbours),
-        commands,
-    ) {
+    if super::parts::path(ui, field, &mut path, (Beside::Robot, now), commands) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot

@@ -38,13 +38,16 @@ pub(super) struct Files {
     pub(super) written: Vec<PathBuf>,
     /// A file that an instrument wrote.
     pub(super) foreign: PathBuf,
+    /// A session of an arm with six joints.
+    pub(super) arm: PathBuf,
     /// A folder to write into.
     pub(super) folder: PathBuf,
 }
 
 impl Files {
     pub(super) fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
-        match random.random_range(0..6) {
+        match random.random_range(0..7) {
+            6 => self.arm.clone(),
             0 => self.folder.clone(),
             1 => self.folder.join("there is no such file.json"),
             2 => self.folder.join("damaged.json"),
@@ -250,7 +253,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         5 => (What::Poses, "csv"),
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
-        _ => (What::Picture(plot(random)), "svg"),
+        _ => (What::Picture(plot(random)), pick(random, &["svg", "png"])),
     }
 }
 
@@ -298,6 +301,8 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
         None,
         Some(Language::English),
         Some(Language::German),
+        Some(Language::Chinese),
+        Some(Language::Long),
         Some(Language::Marked),
     ];
     Preferences {

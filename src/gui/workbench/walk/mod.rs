@@ -3,6 +3,7 @@
 
 mod any;
 mod kinds;
+mod live;
 mod record;
 
 use std::collections::{BTreeSet, VecDeque};
@@ -157,9 +158,14 @@ fn prepared(folder: &Path) -> Files {
         "{\"format\": \"truepose-session/1\", ",
     )
     .expect("it can be written");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/arms");
+    for name in ["six-60.json", "six-60.csv"] {
+        std::fs::copy(own.join(name), folder.join(name)).expect("it can be copied");
+    }
     Files {
         written: Vec::new(),
         foreign,
+        arm: folder.join("six-60.json"),
         folder: folder.to_path_buf(),
     }
 }

@@ -10,6 +10,7 @@ mod paint;
 mod pick;
 mod robot;
 mod sheet;
+mod surface;
 
 pub(super) use paint::show;
 pub(crate) use sheet::sheet;

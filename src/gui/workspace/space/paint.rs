@@ -19,11 +19,11 @@ use super::super::drawn::{arrows, emphasis, path, points, ring};
 use super::super::model::{Scene, ball};
 use super::super::notes::Notes;
 use super::super::pointer::{REACH, hover, marked};
-use super::super::robot::{self, Drawn};
+use super::super::robot::{self, Drawn, FAINT};
 use super::super::{label_layout, layout, legend};
 use super::ground::{Triad, frame, grid, square_mm};
 use super::robot::Pen;
-use super::{joints, looking, pick};
+use super::{joints, looking, pick, surface};
 
 /// Width of the sliders that pose the robot, points.
 const SLIDERS: f32 = 176.0;
@@ -182,7 +182,24 @@ fn drawn(
             palette,
             base: [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| space.base.rotation * axis),
         };
-        super::robot::beneath(&mut shapes, robot, transform, &pen);
+        let surface = workbench.subject().appearance.as_deref().map(|appearance| {
+            let motions = workbench
+                .subject()
+                .session
+                .robot
+                .motions_from_home(&robot.q);
+            let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
+            let seen = if robot.asked_for { 1.0 } else { FAINT };
+            surface::shape(
+                appearance,
+                &motions,
+                &space.facing,
+                pen.screen,
+                palette,
+                seen,
+            )
+        });
+        super::robot::beneath(&mut shapes, robot, transform, &pen, surface);
     }
     if let Canvas::Layers(_) = view.canvas {
         shapes.push(cloud(
@@ -230,7 +247,7 @@ fn cloud(
 ) -> Shape {
     let layer = CloudLayer {
         cloud: Arc::clone(&Cloud::of(workbench.subject())),
-        remainder: workbench.after().map(|after| Arc::clone(&after.remainder)),
+        remainder: workbench.remainder(),
         frame: Frame::new(&scene.look, palette, transform, None, pixels),
         counts: layout::counts(scene, transform),
         ghosts: scene.look.ghosts(),

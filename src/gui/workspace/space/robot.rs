@@ -92,12 +92,13 @@ impl<S: Fn(Point3<f64>) -> Pos2> Pen<'_, S> {
     }
 }
 
-/// The nominal robot, and the real one beside it.
+/// The nominal robot, by its surface where that is known, and the real one beside it.
 pub(super) fn beneath<S: Fn(Point3<f64>) -> Pos2>(
     shapes: &mut Vec<Shape>,
     drawn: &Drawn,
     transform: &egui_plot::PlotTransform,
     pen: &Pen<'_, S>,
+    surface: Option<Shape>,
 ) {
     let seen = |color: Color32| {
         if drawn.asked_for {
@@ -107,13 +108,35 @@ pub(super) fn beneath<S: Fn(Point3<f64>) -> Pos2>(
         }
     };
     let edge = seen(pen.palette.nominal);
-    let thin = Stroke::new(1.5, seen(pen.palette.text));
+    let ink = seen(pen.palette.text);
     let corners = &drawn.corners_mm;
     if let Some(base) = corners.first() {
         let plate = pen.face(*base, [pen.base[0] * PLATE, pen.base[1] * PLATE], false);
         let stroke = Stroke::new(1.25, edge);
         shapes.push(Shape::convex_polygon(plate, pen.palette.surface, stroke));
     }
+    if let Some(surface) = surface {
+        shapes.push(surface);
+    } else {
+        links_and_joints(shapes, drawn, pen, [edge, ink]);
+    }
+    if let Some(tool) = corners.last() {
+        let at = (pen.screen)(*tool);
+        shapes.push(marks::disc(at, 5.5, pen.palette.surface));
+        shapes.push(marks::ring(at, 5.5, Stroke::new(1.5, edge)));
+    }
+    real_beneath(shapes, transform, drawn, pen.palette);
+}
+
+/// Rods and drums, where the screws are all that is known.
+fn links_and_joints<S: Fn(Point3<f64>) -> Pos2>(
+    shapes: &mut Vec<Shape>,
+    drawn: &Drawn,
+    pen: &Pen<'_, S>,
+    [edge, ink]: [Color32; 2],
+) {
+    let thin = Stroke::new(1.5, ink);
+    let corners = &drawn.corners_mm;
     let mut pieces: Vec<(f64, Vec<Shape>)> = Vec::new();
     for pair in corners.windows(2).filter(|p| (p[1] - p[0]).norm() > 1e-6) {
         let middle = nalgebra::center(&pair[0], &pair[1]);
@@ -127,12 +150,6 @@ pub(super) fn beneath<S: Fn(Point3<f64>) -> Pos2>(
     }
     pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
     shapes.extend(pieces.into_iter().flat_map(|(_, piece)| piece));
-    if let Some(tool) = corners.last() {
-        let at = (pen.screen)(*tool);
-        shapes.push(marks::disc(at, 5.5, pen.palette.surface));
-        shapes.push(marks::ring(at, 5.5, Stroke::new(1.5, edge)));
-    }
-    real_beneath(shapes, transform, drawn, pen.palette);
 }
 
 /// The convex hull of points, in order around it (Andrew's monotone chain).

@@ -14,6 +14,7 @@ use crate::present::drawing::{
 
 use super::super::model::Scene;
 use super::super::robot::Drawn;
+use super::super::scales::scales;
 use super::ground::{lines, square_mm};
 use super::paint::Space;
 
@@ -128,20 +129,24 @@ fn vectors(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &
     let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
     let flat = if scene.look.answered { AFTER } else { BEFORE };
     let at = |point: &super::super::model::Point| on_sheet(space.seen(point.at_mm));
-    mark(
-        drawing,
-        Shape::Diamond,
-        scene.points.iter().map(at).collect(),
-        1.3,
-        INK,
-    );
+    let colour_of = |colouring, part| {
+        let [r, g, b, _] = scale_at(colouring, &LIGHT, part).to_array();
+        Colour(r, g, b)
+    };
+    if scene.look.colouring == Colouring::State {
+        let all = scene.points.iter().map(at).collect();
+        mark(drawing, Shape::Diamond, all, 1.3, INK);
+    } else {
+        for point in &scene.points {
+            let colour = point.says.map(|part| colour_of(scene.look.colouring, part));
+            let at = vec![at(point)];
+            mark(drawing, Shape::Diamond, at, 1.9, colour.unwrap_or(MUTED));
+        }
+    }
     for one in &scene.arrows {
         let colour = match (scene.look.colouring, one.says) {
             (Colouring::State, _) => flat,
-            (colouring, Some(part)) => {
-                let [r, g, b, _] = scale_at(colouring, &LIGHT, part).to_array();
-                Colour(r, g, b)
-            }
+            (colouring, Some(part)) => colour_of(colouring, part),
             (_, None) => MUTED,
         };
         let ends = [one.from_mm, tip(one.from_mm, one.vector_mm)];
@@ -216,7 +221,12 @@ fn words(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Sp
     );
     let mut more = say!("space-grid-mm", square = trimmed(square_mm(&space.ball), 3));
     if scene.look.colouring != Colouring::State {
-        more += &say!("space-colour", colouring = scene.look.colouring.name());
+        let scale = scales(workbench, scene).into_iter().next();
+        let says = scale.map_or_else(String::new, |scale| match scale.ends {
+            Some([low, high]) => format!("{} {low} … {high}", scale.name),
+            None => scale.name,
+        });
+        more += &say!("space-colour", colouring = says);
     }
     for note in scene.notes() {
         more += &format!("; {note}");

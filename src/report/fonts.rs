@@ -1,4 +1,4 @@
-//! The fonts of a PDF: which face has a character, how wide it is, and which glyphs were used.
+//! The fonts of a page and of a picture: which face has a character, how wide it is, and which glyphs were used.
 //!
 //! Inter comes first; what its cut lacks (Cyrillic, Vietnamese, …) is taken from Ubuntu Light, then
 //! from Hack, then from faces that are installed here ([`crate::fonts`]). A character that none of
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use subsetter::GlyphRemapper;
 use ttf_parser::{Face, RawFace, Tag};
 
-use super::PdfError;
+use super::pdf::PdfError;
 use crate::fonts::{INTER, INTER_SEMI_BOLD, SystemFace};
 
 /// Every bundled face, by its number.

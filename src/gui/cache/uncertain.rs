@@ -1,0 +1,143 @@
+//! How sure the model is of what it predicts at each measured pose: one standard uncertainty, mm,
+//!
+//! ```text
+//! u(q) = √ tr( J(q) Σ J(q)ᵀ )
+//! ```
+//!
+//! with Σ the covariance of the fit. Made in the background, and only where colour shows it.
+
+use std::sync::Arc;
+
+use super::cloud::{Cloud, Remainder};
+use crate::effects::JointValues;
+use crate::fit::expected::uncertainties_mm;
+use crate::fit::problem::Problem;
+use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded_session::Subject;
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Uncertain {
+    /// Of each sample of the session, mm; NaN for samples that cannot be used.
+    pub(crate) mm: Vec<f64>,
+    /// The largest, mm.
+    pub(crate) most_mm: f64,
+    /// What is left of the deviations, with the uncertainty, as it is uploaded.
+    pub(crate) remainder: Arc<Remainder>,
+}
+
+impl Uncertain {
+    /// Whether an answer says how sure it is: its fit has a covariance.
+    pub(crate) fn is_known(answer: &Answer) -> bool {
+        let found = &answer.identification;
+        let count = found.model.coefficient_count();
+        count > 0
+            && found
+                .covariance
+                .as_ref()
+                .is_some_and(|c| c.nrows() == count)
+    }
+
+    /// That of an answer; `None` where it does not say. Takes its time with many samples.
+    pub(crate) fn of(subject: &Subject, answer: &Answer) -> Option<Self> {
+        let found = &answer.identification;
+        let covariance = found
+            .covariance
+            .as_ref()
+            .filter(|_| Self::is_known(answer))?;
+        let problem = Problem::new(&subject.session, JointValues::Commanded);
+        let mut mm = uncertainties_mm(&found.model, &problem.inputs, covariance)?;
+        for (value, usable) in mm.iter_mut().zip(&subject.usable) {
+            if !usable {
+                *value = f64::NAN;
+            }
+        }
+        let most_mm = mm
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .fold(0.0, f64::max);
+        let cloud = Cloud::of(subject);
+        let mut remainder = cloud.remainder(&answer.after_mm, &answer.suspected);
+        for (row, sample) in remainder.rows.iter_mut().zip(&cloud.samples) {
+            #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
+            let part = (mm[*sample as usize] / most_mm) as f32;
+            row[4] = if part.is_finite() { part } else { -1.0 };
+        }
+        (most_mm > 0.0).then(|| Self {
+            mm,
+            most_mm,
+            remainder: Arc::new(remainder),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::testing::workbench;
+    use crate::gui::view::Colouring;
+    use crate::gui::workbench::Command;
+    use crate::model::Model;
+
+    /// Difference of a coefficient, in its own unit.
+    const STEP: f64 = 1e-6;
+
+    /// The same by differences of predictions, for one pose.
+    fn by_differences(answer: &Answer, subject: &Subject, sample: usize) -> f64 {
+        let found = &answer.identification;
+        let inputs = Problem::new(&subject.session, JointValues::Commanded).inputs;
+        let predicted = |shift: &dyn Fn(usize) -> f64| {
+            let mut k = 0;
+            let terms = found.model.terms().iter().cloned().map(|mut term| {
+                for coefficient in &mut term.coefficients {
+                    *coefficient += shift(k);
+                    k += 1;
+                }
+                term
+            });
+            let model = Model::new(found.model.robot.clone(), terms.collect());
+            let at = model.predict(&inputs);
+            [at.x_mm[sample], at.y_mm[sample], at.z_mm[sample]]
+        };
+        let count = found.model.coefficient_count();
+        let columns: Vec<[f64; 3]> = (0..count)
+            .map(|c| {
+                let side = |sign: f64| predicted(&|k| if k == c { sign * STEP } else { 0.0 });
+                let (above, below) = (side(1.0), side(-1.0));
+                [0, 1, 2].map(|k| (above[k] - below[k]) / (2.0 * STEP))
+            })
+            .collect();
+        let covariance = found.covariance.as_ref().expect("a covariance");
+        let mut trace: f64 = 0.0;
+        for (a, of_a) in columns.iter().enumerate() {
+            for (b, of_b) in columns.iter().enumerate() {
+                let both: f64 = (0..3).map(|k| of_a[k] * of_b[k]).sum();
+                trace += both * covariance[(a, b)];
+            }
+        }
+        trace.sqrt()
+    }
+
+    #[test]
+    fn it_is_what_the_covariance_makes_of_the_prediction() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.receive();
+        let uncertain = workbench.uncertain().expect("it is known");
+        let answer = workbench.answer().expect("an answer");
+        let subject = workbench.subject();
+        for sample in [0, 7, subject.len() - 1] {
+            let expected = by_differences(answer, subject, sample);
+            let found = uncertain.mm[sample];
+            assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+        }
+        let cloud = Cloud::of(subject);
+        for (row, sample) in uncertain.remainder.rows.iter().zip(&cloud.samples) {
+            let part = uncertain.mm[*sample as usize] / uncertain.most_mm;
+            assert!((f64::from(row[4]) - part).abs() < 1e-6);
+        }
+    }
+}
