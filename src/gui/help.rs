@@ -1,7 +1,7 @@
 //! What the words mean, in the technician's own: one table for the tips beside the numbers and for
 //! the sheet that lists them all.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 
 /// A word and what it means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

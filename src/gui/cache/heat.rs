@@ -60,7 +60,7 @@ impl Heat {
         let sigma = (OF_SPACING * spacing(&places)).clamp(SIGMA[0] * CELLS, SIGMA[1] * CELLS);
         let margin = (END * sigma).ceil();
         let size =
-            extent.map(|e| crate::gui::units::whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
+            extent.map(|e| crate::present::numbers::whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
         let first_mm = [low[right] - margin * cell_mm, low[up] - margin * cell_mm];
         let mut sums = vec![[0.0_f64; 5]; size[0] * size[1]];
         for sample in usable.iter().map(|sample| *sample as usize) {
@@ -75,7 +75,8 @@ impl Heat {
             let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             let products = [dot(before, before), dot(before, after), dot(after, after)];
             if products.iter().all(|p| p.is_finite()) {
-                let cell = crate::gui::units::whole(x) + size[0] * crate::gui::units::whole(y);
+                let cell =
+                    crate::present::numbers::whole(x) + size[0] * crate::present::numbers::whole(y);
                 for k in 0..3 {
                     sums[cell][k] += products[k];
                 }
@@ -107,8 +108,8 @@ impl Heat {
         if !inside(0) || !inside(1) {
             return [0.0; 4];
         }
-        let first =
-            crate::gui::units::whole(whole[0]) + self.size[0] * crate::gui::units::whole(whole[1]);
+        let first = crate::present::numbers::whole(whole[0])
+            + self.size[0] * crate::present::numbers::whole(whole[1]);
         let (u, v) = (x - whole[0], y - whole[1]);
         let cell = |k: usize| self.cells[k].map(f64::from);
         let (a, b) = (cell(first), cell(first + 1));
@@ -122,14 +123,14 @@ impl Heat {
 /// The cells in which something was measured, each once, counted from the nominal robot's lowest
 /// corner.
 fn places(subject: &Subject, axes: [usize; 2], low_mm: [f64; 2], cell_mm: f64) -> Vec<[f64; 2]> {
-    let side = crate::gui::units::whole(CELLS) + 1;
+    let side = crate::present::numbers::whole(CELLS) + 1;
     let mut seen = vec![false; side * side];
     let mut places = Vec::new();
     for sample in &subject.overview.usable {
         let at = subject.measured(*sample as usize);
         let cell = [0, 1].map(|k| ((at[axes[k]] - low_mm[k]) / cell_mm).round());
         if cell.iter().all(|c| (0.0..side as f64).contains(c)) {
-            let [x, y] = cell.map(crate::gui::units::whole);
+            let [x, y] = cell.map(crate::present::numbers::whole);
             if !std::mem::replace(&mut seen[x + side * y], true) {
                 places.push(cell);
             }
@@ -165,7 +166,7 @@ pub(crate) fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
 /// Sums, each with its weight and the largest weight in the last places, smoothed along x and then
 /// along y: the Gaussian is the product of both.
 fn smoothed(sums: &[[f64; 5]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
-    let reach = crate::gui::units::whole((END * sigma).ceil());
+    let reach = crate::present::numbers::whole((END * sigma).ceil());
     let weight = |k: usize| (-0.5 * (k as f64 / sigma).powi(2)).exp();
     let weights: Vec<f64> = (0..=reach).map(weight).collect();
     let along = |cells: &[[f64; 5]], step: usize, length: usize, other: usize| {

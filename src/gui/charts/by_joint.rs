@@ -6,8 +6,7 @@ use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
-use crate::gui::language::say;
-use crate::gui::units::{plain_number, significant};
+use crate::present::numbers::{plain_number, significant};
 use crate::kinematics::JointKind;
 use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
 

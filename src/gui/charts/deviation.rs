@@ -9,8 +9,8 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
-use crate::gui::language::{say, within};
-use crate::gui::units::{plain_number, significant, whole};
+use crate::gui::language::within;
+use crate::present::numbers::{plain_number, significant, whole};
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
 };

@@ -3,8 +3,7 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
-use crate::gui::language::say;
-use crate::gui::units::{plain_number, significant};
+use crate::present::numbers::{plain_number, significant};
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};

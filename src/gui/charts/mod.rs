@@ -8,7 +8,7 @@ mod words;
 
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use crate::present::chart::{Chart, Item};
 
 pub(crate) use scene::Scene;

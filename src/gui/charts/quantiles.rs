@@ -5,14 +5,13 @@
 //! z_i = Φ⁻¹((i − ½) / n),      the line through both quartiles has the slope σ
 //! ```
 
-use crate::gui::language::say;
 use statrs::function::erf::erf_inv;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
-use crate::gui::units::plain_number;
+use crate::present::numbers::plain_number;
 use crate::present::chart::{Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands};
 
 /// Marks in the middle of the chart, and at each of its ends.

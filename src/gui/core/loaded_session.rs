@@ -1,6 +1,5 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
-use crate::gui::language::say;
 use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::OnceLock;

@@ -1,7 +1,6 @@
 //! Robot, reflectors and instrument as they are filled in: numbers as the file has them (mm, degrees,
 //! kg), checked as they are typed, and the session that follows from them.
 
-use crate::gui::language::say;
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Place, Severity};

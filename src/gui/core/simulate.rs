@@ -1,6 +1,5 @@
 //! New by simulation: a small form, and the session that comes out of it.
 
-use crate::gui::language::say;
 use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};

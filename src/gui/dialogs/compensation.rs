@@ -1,7 +1,6 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 

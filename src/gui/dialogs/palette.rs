@@ -1,6 +1,5 @@
 //! Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
 
-use crate::gui::language::say;
 use egui::{
     Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };

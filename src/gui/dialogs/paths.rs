@@ -1,6 +1,5 @@
 //! A path that is typed.
 
-use crate::gui::language::say;
 use std::path::PathBuf;
 
 use egui::{Key, TextEdit, Ui};

@@ -1,11 +1,11 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use crate::gui::language::{LANGUAGES, say};
+use crate::gui::language::LANGUAGES;
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
 use crate::gui::style::tokens::space;
-use crate::gui::units::{AngleUnit, LengthUnit};
+use crate::present::units::{AngleUnit, LengthUnit};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 

@@ -3,7 +3,6 @@
 use egui::{Id, RichText, TextEdit, Ui};
 
 use crate::gui::core::recording::{Wanted, free_name};
-use crate::gui::language::say;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};

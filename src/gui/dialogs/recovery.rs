@@ -1,6 +1,5 @@
 //! What windows that are gone have left behind: what, from when, and whether to bring it back.
 
-use crate::gui::language::say;
 use std::time::{Duration, SystemTime};
 
 use egui::{RichText, ScrollArea, Ui};

@@ -1,6 +1,6 @@
 //! The form of a new simulation.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
 
 use crate::gui::core::simulate::{Chosen, Form, field};

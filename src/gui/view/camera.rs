@@ -12,7 +12,6 @@
 //! so that z never leans to the side. The view fits a sphere around everything that is drawn: the
 //! scale stays the same while the camera orbits.
 
-use crate::gui::language::say;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Axes of a view: orthogonal unit vectors, right-handed.
@@ -286,7 +285,7 @@ impl Camera {
             return say!("camera-view", view = view.name());
         }
         let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
-            .map(|a| crate::gui::units::trimmed(a.to_degrees(), 0));
+            .map(|a| crate::present::numbers::trimmed(a.to_degrees(), 0));
         say!(
             "camera-seen-from-azimuth-elevation",
             azimuth = azimuth,

@@ -1,7 +1,6 @@
 //! From where the workspace is looked at, and what its colours say.
 
 use super::camera::Facing;
-use crate::gui::language::say;
 
 /// The plane that the workspace is looked at in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

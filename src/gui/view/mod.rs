@@ -13,7 +13,7 @@ pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
-use crate::gui::language::{Language, say};
+use crate::gui::language::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 

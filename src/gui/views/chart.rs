@@ -1,6 +1,5 @@
 //! What stands below the workspace: a bar in which the chart is chosen, and the chart.
 
-use crate::gui::language::say;
 use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
 use egui::{Rect, pos2};
 

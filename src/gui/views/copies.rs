@@ -1,7 +1,6 @@
 //! Tables as text for a spreadsheet: tabs between the columns, full digits, the decimal sign that
 //! the user chose.
 
-use crate::gui::language::say;
 use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};

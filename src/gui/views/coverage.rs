@@ -1,7 +1,7 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
@@ -9,11 +9,11 @@ use crate::export::EXPORTERS;
 use crate::gui::core::coverage::Known;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::trimmed;
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
+use crate::present::numbers::trimmed;
 use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.

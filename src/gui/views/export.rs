@@ -1,6 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::gui::language::{names, say};
+use crate::gui::language::names;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::export::{EXPORTERS, find};
@@ -8,12 +8,12 @@ use crate::gui::cache::preview::Made;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::with_minus_signs;
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
+use crate::present::numbers::with_minus_signs;
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;

@@ -1,6 +1,6 @@
 //! Step 4: search for what is missing.
 
-use crate::gui::language::{names, say, text, within};
+use crate::gui::language::{names, text, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;

@@ -1,6 +1,5 @@
 //! Step 3: how the robot is identified.
 
-use crate::gui::language::say;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;

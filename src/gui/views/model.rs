@@ -1,15 +1,15 @@
 //! A model that was read from a file: where it came from, and what it does on the session.
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::compensation::Verification;
 use crate::gui::core::answer::{Answer, Loaded};
 use crate::gui::style::tokens::{size, strong};
-use crate::gui::units::{Units, trimmed};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
+use crate::present::numbers::trimmed;
+use crate::present::units::Units;
 use crate::units::deg_from_rad;
 
 /// What there is to say about the model itself.

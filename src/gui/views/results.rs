@@ -1,6 +1,5 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
@@ -12,11 +11,12 @@ use crate::gui::core::loaded;
 use crate::gui::language::names::title_on;
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, grouped, trimmed, with_minus_signs};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names::parameter;
+use crate::present::numbers::{grouped, trimmed, with_minus_signs};
+use crate::present::units::Units;
 use crate::units::deg_from_rad;
 
 use super::names::{implausible, not_identifiable, title};

@@ -1,6 +1,5 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
-use crate::gui::language::say;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
@@ -8,11 +7,11 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::grouped;
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress, or_none};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::grouped;
 
 use super::setup;
 use crate::kinematics::JointKind;

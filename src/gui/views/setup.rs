@@ -1,7 +1,6 @@
 //! Robot, reflectors and instrument, to be edited: checked as they are typed, with the message at
 //! the field, and in the plots at once.
 
-use crate::gui::language::say;
 use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;

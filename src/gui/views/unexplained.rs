@@ -1,17 +1,16 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::effects::Term;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{significant, trimmed};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::present::numbers::{significant, trimmed};
 use crate::units::deg_from_rad;
 
 use super::names::{curve_link, titles};

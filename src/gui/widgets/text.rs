@@ -1,6 +1,6 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
-use crate::gui::language::{say, within};
+use crate::gui::language::within;
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};

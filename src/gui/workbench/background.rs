@@ -1,6 +1,5 @@
 //! What is done in the background, and what becomes of it.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -13,8 +12,8 @@ use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running};
-use crate::gui::units::grouped;
 use crate::gui::view::{Message, Sheet, What};
+use crate::present::numbers::grouped;
 
 use super::{Command, Workbench};
 

@@ -1,6 +1,5 @@
 //! Files of targets: chosen, corrected by the model that is shown, saved.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

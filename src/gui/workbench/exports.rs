@@ -1,6 +1,5 @@
 //! Tables, models and measuring lists: what they are called, and how they are written.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::export::find;

@@ -1,6 +1,5 @@
 //! Reports, pictures and the standards' figures: what is written about a session.
 
-use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 

@@ -2,7 +2,6 @@
 
 mod curve;
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
@@ -11,7 +10,7 @@ use crate::gui::cache::work::Work;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::gui::units::plain_number;
+use crate::present::numbers::plain_number;
 use crate::gui::view::Step;
 use crate::present::chart::{
     Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands, in_a_sentence,

@@ -13,7 +13,7 @@
 use statrs::function::erf::erf;
 
 use crate::gui::core::overview::Lengths;
-use crate::gui::units::whole;
+use crate::present::numbers::whole;
 use crate::present::chart::LEAST_SPAN;
 
 const FEWEST: f64 = 6.0;

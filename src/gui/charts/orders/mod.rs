@@ -8,8 +8,8 @@ use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::gui::language::{say, text};
-use crate::gui::units::{plain_number, whole};
+use crate::gui::language::text;
+use crate::present::numbers::{plain_number, whole};
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
 

@@ -19,7 +19,6 @@
 //! (the F test of two columns against ν degrees of freedom). The noise line is the amplitude with
 //! just that gain.
 
-use crate::gui::language::say;
 use std::f64::consts::TAU;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix2, Vector2};
@@ -132,8 +131,8 @@ impl Spectrum {
         if self.turns >= A_TURN || self.orders.is_empty() {
             return None;
         }
-        let range = crate::gui::units::trimmed(360.0 * self.turns, 0);
-        let apart = crate::gui::units::trimmed((1.0 / self.turns).ceil(), 0);
+        let range = crate::present::numbers::trimmed(360.0 * self.turns, 0);
+        let apart = crate::present::numbers::trimmed((1.0 / self.turns).ceil(), 0);
         let mut says = say!(
             "orders-range-orders-nearer-than-cannot",
             range = range,
@@ -172,7 +171,7 @@ fn reach(angles_rad: &[f64]) -> (f64, usize) {
     }
     let finest = 0.5 * TAU * (sorted.len() - 1) as f64 / range;
     // A turn and its end are the same angle.
-    (range / TAU, crate::gui::units::whole(finest - 1e-6))
+    (range / TAU, crate::present::numbers::whole(finest - 1e-6))
 }
 
 /// Products of cosine and sine of an order, a constant taken off.

@@ -1,6 +1,5 @@
 //! A name that was found: its values, its evidence, what to check, and whether it is in the model.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
@@ -10,11 +9,12 @@ use crate::gui::core::search::term_of;
 use crate::gui::help;
 use crate::gui::language::names::title_of;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{Units, significant};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names::{figure, parameter};
+use crate::present::numbers::significant;
+use crate::present::units::Units;
 
 pub(super) fn show(
     ui: &mut Ui,

@@ -1,15 +1,14 @@
 //! What would have been seen, and what could not be.
 
-use crate::gui::language::say;
 use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::language::names::title_on;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::grouped;
 use crate::gui::views::copies;
 use crate::gui::widgets;
 use crate::present::names::detection_limit;
+use crate::present::numbers::grouped;
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {

@@ -6,15 +6,14 @@ mod data;
 mod limits;
 mod next;
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{grouped, significant};
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
+use crate::present::numbers::{grouped, significant};
 
 use crate::gui::language::names::title_of;
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};

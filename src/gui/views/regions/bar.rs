@@ -1,13 +1,12 @@
 //! The range as a strip: which part belongs to which region, and where the samples are.
 
-use crate::gui::language::say;
 use egui::{Align2, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::present::numbers::grouped;
 
 const HEIGHT: f32 = 40.0;
 const SAMPLES: f32 = 14.0;

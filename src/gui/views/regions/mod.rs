@@ -4,7 +4,6 @@ mod bar;
 mod row;
 mod rows;
 
-use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, Ui};
 
 use crate::gui::core::angles::Count;
@@ -13,12 +12,12 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::space;
-use crate::gui::units::grouped;
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::Progress;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
+use crate::present::numbers::grouped;
 
 /// Regions that are offered when there are none: the paper's number.
 const OFFERED: usize = 6;

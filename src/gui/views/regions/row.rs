@@ -1,6 +1,5 @@
 //! What can be done with a region: a menu at the end of its row, and keys while that has the focus.
 
-use crate::gui::language::say;
 use egui::{Button, Id, Key, Modifiers, Ui};
 
 use crate::gui::core::boundary_entry;

@@ -1,15 +1,15 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
-use crate::gui::language::say;
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::units::{Units, grouped};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::grouped;
+use crate::present::units::Units;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 
