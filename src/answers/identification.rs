@@ -46,7 +46,7 @@ impl Estimate {
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
     pub fn is_implausible(&self) -> bool {
-        let has_it = |effect: &dyn Effect| {
+        let has_it = |effect: &Effect| {
             let mut quantities = effect.about().form.quantities().iter();
             quantities.any(|q| q.name == self.name)
         };

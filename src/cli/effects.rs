@@ -27,7 +27,7 @@ impl Effects {
     }
 }
 
-fn in_words(effect: &dyn Effect) -> String {
+fn in_words(effect: &Effect) -> String {
     let about = effect.about();
     let needs: Vec<&str> = about.needs.iter().map(|need| need.what).collect();
     format!(

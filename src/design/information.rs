@@ -200,7 +200,7 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
 
 /// An effect, absent, at settings that stand for all: orders up to one (its lowest at least), fades, a time.
 pub(crate) fn standing(
-    effect: &'static dyn Effect,
+    effect: &'static Effect,
     joint: usize,
     orders: u16,
     fades: &[f64],

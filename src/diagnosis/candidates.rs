@@ -247,7 +247,7 @@ fn names(
             1
         };
         for joint in 0..joints {
-            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            let there = (effect.exists_on)(joint, survey.joints[joint].kind);
             if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }

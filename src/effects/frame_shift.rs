@@ -10,8 +10,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-pub(super) struct FrameShift;
-
 const ABOUT: About = About {
     id: "frame-shift",
     title: "Frame shift",
@@ -35,17 +33,13 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for FrameShift {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static FRAME_SHIFT: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        let step_s = me.setting;
-        block.displace(me, |at| {
-            let after = f64::from(u8::from(at.time_s >= step_s));
-            (scaled(by, after), AXES.map(|axis| scaled(axis, after)))
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    let step_s = me.setting;
+    block.displace(me, |at| {
+        let after = f64::from(u8::from(at.time_s >= step_s));
+        (scaled(by, after), AXES.map(|axis| scaled(axis, after)))
+    });
 }

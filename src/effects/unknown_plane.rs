@@ -7,9 +7,6 @@ use super::block::Block;
 use super::units::Unit;
 use super::{Effect, Placed, places};
 
-/// See the module.
-pub struct UnknownPlane;
-
 const ABOUT: About = About {
     id: "unknown-plane",
     title: "Plane",
@@ -23,11 +20,8 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-impl Effect for UnknownPlane {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, act);
 
-    /// The robot does what it does wherever it is measured from.
-    fn act(&self, _: &Placed, _: &mut Block) {}
-}
+/// The robot does what it does wherever it is measured from.
+fn act(_: &Placed, _: &mut Block) {}

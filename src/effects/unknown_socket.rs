@@ -7,9 +7,6 @@ use super::block::Block;
 use super::units::Unit;
 use super::{Effect, Placed, places};
 
-/// See the module.
-pub struct UnknownSocket;
-
 const ABOUT: About = About {
     id: "unknown-socket",
     title: "Socket",
@@ -22,11 +19,8 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-impl Effect for UnknownSocket {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static UNKNOWN_SOCKET: Effect = Effect::new(ABOUT, act);
 
-    /// The robot does what it does wherever it is measured from.
-    fn act(&self, _: &Placed, _: &mut Block) {}
-}
+/// The robot does what it does wherever it is measured from.
+fn act(_: &Placed, _: &mut Block) {}

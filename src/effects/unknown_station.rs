@@ -7,9 +7,6 @@ use super::block::Block;
 use super::units::Unit;
 use super::{Effect, Placed, places};
 
-/// See the module.
-pub struct UnknownStation;
-
 const ABOUT: About = About {
     id: "unknown-station",
     title: "Station",
@@ -25,11 +22,8 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-impl Effect for UnknownStation {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static UNKNOWN_STATION: Effect = Effect::new(ABOUT, act);
 
-    /// The robot does what it does wherever it is measured from.
-    fn act(&self, _: &Placed, _: &mut Block) {}
-}
+/// The robot does what it does wherever it is measured from.
+fn act(_: &Placed, _: &mut Block) {}

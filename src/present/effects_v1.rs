@@ -12,7 +12,7 @@ pub fn document() -> Json {
     }
 }
 
-fn entry(effect: &dyn Effect) -> Json {
+fn entry(effect: &Effect) -> Json {
     let about = effect.about();
     object! {
         "effect": about.id,

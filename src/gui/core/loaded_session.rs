@@ -428,7 +428,7 @@ fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<Not
             1
         };
         let mut obstacles = (0..joints)
-            .filter(|joint| effect.exists_on(*joint, survey.joints[*joint].kind))
+            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
             .map(|joint| effect.obstacle(survey, joint));
         let Some(first) = obstacles.next() else {
             continue;
