@@ -90,15 +90,10 @@ pub fn short_name(entry: &Entry) -> String {
 
 /// Sessions and models with their errors, the earliest first.
 pub fn entries(robot: &RobotHistory) -> Table {
-    let mut table = Table::new([
-        "Session",
-        "From",
-        ">Samples",
-        ">RMS error nominal, mm",
-        ">Model, mm",
-        ">With the earliest, mm",
-        ">Changed",
-    ]);
+    let mut table = Table::headed(
+        "Session | From | >Samples | >RMS error nominal, mm \
+ | >Model, mm | >With the earliest, mm | >Changed",
+    );
     let dash = || "–".to_owned();
     for entry in &robot.entries {
         let changed = entry.changes.iter().filter(|c| c.is_significant()).count();
@@ -147,14 +142,8 @@ fn says(value: Option<Value>) -> String {
 pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles) -> Option<Table> {
     let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
     let joints = now.parameters.iter().filter_map(|one| one.joint).max();
-    let mut table = Table::new([
-        "Parameter",
-        "Unit",
-        ">Before",
-        ">After",
-        ">Difference",
-        "Beyond its interval",
-    ]);
+    let mut table =
+        Table::headed("Parameter | Unit | >Before | >After | >Difference | Beyond its interval");
     for change in changes(before, now) {
         let one = &now.parameters[change.parameter];
         let was = before.parameters.iter().find(|other| is_same(other, one));

@@ -133,8 +133,5 @@ pub(super) fn section(stages: &Stages) -> Section {
         deviation(stages),
         "Length of the deviation; the scales differ from panel to panel".to_owned(),
     ));
-    Section {
-        title: "Deviations".to_owned(),
-        blocks,
-    }
+    Section::new("Deviations", blocks)
 }

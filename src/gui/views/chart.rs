@@ -255,7 +255,9 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn Kind, commands: &mut Vec<C
                 Command::FitChart,
                 commands,
             );
-            copies::chart_button(ui, about.name(), || kind.numbers(&workbench.scene_of(kind)));
+            copies::chart_button(ui, about.name(), || {
+                kind.numbers(&workbench.scene_of(kind)).tabbed()
+            });
             widgets::question(ui, about.word);
         });
     });

@@ -9,9 +9,10 @@ use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::language::text;
-use crate::present::numbers::{plain_number, whole};
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
+use crate::present::numbers::whole;
+use crate::present::table::{Cell, Table};
 
 use spectrum::{Amplitude, LINE, Order, Spectrum};
 
@@ -67,8 +68,24 @@ impl Kind for Orders {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        numbers(scene)
+    /// Every order.
+    fn numbers(&self, scene: &Scene) -> Table {
+        let mut table = Table::headed(
+            "order | before, mm | noise before, mm | after, mm | noise after, mm | usual cause",
+        );
+        let spectrum = spectrum(scene);
+        for order in spectrum.iter().flat_map(|spectrum| &spectrum.orders) {
+            let cause = spectrum.as_ref().ok().and_then(|s| s.cause(order.order));
+            table.row([
+                order.order.into(),
+                order.before.mm.into(),
+                order.before.line_mm.into(),
+                order.after.map(|a| a.mm).into(),
+                order.after.and_then(|a| a.line_mm).into(),
+                Cell::from(cause),
+            ]);
+        }
+        table
     }
 }
 
@@ -315,28 +332,4 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
         says += &say!("orders-after", after = out(|o| o.after));
     }
     format!("{says}; {}", note(spectrum))
-}
-
-/// Every order as a table.
-fn numbers(scene: &Scene) -> String {
-    let mut text = "order\tbefore, mm\tnoise before, mm\tafter, mm\tnoise after, mm\t\
-                    usual cause\n"
-        .to_owned();
-    let Ok(spectrum) = spectrum(scene) else {
-        return text;
-    };
-    let cell = |mm: Option<f64>| mm.map_or_else(String::new, plain_number);
-    for order in &spectrum.orders {
-        let cells = [
-            order.order.to_string(),
-            plain_number(order.before.mm),
-            cell(order.before.line_mm),
-            cell(order.after.map(|a| a.mm)),
-            cell(order.after.and_then(|a| a.line_mm)),
-            spectrum.cause(order.order).unwrap_or_default().to_owned(),
-        ];
-        text += &cells.join("\t");
-        text.push('\n');
-    }
-    text
 }
