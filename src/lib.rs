@@ -109,6 +109,10 @@
     )
 )]
 
+// First: `named!` is in the scope of what follows.
+#[macro_use]
+mod named;
+
 pub(crate) mod atomic;
 pub mod diagnostic;
 pub(crate) mod document;

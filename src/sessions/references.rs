@@ -18,25 +18,21 @@ pub struct Anchor {
     pub offset_mm: Option<f64>,
 }
 
-/// Which way azimuths count, seen from the station's +z.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Azimuth {
-    /// From x towards y.
-    #[default]
-    Counterclockwise,
-    /// From x away from y, as theodolites count.
-    Clockwise,
+named! {
+    /// Which way azimuths count, seen from the station's +z.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Azimuth {
+        /// From x towards y.
+        #[default]
+        Counterclockwise = "counterclockwise",
+        /// From x away from y, as theodolites count.
+        Clockwise = "clockwise",
+    }
+    /// The word in files.
+    pub fn name;
 }
 
 impl Azimuth {
-    /// The word in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Counterclockwise => "counterclockwise",
-            Self::Clockwise => "clockwise",
-        }
-    }
-
     /// +1 or −1: an azimuth in the counterclockwise sense is this times the one that is shown.
     pub fn sign(self) -> f64 {
         match self {

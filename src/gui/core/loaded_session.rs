@@ -53,23 +53,26 @@ pub(crate) struct NotTestable {
     pub(crate) because: String,
 }
 
-/// A component of a deviation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Component {
-    Length,
-    /// In the direction of motion of joint 1.
-    #[default]
-    Tangential,
-    /// Away from the axis of joint 1.
-    Radial,
-    /// Along the axis of joint 1.
-    Axial,
-    /// Along x of the measuring frame.
-    X,
-    /// Along y.
-    Y,
-    /// Along z.
-    Z,
+named! {
+    /// A component of a deviation.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Component {
+        Length = say!("loaded-session-length"),
+        /// In the direction of motion of joint 1.
+        #[default]
+        Tangential = say!("loaded-session-tangential"),
+        /// Away from the axis of joint 1.
+        Radial = say!("loaded-session-radial"),
+        /// Along the axis of joint 1.
+        Axial = say!("loaded-session-axial"),
+        /// Along x of the measuring frame.
+        X = "x",
+        /// Along y.
+        Y = "y",
+        /// Along z.
+        Z = "z",
+    }
+    pub(crate) fn name;
 }
 
 impl Component {
@@ -83,18 +86,6 @@ impl Component {
         Self::Z,
         Self::Length,
     ];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Length => say!("loaded-session-length"),
-            Self::Tangential => say!("loaded-session-tangential"),
-            Self::Radial => say!("loaded-session-radial"),
-            Self::Axial => say!("loaded-session-axial"),
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-        }
-    }
 
     /// Whether it needs a measured z (for a joint that turns about z).
     pub(crate) fn out_of_plane(self) -> bool {

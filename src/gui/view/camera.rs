@@ -64,30 +64,23 @@ impl Facing {
     }
 }
 
-/// A view that has a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Standard {
-    Isometric,
-    /// Against z, x to the right.
-    Top,
-    /// Against x, y to the right.
-    Front,
-    /// Along y, x to the right.
-    Side,
+named! {
+    /// A view that has a name.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Standard {
+        Isometric = say!("camera-isometric"),
+        /// Against z, x to the right.
+        Top = say!("camera-top"),
+        /// Against x, y to the right.
+        Front = say!("camera-front"),
+        /// Along y, x to the right.
+        Side = say!("camera-side"),
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Standard {
-    pub(crate) const ALL: [Self; 4] = [Self::Isometric, Self::Top, Self::Front, Self::Side];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Isometric => say!("camera-isometric"),
-            Self::Top => say!("camera-top"),
-            Self::Front => say!("camera-front"),
-            Self::Side => say!("camera-side"),
-        }
-    }
-
     /// Azimuth and elevation, rad.
     fn angles(self) -> [f64; 2] {
         match self {

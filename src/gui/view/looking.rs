@@ -2,29 +2,23 @@
 
 use super::camera::Facing;
 
-/// The plane that the workspace is looked at in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Plane {
-    /// From above.
-    #[default]
-    Xy,
-    /// From the side.
-    Xz,
-    /// From the front.
-    Yz,
+named! {
+    /// The plane that the workspace is looked at in.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Plane {
+        /// From above.
+        #[default]
+        Xy = "x y",
+        /// From the side.
+        Xz = "x z",
+        /// From the front.
+        Yz = "y z",
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Plane {
-    pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Xy => "x y",
-            Self::Xz => "x z",
-            Self::Yz => "y z",
-        }
-    }
-
     /// The axes that it shows: to the right, and up.
     pub(crate) fn axes(self) -> [usize; 2] {
         match self {
@@ -68,42 +62,26 @@ pub(crate) enum Aspect {
     Around,
 }
 
-/// What the colour of an error vector says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Colouring {
-    /// Before or after.
-    #[default]
-    State,
-    /// The deviation's length.
-    Deviation,
-    /// Where it points to.
-    Direction,
-    Load,
-    Temperature,
-    Time,
+named! {
+    /// What the colour of an error vector says.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Colouring {
+        /// Before or after.
+        #[default]
+        State = say!("looking-before-and-after"),
+        /// The deviation's length.
+        Deviation = say!("common-deviation"),
+        /// Where it points to.
+        Direction = say!("common-direction"),
+        Load = say!("common-load"),
+        Temperature = say!("common-temperature"),
+        Time = say!("common-time"),
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Colouring {
-    pub(crate) const ALL: [Self; 6] = [
-        Self::State,
-        Self::Deviation,
-        Self::Direction,
-        Self::Load,
-        Self::Temperature,
-        Self::Time,
-    ];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::State => say!("looking-before-and-after"),
-            Self::Deviation => say!("common-deviation"),
-            Self::Direction => say!("common-direction"),
-            Self::Load => say!("common-load"),
-            Self::Temperature => say!("common-temperature"),
-            Self::Time => say!("common-time"),
-        }
-    }
-
     /// The condition that it shows, in the order of [`crate::gui::cache::cloud::Cloud`].
     pub(crate) fn condition(self) -> Option<usize> {
         match self {
