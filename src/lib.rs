@@ -119,6 +119,7 @@ pub(crate) mod document;
 pub mod fonts;
 pub(crate) mod lanes;
 pub(crate) mod linear;
+pub(crate) mod numeric;
 pub mod progress;
 pub mod recorder;
 pub(crate) mod sincos;

@@ -1,5 +1,6 @@
 //! What an identification answers.
 
+use crate::numeric::extent;
 use nalgebra::DMatrix;
 
 use crate::effects::term::setting_quantity;
@@ -231,11 +232,7 @@ impl Identification {
 /// The range of every joint in the samples.
 pub fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
     let range = |q: &[f64]| {
-        let (from, to) = q
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(*v), b.max(*v))
-            });
+        let [from, to] = extent(q);
         Range { from, to }
     };
     inputs.q.iter().map(|q| range(q)).collect()

@@ -12,7 +12,8 @@
 use nalgebra::{Point3, Vector3};
 
 use super::about::{About, Owner, Role, Setting, Stage};
-use super::{Effect, Term, UNKNOWN_ANCHOR, UNKNOWN_PLANE, UNKNOWN_SOCKET, UNKNOWN_STATION};
+use super::block::Block;
+use super::{Effect, Placed, Term, UNKNOWN_ANCHOR, UNKNOWN_PLANE, UNKNOWN_SOCKET, UNKNOWN_STATION};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What kind of place.
@@ -54,6 +55,9 @@ pub(super) const ABOUT: About = About {
     per_joint: false,
     ..About::PLAIN
 };
+
+/// The robot does what it does wherever it is measured from.
+pub(super) const NOTHING: fn(&Placed, &mut Block) = |_, _| {};
 
 impl PlaceKind {
     const ALL: [Self; 4] = [Self::Anchor, Self::Station, Self::Plane, Self::Socket];

@@ -1,5 +1,6 @@
 //! An effect in a model: which joint, which setting, how large.
 
+use crate::numeric::extent;
 use std::sync::Arc;
 
 use crate::kinematics::{JointKind, Range, Robot};
@@ -534,10 +535,7 @@ pub struct Placed {
 /// Limits of a joint, else the range of its values in the data.
 pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     robot.joints[joint].limits.unwrap_or_else(|| {
-        let finite = q.iter().copied().filter(|v| v.is_finite());
-        let (from, to) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+        let [from, to] = extent(q.iter().copied());
         Range { from, to }
     })
 }

@@ -3,9 +3,8 @@
 //! No effect of the robot: see [`super::places`].
 
 use super::about::{About, Form, Quantity};
-use super::block::Block;
 use super::units::Unit;
-use super::{Effect, Placed, places};
+use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-plane",
@@ -21,7 +20,4 @@ const ABOUT: About = About {
 };
 
 /// See the module.
-pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, act);
-
-/// The robot does what it does wherever it is measured from.
-fn act(_: &Placed, _: &mut Block) {}
+pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, places::NOTHING);

@@ -2,6 +2,7 @@
 //!
 //! Values are in the units of the files. What belongs to the measuring set-up is left out.
 
+use crate::numeric::extent;
 use std::path::Path;
 
 use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
@@ -180,10 +181,7 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
     let ends = there
         .iter()
         .flat_map(|(_, v)| v.ci95.unwrap_or([v.value; 2]));
-    let ends = ends.filter(|end| end.is_finite());
-    let range = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], end| {
-        [a.min(end), b.max(end)]
-    });
+    let range = extent(ends);
     let [low, high] = super::chart::panel::room(range);
     let by = 0.08 * (high - low);
     let way: Vec<[f64; 2]> = there.iter().map(|(x, v)| [*x, v.value]).collect();

@@ -11,6 +11,7 @@ use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::numeric::extent;
 use crate::present::decision::rests_on;
 use crate::present::kinds;
 use crate::present::names::{figure, title, title_on};
@@ -327,10 +328,7 @@ impl Told<'_> {
     fn conditions(&self) -> String {
         let samples = &self.session.samples;
         let range = |column: &[f64], unit: &str| {
-            let finite = column.iter().filter(|v| v.is_finite());
-            let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(*v), b.max(*v))
-            });
+            let [low, high] = extent(column.iter());
             if low > high {
                 "not known".to_owned()
             } else if low == high {

@@ -6,6 +6,7 @@ use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
+use crate::numeric::extent;
 use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
@@ -32,10 +33,7 @@ impl<'a> Panels<'a> {
         let stride = stride(scene.usable().len(), FEW);
         let range = |q: &Vec<f64>| {
             let shown = scene.usable().step_by(stride);
-            let finite = shown.map(|i| q[i]).filter(|q| q.is_finite());
-            finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| {
-                [low.min(q), high.max(q)]
-            })
+            extent(shown.map(|i| q[i]))
         };
         Self {
             ranges: scene.subject.session.samples.q.iter().map(range).collect(),

@@ -10,10 +10,11 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::gui::language::within;
+use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
 };
-use crate::present::numbers::{significant, whole};
+use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 
 /// Of so many samples near the pointer at most; more stand on one another.

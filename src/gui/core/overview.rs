@@ -105,11 +105,7 @@ fn some_poses(session: &Session, usable: &[u32]) -> impl Iterator<Item = Vec<f64
 
 /// Smallest and largest of the finite values at these samples.
 fn extent(column: &[f64], usable: &[u32]) -> [f64; 2] {
-    let values = usable.iter().map(|i| column[*i as usize]);
-    let finite = values.filter(|v| v.is_finite());
-    finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-        [a.min(v), b.max(v)]
-    })
+    crate::numeric::extent(usable.iter().map(|i| column[*i as usize]))
 }
 
 /// The part of the workspace that a long deviation is drawn over.

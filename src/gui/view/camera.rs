@@ -12,6 +12,7 @@
 //! so that z never leans to the side. The view fits a sphere around everything that is drawn: the
 //! scale stays the same while the camera orbits.
 
+use crate::lanes::dot;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Axes of a view: orthogonal unit vectors, right-handed.
@@ -23,10 +24,6 @@ pub(crate) struct Facing {
     pub(crate) up: [f64; 3],
     /// Out of the screen, towards the viewer.
     pub(crate) towards: [f64; 3],
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Facing {

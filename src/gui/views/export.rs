@@ -12,7 +12,6 @@ use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
-use crate::kinematics::JointKind;
 use crate::present::numbers::with_minus_signs;
 
 /// Where an own step begins, degrees or mm.
@@ -173,10 +172,7 @@ fn joint_and_step(
             commands.push(Command::EndDrag);
         }
     }
-    let unit = match joints[choice.joint].kind {
-        JointKind::Revolute => "°",
-        JointKind::Prismatic => " mm",
-    };
+    let unit = joints[choice.joint].kind.sign();
     let mut own = choice.step.is_some();
     if ui.checkbox(&mut own, say!("export-custom-step")).changed() {
         next.step = own.then_some(FIRST_STEP);

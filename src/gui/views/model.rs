@@ -7,10 +7,8 @@ use crate::gui::core::answer::{Answer, Loaded};
 use crate::gui::style::tokens::{size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
 use crate::present::numbers::trimmed;
 use crate::present::units::Units;
-use crate::units::deg_from_rad;
 
 /// What there is to say about the model itself.
 pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
@@ -22,11 +20,8 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
         widgets::fact(ui, say!("model-identified"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
-            let (from, to, unit) = match joint.kind {
-                JointKind::Revolute => (deg_from_rad(range.from), deg_from_rad(range.to), "°"),
-                JointKind::Prismatic => (range.from, range.to, " mm"),
-            };
-            let measured = format!("{}{unit} … {}{unit}", trimmed(from, 2), trimmed(to, 2));
+            let says = |q| format!("{}{}", trimmed(joint.kind.outer(q), 2), joint.kind.sign());
+            let measured = format!("{} … {}", says(range.from), says(range.to));
             let name = match joints.len() {
                 1 => say!("common-measured").to_owned(),
                 _ => say!("model-measured", joint = joint.name),

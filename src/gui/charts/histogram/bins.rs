@@ -13,8 +13,8 @@
 use statrs::function::erf::erf;
 
 use crate::gui::core::overview::Lengths;
+use crate::numeric::whole;
 use crate::present::chart::LEAST_SPAN;
-use crate::present::numbers::whole;
 
 const FEWEST: f64 = 6.0;
 const MOST: f64 = 60.0;

@@ -9,9 +9,9 @@ use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::language::text;
+use crate::numeric::whole;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
-use crate::present::numbers::whole;
 use crate::present::table::{Cell, Table};
 
 use spectrum::{Amplitude, LINE, Order, Spectrum};

@@ -171,7 +171,7 @@ fn reach(angles_rad: &[f64]) -> (f64, usize) {
     }
     let finest = 0.5 * TAU * (sorted.len() - 1) as f64 / range;
     // A turn and its end are the same angle.
-    (range / TAU, crate::present::numbers::whole(finest - 1e-6))
+    (range / TAU, crate::numeric::whole(finest - 1e-6))
 }
 
 /// Products of cosine and sine of an order, a constant taken off.

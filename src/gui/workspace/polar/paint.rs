@@ -166,7 +166,7 @@ fn ground(
     let thin = Stroke::new(1.0, palette.line);
     let [inside, outside] = polar.divisions;
     for (most, way) in [(inside, -1.0), (outside, 1.0)] {
-        for k in 1..=crate::present::numbers::whole(most) {
+        for k in 1..=crate::numeric::whole(most) {
             shapes.push(Shape::line(ring(NOMINAL + way * k as f64), thin));
         }
     }

@@ -72,8 +72,7 @@ fn ground(
     let thin = Stroke::new(0.4, RULE);
     let [inside, outside] = polar.divisions;
     for (most, way) in [(inside, -1.0), (outside, 1.0)] {
-        let rings =
-            (1..=crate::present::numbers::whole(most)).map(|k| ring(NOMINAL + way * k as f64));
+        let rings = (1..=crate::numeric::whole(most)).map(|k| ring(NOMINAL + way * k as f64));
         drawing.items.push(Item::Lines(rings.collect(), thin));
     }
     for k in 0..SPOKES {
