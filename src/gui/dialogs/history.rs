@@ -218,8 +218,7 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
                 }
             });
         let name = name.to_owned();
-        ui.ctx()
-            .accesskit_node_builder(list.response.id, |node| node.set_label(name));
+        widgets::label(&list.response, name);
     });
     chosen.filter(|k| *k != now)
 }

@@ -99,9 +99,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
         let slider = ui.add(slider.update_while_editing(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| {
-            node.set_label(say!("preferences-size-of-text"));
-        });
+        widgets::label(&slider, say!("preferences-size-of-text"));
         // While it is dragged the slider would run away from under the pointer.
         let id = ui.scope_id().with("size of text");
         if slider.dragged() {

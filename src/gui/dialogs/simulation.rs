@@ -145,7 +145,5 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
                 }
             }
         });
-    ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("simulation-add-an-effect-2"));
-    });
+    widgets::label(&list.response, say!("simulation-add-an-effect-2"));
 }

@@ -182,8 +182,7 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
                 }
             }
         });
-        ui.ctx()
-            .accesskit_node_builder(list.response.id, |node| node.set_label(self.of));
+        widgets::label(&list.response, self.of);
         chosen.filter(|one| *one != self.current)
     }
 }

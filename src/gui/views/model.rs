@@ -1,10 +1,10 @@
 //! A model that was read from a file: where it came from, and what it does on the session.
 
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use crate::compensation::Verification;
 use crate::gui::core::answer::{Answer, Loaded};
-use crate::gui::style::tokens::{size, strong};
+use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
@@ -15,9 +15,9 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
         title(ui, say!("model-model-from-a-file"));
-        widgets::fact(ui, say!("model-file"), &loaded.file);
-        widgets::fact(ui, say!("common-robot"), &calibration.model.robot.name);
-        widgets::fact(ui, say!("model-identified"), &calibration.session);
+        widgets::fact_of(ui, "model-file", &loaded.file);
+        widgets::fact_of(ui, "common-robot", &calibration.model.robot.name);
+        widgets::fact_of(ui, "model-identified", &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
             let says = |q| format!("{}{}", trimmed(joint.kind.outer(q), 2), joint.kind.sign());
@@ -59,24 +59,20 @@ pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         title(ui, say!("model-held-against-this-session"));
-        widgets::fact(ui, say!("common-samples"), verification.samples.to_string());
+        widgets::fact_of(ui, "common-samples", verification.samples.to_string());
         let model = units.length(verification.model.rms_mm);
-        widgets::fact(ui, say!("model-measured-and-model"), model);
+        widgets::fact_of(ui, "model-measured-and-model", model);
         if let Some(compensated) = verification.compensated {
             let unit = units.length_name();
             let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
-            widgets::fact(ui, say!("model-with-corrected-commands"), gap);
+            widgets::fact_of(ui, "model-with-corrected-commands", gap);
             let largest = format!("{} {unit}", number(compensated.gap.max_mm));
-            widgets::fact(ui, say!("model-largest-then"), largest);
+            widgets::fact_of(ui, "model-largest-then", largest);
             let stays = format!(
                 "{} {unit}",
                 number(compensated.cannot_be_removed_by_joints_mm)
             );
-            widgets::fact(ui, say!("common-not-correctable-by-joint-commands"), stays);
+            widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
         }
     });
-}
-
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
 }

@@ -150,17 +150,17 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             )
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        widgets::fact(ui, say!("results-largest"), from_to(&found.gap, largest));
+        widgets::fact_of(ui, "results-largest", from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            widgets::fact(ui, say!("common-held-out"), from_to(held_out, rms));
+            widgets::fact_of(ui, "common-held-out", from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("common-within-tolerance"),
+                "common-within-tolerance",
                 say!("results-of", before = before, after = after, all = all),
             );
             let share = after as f32 / all.max(1) as f32;

@@ -144,8 +144,7 @@ fn text(ui: &mut Ui, label: &str, text: &mut String) {
     let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
     let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
     let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(label.to_owned()));
+    widgets::label(&field, label.to_owned());
     if field.has_focus() {
         ui.data_mut(|d| d.insert_temp(id, typed));
     } else {

@@ -121,7 +121,6 @@ pub(crate) fn cell_number(
 ) -> Response {
     let response = typing(ui, [width, 24.0], unit, field);
     let name = name.to_owned();
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    super::label(&response, name);
     response
 }

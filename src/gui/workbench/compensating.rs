@@ -70,9 +70,9 @@ impl Workbench {
         };
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let says = say!("message-writing", path = path.display());
-        let work = move |_: &Watch| files::write_targets(&compensated, &path, replace, &inputs);
-        self.jobs
-            .start(Kind::Writes, says, work, Self::take_written);
+        let work = move |path: &Path, _: &Watch| {
+            files::write_targets(&compensated, path, replace, &inputs)
+        };
+        self.write(path, work, Self::take_written);
     }
 }

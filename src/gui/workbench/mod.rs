@@ -35,7 +35,7 @@ use crate::gui::language::text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub(crate) use command::Command;
+pub(crate) use command::{Command, of_field};
 
 use state::{Asked, Desk};
 

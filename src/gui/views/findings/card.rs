@@ -61,10 +61,10 @@ pub(super) fn show(
     let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
-        Some(gap) => widgets::fact(ui, say!("found-cross-validated-rms-error"), from_to(gap)),
-        None => widgets::fact(ui, say!("common-rms-error"), from_to(found.gap_mm)),
+        Some(gap) => widgets::fact_of(ui, "found-cross-validated-rms-error", from_to(gap)),
+        None => widgets::fact_of(ui, "common-rms-error", from_to(found.gap_mm)),
     }
-    widgets::fact(ui, say!("common-noise-floor"), units.length(d.floor.mm));
+    widgets::fact_of(ui, "common-noise-floor", units.length(d.floor.mm));
     ui.label(RichText::new(say!("found-what-to-check")).font(strong(size::SMALL)));
     widgets::hint(ui, found.check);
     let Some(term) = term_of(d, found) else {

@@ -15,7 +15,7 @@ use crate::gui::style::tokens::space;
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::Progress;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Workbench, of_field};
 use crate::gui::{help, widgets};
 use crate::present::numbers::grouped;
 
@@ -123,17 +123,8 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let response =
             widgets::cell_number(ui, say!("regions-number-of-regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("regions-divide")).clicked();
-        if number != before || divide {
-            let edit = Edit::Divide(number);
-            commands.push(if response.dragged() {
-                Command::Drag(edit)
-            } else {
-                Command::Edit(edit)
-            });
-        }
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
-        }
+        let edit = (number != before || divide).then_some(Edit::Divide(number));
+        commands.extend(of_field(&response, edit));
     });
 }
 

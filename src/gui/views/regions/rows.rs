@@ -135,9 +135,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
-    ui.ctx().accesskit_node_builder(field.id, |node| {
-        node.set_label(say!("regions-name-of-region", name = name));
-    });
+    widgets::label(&field, say!("regions-name-of-region", name = name));
     let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
     if field.has_focus() {
@@ -337,8 +335,7 @@ fn samples(
             region = region.name
         ),
     };
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(says.clone()));
+    widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
         commands.push(Command::Mark(samples_of(workbench, k)));
     }
