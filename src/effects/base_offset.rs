@@ -3,7 +3,6 @@
 use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 
@@ -12,11 +11,7 @@ const ABOUT: About = About {
     title: "Base offset",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = p + (x, y, z)",
     source: "ISO 9283, 5.6: the base frame as measured",
     cause: "the measuring frame was surveyed to a point beside the axis",

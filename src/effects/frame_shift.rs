@@ -6,7 +6,6 @@ use super::about::{About, Form, Over, Owner, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
@@ -15,11 +14,7 @@ const ABOUT: About = About {
     title: "Frame shift",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     setting: Setting::Time,
     equation: "p = p + (x, y, z) from t* on",
     source: "a change point of the measuring frame",

@@ -9,7 +9,6 @@ use super::about::{About, Form, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::{scaled, times};
 
@@ -18,11 +17,7 @@ const ABOUT: About = About {
     title: "Tool position",
     stage: Stage::Tool,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     setting: Setting::Target,
     equation: "target = target + (x, y, z) in the tool frame",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",

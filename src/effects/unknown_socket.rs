@@ -3,17 +3,12 @@
 //! No effect of the robot: see [`super::places`].
 
 use super::about::{About, Form, Quantity};
-use super::units::Unit;
 use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-socket",
     title: "Socket",
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = s",
     ..places::ABOUT
 };

@@ -1,19 +1,16 @@
 //! How many samples deviate by how much.
 
-mod bins;
-
 use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::gui::language::text;
+use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
-
-use bins::{Bins, Counted, Distribution, NoiseCurve, RULE};
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
@@ -299,7 +296,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         "histogram-wide",
         width = width,
         unit = units.length_name(),
-        rule = text(RULE)
+        rule = text("histogram-bars-as-wide-as")
     ));
     notes.join(" · ")
 }
