@@ -380,7 +380,7 @@ mod tests {
         assert_eq!(cause(&most, 37), Some("gear"));
         let says = limits(&most).expect("it is less than a turn");
         assert!(says.contains("nearer than 2"), "{says}");
-        let says = limits(&of(0.25, &[])).expect("it is less than a turn");
+        let says = limits(&of(0.247, &[])).expect("it is less than a turn");
         assert!(
             says.contains("nearer than 5") && says.contains("order 1 cannot"),
             "{says}"
