@@ -125,7 +125,7 @@ fn variants(rig: &Rig, id: &str) -> Vec<Vec<Hidden>> {
         "axis-wobble" => waves(2..=6, &|k, p| Hidden::Wobble(k, 1e-5, p)),
         "link-droop" => one(Hidden::Droop(1e-3)),
         "axis-tilt" => vec![vec![Hidden::Tilt(1e-5, 0.0), Hidden::Tilt(0.0, 1e-5)]],
-        "base-offset" => vec![along(&Hidden::BASE_OFFSET)],
+        "base-offset" => vec![along(&Hidden::BaseOffset)],
         "instrument-scale" => one(Hidden::InstrumentScale(1e-5)),
         "frame-shift" => (1..50)
             .map(|k| along(&|v| Hidden::Shift(end * f64::from(k) / 50.0, v)))

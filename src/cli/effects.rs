@@ -22,7 +22,7 @@ impl Effects {
         if self.json {
             return output::json(&document());
         }
-        let text: String = CATALOGUE.iter().map(|effect| in_words(*effect)).collect();
+        let text: String = CATALOGUE.iter().map(|effect| in_words(effect)).collect();
         output::text(&text)
     }
 }

@@ -262,7 +262,7 @@ fn names(
             if !allowed.candidate(about.id) {
                 continue;
             }
-            let term = Term::absent(form_in(*effect, survey, joint), joint, 0.0);
+            let term = Term::absent(form_in(effect, survey, joint), joint, 0.0);
             let settings = scan::settings(problem, &term);
             // Neighbouring times of a step are nearly the same candidate.
             let tried = match about.setting {

@@ -38,18 +38,18 @@ const ABOUT: About = About {
 };
 
 pub(super) static AXIS_TILT: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> Option<String> {
+fn remedy(_: &Robot, term: &Term) -> String {
     let by_mrad = |k: usize| term.coefficients[k] / MILLIRADIAN;
-    Some(format!(
+    format!(
         "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
          shim the column's foot",
         by_mrad(0),
         by_mrad(1)
-    ))
+    )
 }
 
 fn act(me: &Placed, block: &mut Block) {

@@ -30,16 +30,16 @@ const MOVED: Need = Need::of_samples("a joint that moved", |survey, _| {
 });
 
 pub(super) static BASE_OFFSET: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> Option<String> {
+fn remedy(_: &Robot, term: &Term) -> String {
     let by = &term.coefficients;
-    Some(format!(
+    format!(
         "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
         by[0], by[1], by[2]
-    ))
+    )
 }
 
 fn act(me: &Placed, block: &mut Block) {

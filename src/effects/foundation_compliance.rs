@@ -65,12 +65,12 @@ const MOMENT: Need = Need {
 };
 
 pub(super) static FOUNDATION_COMPLIANCE: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> Option<String> {
-    Some("stiffen the foundation, or give the controller a payload model".to_owned())
+fn remedy(_: &Robot, _: &Term) -> String {
+    "stiffen the foundation, or give the controller a payload model".to_owned()
 }
 
 fn act(me: &Placed, block: &mut Block) {

@@ -27,12 +27,12 @@ const ABOUT: About = About {
 };
 
 pub(super) static LINK_DROOP: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> Option<String> {
-    Some("stiffen the link, or give the controller a payload model".to_owned())
+fn remedy(_: &Robot, _: &Term) -> String {
+    "stiffen the link, or give the controller a payload model".to_owned()
 }
 
 fn act(me: &Placed, block: &mut Block) {

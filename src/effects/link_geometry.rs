@@ -57,12 +57,12 @@ const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
 
 /// See the module.
 pub static LINK_GEOMETRY: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> Option<String> {
-    Some("enter the identified geometry as the controller's kinematic data".to_owned())
+fn remedy(_: &Robot, _: &Term) -> String {
+    "enter the identified geometry as the controller's kinematic data".to_owned()
 }
 
 fn act(me: &Placed, block: &mut Block) {

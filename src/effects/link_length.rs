@@ -29,17 +29,17 @@ pub(super) const ABOUT: About = About {
 };
 
 pub(super) static LINK_LENGTH: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(robot: &Robot, term: &Term) -> Option<String> {
+fn remedy(robot: &Robot, term: &Term) -> String {
     let radius = JointFrame::new(robot, term.joint).radius_mm;
-    Some(format!(
+    format!(
         "along the radius; set the tool's radius (l1) in the controller from {radius:.4} to \
          {:.4} mm",
         radius + term.coefficients[0]
-    ))
+    )
 }
 
 fn act(me: &Placed, block: &mut Block) {

@@ -94,7 +94,7 @@ pub struct Effect {
     pub takes_form: fn(&Survey, usize) -> Option<&'static Effect>,
     /// What in the controller's data would remove the effect where commands of the joints cannot;
     /// `None` where only work on the machine does.
-    pub remedy: fn(&Robot, &Term) -> Option<String>,
+    pub remedy: Option<fn(&Robot, &Term) -> String>,
     /// Figures of the effect in a session that are no parameters of it.
     pub figures: fn(&Placed, &Robot, &Inputs) -> Vec<Figure>,
     /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
@@ -112,7 +112,7 @@ impl Effect {
             exists_on: |_, _| true,
             other_forms: &[],
             takes_form: |_, _| None,
-            remedy: |_, _| None,
+            remedy: None,
             figures: |_, _, _| Vec::new(),
             act,
         }
@@ -175,7 +175,7 @@ pub fn form_with(
         return effect;
     }
     let mut others = effect.other_forms.iter().copied();
-    others.find(|e| is_it(*e)).unwrap_or(effect)
+    others.find(|e| is_it(e)).unwrap_or(effect)
 }
 
 /// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
@@ -267,8 +267,8 @@ mod tests {
         let mut before = 0;
         for effect in CATALOGUE {
             let about = effect.about();
-            assert!(rank(*effect) > before, "{}", about.id);
-            before = rank(*effect);
+            assert!(rank(effect) > before, "{}", about.id);
+            before = rank(effect);
             for text in [
                 about.title,
                 about.equation,

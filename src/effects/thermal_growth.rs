@@ -27,12 +27,12 @@ const ABOUT: About = About {
 };
 
 pub(super) static THERMAL_GROWTH: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> Option<String> {
-    Some("let the machine warm up, or enter the arm's expansion in the controller".to_owned())
+fn remedy(_: &Robot, _: &Term) -> String {
+    "let the machine warm up, or enter the arm's expansion in the controller".to_owned()
 }
 
 fn act(me: &Placed, block: &mut Block) {

@@ -31,15 +31,15 @@ const TWO_TARGETS: Need = Need::of_samples("two reflectors", |survey, _| {
 });
 
 pub(super) static TOOL_LATERAL_OFFSET: Effect = Effect {
-    remedy,
+    remedy: Some(remedy),
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> Option<String> {
-    Some(format!(
+fn remedy(_: &Robot, term: &Term) -> String {
+    format!(
         "move the tool in the controller's tool data by {:+.4} mm across the radius",
         term.coefficients[0]
-    ))
+    )
 }
 
 fn act(me: &Placed, block: &mut Block) {

@@ -8,7 +8,7 @@ use crate::effects::{CATALOGUE, Effect};
 pub fn document() -> Json {
     object! {
         "format": "truepose-effects/1",
-        "effects": list(CATALOGUE, |effect| entry(*effect)),
+        "effects": list(CATALOGUE, |effect| entry(effect)),
     }
 }
 

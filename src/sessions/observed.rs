@@ -29,7 +29,7 @@ pub(crate) fn indices(
     let wrong = (0..cells.index.len())
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
-        0 => format!("{} of the session, which declares none", what),
+        0 => format!("{what} of the session, which declares none"),
         _ => format!("{} of the session: {}", what, declared.join(", ")),
     };
     for row in wrong.take(MOST_COMPLAINTS) {
