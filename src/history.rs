@@ -76,23 +76,17 @@ impl Order {
     }
 }
 
-/// What an entry comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Source {
-    /// A session that was identified for this.
-    Session,
-    /// A model as it was saved.
-    Model,
-}
-
-impl Source {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Session => "session",
-            Self::Model => "model",
-        }
+named! {
+    /// What an entry comes from.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Source {
+        /// A session that was identified for this.
+        Session = "session",
+        /// A model as it was saved.
+        Model = "model",
     }
+    /// Its name.
+    pub fn name;
 }
 
 /// One session or model.

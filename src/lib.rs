@@ -109,12 +109,17 @@
     )
 )]
 
+// First: `named!` is in the scope of what follows.
+#[macro_use]
+mod named;
+
 pub(crate) mod atomic;
 pub mod diagnostic;
 pub(crate) mod document;
 pub mod fonts;
 pub(crate) mod lanes;
 pub(crate) mod linear;
+pub(crate) mod numeric;
 pub mod progress;
 pub mod recorder;
 pub(crate) mod sincos;

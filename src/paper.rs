@@ -114,11 +114,7 @@ fn turn(session: &Session, regional: &Identification, values: JointValues) -> Op
     let axis = JointFrame::new(&session.robot, 0).along;
     let corrections = regional.regions.iter().map(|r| &r.correction);
     let regions: Vec<Region> = corrections
-        .map(|c| Region {
-            name: c.name.clone(),
-            from_rad: c.from_rad,
-            to_rad: c.to_rad,
-        })
+        .map(crate::model::RegionalCorrection::region)
         .collect();
     let assignment = Assignment::new(&regions);
     let mut inside: Vec<Vec<usize>> = vec![Vec::new(); regions.len()];

@@ -11,29 +11,21 @@ use super::limits::Limit;
 use super::noise::{Noise, StatedNoise};
 use super::pose::NextPose;
 
-/// The short answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// Nothing is missing.
-    Noise,
-    /// Names explain what was missing.
-    Explained,
-    /// Names explain a part of it.
-    PartlyExplained,
-    /// Something is missing that no name explains.
-    Unexplained,
-}
-
-impl Verdict {
-    /// Its name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Noise => "noise",
-            Self::Explained => "explained",
-            Self::PartlyExplained => "partly-explained",
-            Self::Unexplained => "unexplained",
-        }
+named! {
+    /// The short answer.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Verdict {
+        /// Nothing is missing.
+        Noise = "noise",
+        /// Names explain what was missing.
+        Explained = "explained",
+        /// Names explain a part of it.
+        PartlyExplained = "partly-explained",
+        /// Something is missing that no name explains.
+        Unexplained = "unexplained",
     }
+    /// Its name in JSON.
+    pub fn name;
 }
 
 /// Where the noise floor comes from.

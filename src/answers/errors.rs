@@ -103,24 +103,17 @@ impl Spread {
     }
 }
 
-/// Why a sample cannot take part at all.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unusable {
-    /// A joint value or a coordinate is missing.
-    MissingCell,
-    /// The instrument lost the reflector: it wrote (0, 0, 0).
-    LostReflector,
-    /// A person took it out.
-    Excluded,
-}
-
-impl Unusable {
-    /// In words.
-    pub fn says(self) -> &'static str {
-        match self {
-            Self::MissingCell => "a joint value or a coordinate is missing",
-            Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
-            Self::Excluded => "by hand",
-        }
+named! {
+    /// Why a sample cannot take part at all.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Unusable {
+        /// A joint value or a coordinate is missing.
+        MissingCell = "a joint value or a coordinate is missing",
+        /// The instrument lost the reflector: it wrote (0, 0, 0).
+        LostReflector = "the instrument lost the reflector: it wrote 0, 0, 0",
+        /// A person took it out.
+        Excluded = "by hand",
     }
+    /// In words.
+    pub fn says;
 }

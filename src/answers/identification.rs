@@ -1,5 +1,6 @@
 //! What an identification answers.
 
+use crate::numeric::extent;
 use nalgebra::DMatrix;
 
 use crate::effects::term::setting_quantity;
@@ -46,7 +47,7 @@ impl Estimate {
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
     pub fn is_implausible(&self) -> bool {
-        let has_it = |effect: &dyn Effect| {
+        let has_it = |effect: &Effect| {
             let mut quantities = effect.about().form.quantities().iter();
             quantities.any(|q| q.name == self.name)
         };
@@ -242,11 +243,7 @@ impl Identification {
 /// The range of every joint in the samples.
 pub fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
     let range = |q: &[f64]| {
-        let (from, to) = q
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(*v), b.max(*v))
-            });
+        let [from, to] = extent(q);
         Range { from, to }
     };
     inputs.q.iter().map(|q| range(q)).collect()

@@ -170,14 +170,8 @@ impl Diagnose {
 }
 
 fn start_in_words(start: &RegionalStart) -> String {
-    let mut table = Table::new([
-        "region",
-        ">Δθ rad",
-        ">Δl1 mm",
-        ">of one error: Δθ rad",
-        ">Δl1 mm",
-        ">after mm",
-    ]);
+    let mut table =
+        Table::headed("region | >Δθ rad | >Δl1 mm | >of one error: Δθ rad | >Δl1 mm | >after mm");
     for (region, (theta, l1)) in start.regional.regions.iter().zip(&start.of_one_error) {
         let c = &region.correction;
         let seven = |value: f64| format!("{value:.7}");

@@ -22,12 +22,12 @@ impl Effects {
         if self.json {
             return output::json(&document());
         }
-        let text: String = CATALOGUE.iter().map(|effect| in_words(*effect)).collect();
+        let text: String = CATALOGUE.iter().map(|effect| in_words(effect)).collect();
         output::text(&text)
     }
 }
 
-fn in_words(effect: &dyn Effect) -> String {
+fn in_words(effect: &Effect) -> String {
     let about = effect.about();
     let needs: Vec<&str> = about.needs.iter().map(|need| need.what).collect();
     format!(

@@ -182,7 +182,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
     let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
     let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
     if !rows.is_empty() {
-        let mut table = Table::new(["effect", ">joint", "parameter", ">value", "95 % interval"]);
+        let mut table = Table::headed("effect | >joint | parameter | >value | 95 % interval");
         table.rows = rows.into_iter().map(parameter_row).collect();
         text += &format!("\n{}", table.aligned(0));
     }
@@ -267,16 +267,9 @@ fn parameter_row(p: &Estimate) -> Vec<Cell> {
 }
 
 fn regions(results: &[RegionResult]) -> Table {
-    let mut table = Table::new([
-        "region",
-        ">from °",
-        ">to °",
-        ">samples",
-        ">Δθ rad",
-        ">Δl1 mm",
-        ">before mm",
-        ">after mm",
-    ]);
+    let mut table = Table::headed(
+        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm",
+    );
     for r in results {
         let c = &r.correction;
         table.row([

@@ -11,15 +11,10 @@ use crate::present::table::Table;
 pub(super) fn in_words(answer: &Identification) -> String {
     let mut text = String::new();
     if !answer.levels.is_empty() {
-        let mut table = Table::new([
-            "level of correction",
-            ">parameters",
-            ">RMS, mm",
-            ">cross-validated: mean",
-            ">RMS",
-            ">95 %",
-            ">largest",
-        ]);
+        let mut table = Table::headed(
+            "level of correction | >parameters | >RMS, mm | >cross-validated: mean \
+ | >RMS | >95 % | >largest",
+        );
         for level in &answer.levels {
             let unseen = level.cross_validated;
             let unseen = unseen.map(|e| [e.mean_mm, e.rms_mm, e.p95_mm, e.max_mm]);

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::effects::{Inputs, Role, Term, ToolPosition};
+use crate::effects::{Inputs, Role, TOOL_POSITION, Term};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::sessions::{Session, hash_of_samples};
@@ -45,7 +45,7 @@ pub(super) fn carried_over(
     let terms = calibration.model.terms().iter();
     let terms = terms.filter(|t| !of_the_tool(t)).cloned().collect();
     let mut carried = Calibration {
-        model: Model::new(there, terms).with_term(Term::absent(&ToolPosition, 0, 0.0)),
+        model: Model::new(there, terms).with_term(Term::absent(&TOOL_POSITION, 0, 0.0)),
         targets: session.targets.clone(),
         covariance: None,
         ..calibration.clone()

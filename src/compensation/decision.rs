@@ -29,27 +29,22 @@ use crate::sessions::{Session, Sigma};
 /// Coverage factor of the expanded uncertainty, for about 95 %.
 const COVERAGE: f64 = 2.0;
 
-/// By what it is decided.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rule {
-    /// The uncertainty counts against the side that has to prove something.
-    Iso14253,
-    /// The uncertainty does not count.
-    Simple,
+named! {
+    /// By what it is decided.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Rule {
+        /// The uncertainty counts against the side that has to prove something.
+        Iso14253 = "iso-14253-1",
+        /// The uncertainty does not count.
+        Simple = "simple-acceptance",
+    }
+    /// Its name in a document.
+    pub fn id;
+    /// Every rule.
+    pub const ALL;
 }
 
 impl Rule {
-    /// Every rule.
-    pub const ALL: [Self; 2] = [Self::Iso14253, Self::Simple];
-
-    /// Its name in a document.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Iso14253 => "iso-14253-1",
-            Self::Simple => "simple-acceptance",
-        }
-    }
-
     /// In words, with its source.
     pub fn title(self) -> &'static str {
         match self {
@@ -59,26 +54,19 @@ impl Rule {
     }
 }
 
-/// What a rule says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// Within the tolerance.
-    Pass,
-    /// Not within it.
-    Fail,
-    /// Neither is proven.
-    Undecided,
-}
-
-impl Outcome {
-    /// In words.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Pass => "Pass",
-            Self::Fail => "Fail",
-            Self::Undecided => "Neither pass nor fail is proven",
-        }
+named! {
+    /// What a rule says.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Outcome {
+        /// Within the tolerance.
+        Pass = "Pass",
+        /// Not within it.
+        Fail = "Fail",
+        /// Neither is proven.
+        Undecided = "Neither pass nor fail is proven",
     }
+    /// In words.
+    pub fn title;
 }
 
 /// The deviation that is decided, with its uncertainty. See the module.

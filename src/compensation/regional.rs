@@ -54,14 +54,9 @@ impl Regional {
         } else {
             (frame.across_1, frame.across_2)
         };
-        let region = |c: &RegionalCorrection| Region {
-            name: c.name.clone(),
-            from_rad: c.from_rad,
-            to_rad: c.to_rad,
-        };
         Self {
             corrections: corrections.to_vec(),
-            regions: corrections.iter().map(region).collect(),
+            regions: corrections.iter().map(RegionalCorrection::region).collect(),
             plane: Plane {
                 origin: frame.origin_mm,
                 x,

@@ -151,6 +151,7 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
 
 /// What removes an effect that the joints cannot.
 fn remedy(calibration: &Calibration, term: &crate::effects::Term) -> String {
-    let own = term.effect.remedy(&calibration.model.robot, term);
+    let robot = &calibration.model.robot;
+    let own = term.effect.remedy.map(|say| say(robot, term));
     own.unwrap_or_else(|| format!("needs a mechanical repair: {}", term.effect.about().check))
 }

@@ -20,7 +20,7 @@
 //! Suspected outliers count in the largest values and not in the root mean squares. For the
 //! paper's method everything is in the plane of motion; z is not used.
 
-use crate::effects::{Inputs, JointValues, MeasuringFrame, Owner, Role, Term};
+use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term};
 use crate::fit::base_model;
 use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread};
@@ -370,7 +370,7 @@ pub(super) fn model_for(
         ));
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
-            let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
+            let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
             let turn = frame.rotation.scaled_axis();
             let shift = frame.translation.vector;
             term.coefficients = [turn.as_slice(), shift.as_slice()].concat();

@@ -44,7 +44,7 @@ pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> V
 
 /// An effect that the base model imitates wherever it was measured: more travel, or a second
 /// reflector.
-fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Need> {
+fn lacks_geometry(prepared: &Prepared, effect: &'static Effect, joint: usize) -> Vec<Need> {
     let base = &prepared.regression.base;
     for need in [Need::Travel, Need::Reflector] {
         let offer = offer_for(prepared, &[need]);
@@ -92,7 +92,7 @@ const SMALL: f64 = 1.5;
 
 /// An effect at a size whose displacement has a root mean square of [`SMALL`] times the noise over the
 /// candidates.
-fn small(field: &Field, model: &Model, effect: &'static dyn Effect, joint: usize) -> Term {
+fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) -> Term {
     let q = &field.inputs.q[joint];
     let low = q.iter().copied().fold(f64::INFINITY, f64::min);
     let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -186,11 +186,11 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
             let fades = [0.02, 0.08].map(|share| share * (range.to - range.from));
             match about.setting {
                 Setting::Order { to, .. } if to > 6 && !several => {
-                    terms.extend(ORDERS.map(|order| Term::absent(*effect, joint, order)));
+                    terms.extend(ORDERS.map(|order| Term::absent(effect, joint, order)));
                 }
                 _ => {
                     let orders = if several { 1 } else { u16::MAX };
-                    terms.extend(standing(*effect, joint, orders, &fades, middle_s));
+                    terms.extend(standing(effect, joint, orders, &fades, middle_s));
                 }
             }
         }
@@ -200,7 +200,7 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
 
 /// An effect, absent, at settings that stand for all: orders up to one (its lowest at least), fades, a time.
 pub(crate) fn standing(
-    effect: &'static dyn Effect,
+    effect: &'static Effect,
     joint: usize,
     orders: u16,
     fades: &[f64],

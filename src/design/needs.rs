@@ -134,7 +134,7 @@ pub(crate) fn all_met(survey: &Survey) -> Survey {
 }
 
 /// What an effect lacks; empty where nothing helps, or nothing is lacking.
-pub(crate) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<Need> {
+pub(crate) fn lacks(effect: &Effect, survey: &Survey, joint: usize) -> Vec<Need> {
     let mut now = survey.clone();
     let mut needs: Vec<Need> = Vec::new();
     while let Some(reason) = effect.obstacle(&now, joint) {

@@ -247,7 +247,7 @@ fn names(
             1
         };
         for joint in 0..joints {
-            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            let there = (effect.exists_on)(joint, survey.joints[joint].kind);
             if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
@@ -262,7 +262,7 @@ fn names(
             if !allowed.candidate(about.id) {
                 continue;
             }
-            let term = Term::absent(form_in(*effect, survey, joint), joint, 0.0);
+            let term = Term::absent(form_in(effect, survey, joint), joint, 0.0);
             let settings = scan::settings(problem, &term);
             // Neighbouring times of a step are nearly the same candidate.
             let tried = match about.setting {

@@ -56,6 +56,13 @@ impl Quantity {
         }
     }
 
+    /// A position or a shift, mm.
+    pub const XYZ_MM: [Self; 3] = [
+        Self::new("x_mm", Unit::MM),
+        Self::new("y_mm", Unit::MM),
+        Self::new("z_mm", Unit::MM),
+    ];
+
     /// With another name and unit where the joint slides.
     #[must_use]
     pub const fn sliding(self, name: &'static str, unit: Unit) -> Self {

@@ -13,8 +13,6 @@ use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct AxisTilt;
-
 const ABOUT: About = About {
     id: "axis-tilt",
     title: "Axis tilt",
@@ -39,35 +37,34 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for AxisTilt {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static AXIS_TILT: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
-        let by_mrad = |k: usize| term.coefficients[k] / MILLIRADIAN;
-        Some(format!(
-            "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
-             shim the column's foot",
-            by_mrad(0),
-            by_mrad(1)
-        ))
-    }
+fn remedy(_: &Robot, term: &Term) -> String {
+    let by_mrad = |k: usize| term.coefficients[k] / MILLIRADIAN;
+    format!(
+        "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
+         shim the column's foot",
+        by_mrad(0),
+        by_mrad(1)
+    )
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (u, v, foot) = (me.frame.across_1, me.frame.across_2, me.frame.foot_mm);
-        let (sin_a, cos_a) = sin_cos(me.coefficients[0]);
-        let (sin_b, cos_b) = sin_cos(me.coefficients[1]);
-        let rotated = |x| turned(turned(x, u, sin_a, cos_a), v, sin_b, cos_b);
-        let unit = |k: usize| std::array::from_fn(|row| f64::from(u8::from(row == k)));
-        let images: [[f64; 3]; 3] = std::array::from_fn(|k| rotated(unit(k)));
-        let carry = std::array::from_fn(|row| std::array::from_fn(|column| images[column][row]));
-        block.transform(me, |x, _| {
-            let about_u = turned(minus(x, foot), u, sin_a, cos_a);
-            let to = turned(about_u, v, sin_b, cos_b);
-            let by_alpha = turned(cross(u, about_u), v, sin_b, cos_b);
-            let by_beta = cross(v, to);
-            (add_scaled(to, foot, 1.0), carry, [by_alpha, by_beta])
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let (u, v, foot) = (me.frame.across_1, me.frame.across_2, me.frame.foot_mm);
+    let (sin_a, cos_a) = sin_cos(me.coefficients[0]);
+    let (sin_b, cos_b) = sin_cos(me.coefficients[1]);
+    let rotated = |x| turned(turned(x, u, sin_a, cos_a), v, sin_b, cos_b);
+    let unit = |k: usize| std::array::from_fn(|row| f64::from(u8::from(row == k)));
+    let images: [[f64; 3]; 3] = std::array::from_fn(|k| rotated(unit(k)));
+    let carry = std::array::from_fn(|row| std::array::from_fn(|column| images[column][row]));
+    block.transform(me, |x, _| {
+        let about_u = turned(minus(x, foot), u, sin_a, cos_a);
+        let to = turned(about_u, v, sin_b, cos_b);
+        let by_alpha = turned(cross(u, about_u), v, sin_b, cos_b);
+        let by_beta = cross(v, to);
+        (add_scaled(to, foot, 1.0), carry, [by_alpha, by_beta])
+    });
 }

@@ -10,8 +10,6 @@ use super::{Effect, Placed};
 use crate::lanes::{add_scaled, dot, minus, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct AxisWobble;
-
 const ABOUT: About = About {
     id: "axis-wobble",
     title: "Axis wobble",
@@ -33,36 +31,32 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for AxisWobble {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static AXIS_WOBBLE: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (a, b, order) = (me.coefficients[0], me.coefficients[1], me.setting);
-        let (origin, along) = (me.frame.origin_mm, me.frame.along);
-        block.transform(me, |x, at| {
-            let (s, c) = sin_cos(order * at.q);
-            let arm = minus(x, origin);
-            let across = add_scaled(arm, along, -dot(arm, along));
-            let radius = dot(across, across).sqrt();
-            let wave = a * c - b * s;
-            // On the axis the radius has no direction and the effect no lever.
-            let outward = scaled(across, 1.0 / radius.max(1e-300));
-            let carry: [[f64; 3]; 3] = std::array::from_fn(|row| {
-                std::array::from_fn(|column| {
-                    f64::from(u8::from(row == column)) + wave * along[row] * outward[column]
-                })
-            });
-            let columns = [scaled(along, radius * c), scaled(along, -radius * s)];
-            (add_scaled(x, along, radius * wave), carry, columns)
+fn act(me: &Placed, block: &mut Block) {
+    let (a, b, order) = (me.coefficients[0], me.coefficients[1], me.setting);
+    let (origin, along) = (me.frame.origin_mm, me.frame.along);
+    block.transform(me, |x, at| {
+        let (s, c) = sin_cos(order * at.q);
+        let arm = minus(x, origin);
+        let across = add_scaled(arm, along, -dot(arm, along));
+        let radius = dot(across, across).sqrt();
+        let wave = a * c - b * s;
+        // On the axis the radius has no direction and the effect no lever.
+        let outward = scaled(across, 1.0 / radius.max(1e-300));
+        let carry: [[f64; 3]; 3] = std::array::from_fn(|row| {
+            std::array::from_fn(|column| {
+                f64::from(u8::from(row == column)) + wave * along[row] * outward[column]
+            })
         });
-        block.shift_by_command(me, |x, at| {
-            let (s, c) = sin_cos(order * at.q);
-            let arm = minus(x, origin);
-            let across = add_scaled(arm, along, -dot(arm, along));
-            let radius = dot(across, across).sqrt();
-            scaled(along, -order * radius * (a * s + b * c))
-        });
-    }
+        let columns = [scaled(along, radius * c), scaled(along, -radius * s)];
+        (add_scaled(x, along, radius * wave), carry, columns)
+    });
+    block.shift_by_command(me, |x, at| {
+        let (s, c) = sin_cos(order * at.q);
+        let arm = minus(x, origin);
+        let across = add_scaled(arm, along, -dot(arm, along));
+        let radius = dot(across, across).sqrt();
+        scaled(along, -order * radius * (a * s + b * c))
+    });
 }

@@ -8,8 +8,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct Backlash;
-
 const ABOUT: About = About {
     id: "backlash",
     title: "Backlash",
@@ -28,20 +26,16 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for Backlash {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static BACKLASH: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let width = me.coefficients[0];
-        block.turn(me, |theta, at| {
-            let lag = -0.5 * at.dir;
-            Turned {
-                value: theta + lag * width,
-                by_input: 1.0,
-                by_coefficient: [lag],
-            }
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let width = me.coefficients[0];
+    block.turn(me, |theta, at| {
+        let lag = -0.5 * at.dir;
+        Turned {
+            value: theta + lag * width,
+            by_input: 1.0,
+            by_coefficient: [lag],
+        }
+    });
 }

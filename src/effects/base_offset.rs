@@ -3,22 +3,15 @@
 use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
-
-pub(super) struct BaseOffset;
 
 const ABOUT: About = About {
     id: "base-offset",
     title: "Base offset",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = p + (x, y, z)",
     source: "ISO 9283, 5.6: the base frame as measured",
     cause: "the measuring frame was surveyed to a point beside the axis",
@@ -36,23 +29,22 @@ const MOVED: Need = Need::of_samples("a joint that moved", |survey, _| {
     at_rest.then(|| "the robot never moved: the offset cannot be told from the tool".to_owned())
 });
 
-impl Effect for BaseOffset {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static BASE_OFFSET: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
-        let by = &term.coefficients;
-        Some(format!(
-            "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
-            by[0], by[1], by[2]
-        ))
-    }
+fn remedy(_: &Robot, term: &Term) -> String {
+    let by = &term.coefficients;
+    format!(
+        "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
+        by[0], by[1], by[2]
+    )
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        block.displace(me, |_| (by, AXES));
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    block.displace(me, |_| (by, AXES));
 }
 
 /// The derivatives of a point with respect to its own coordinates.

@@ -11,8 +11,6 @@ use super::{Effect, Placed};
 use crate::lanes::{add_scaled, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct BearingRunout;
-
 const ABOUT: About = About {
     id: "bearing-runout",
     title: "Bearing runout",
@@ -30,25 +28,21 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for BearingRunout {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static BEARING_RUNOUT: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (a, b, order) = (me.coefficients[0], me.coefficients[1], me.setting);
-        let (u, v) = (me.frame.across_1, me.frame.across_2);
-        block.displace(me, |at| {
-            let (s, c) = sin_cos(order * at.q);
-            let by_a = add_scaled(scaled(u, c), v, s);
-            let by_b = add_scaled(scaled(u, -s), v, c);
-            (add_scaled(scaled(by_a, a), by_b, b), [by_a, by_b])
-        });
-        block.shift_by_command(me, |_, at| {
-            let (s, c) = sin_cos(order * at.q);
-            let along_u = -order * (a * s + b * c);
-            let along_v = order * (a * c - b * s);
-            add_scaled(scaled(u, along_u), v, along_v)
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let (a, b, order) = (me.coefficients[0], me.coefficients[1], me.setting);
+    let (u, v) = (me.frame.across_1, me.frame.across_2);
+    block.displace(me, |at| {
+        let (s, c) = sin_cos(order * at.q);
+        let by_a = add_scaled(scaled(u, c), v, s);
+        let by_b = add_scaled(scaled(u, -s), v, c);
+        (add_scaled(scaled(by_a, a), by_b, b), [by_a, by_b])
+    });
+    block.shift_by_command(me, |_, at| {
+        let (s, c) = sin_cos(order * at.q);
+        let along_u = -order * (a * s + b * c);
+        let along_v = order * (a * c - b * s);
+        add_scaled(scaled(u, along_u), v, along_v)
+    });
 }

@@ -12,8 +12,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct EncoderEccentricity;
-
 const ABOUT: About = About {
     id: "encoder-eccentricity",
     title: "Encoder eccentricity",
@@ -32,34 +30,30 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for EncoderEccentricity {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static ENCODER_ECCENTRICITY: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (a, b) = (me.coefficients[0], me.coefficients[1]);
-        block.turn(me, |theta, at| {
-            let (s, c) = sin_cos(at.q);
-            // Beyond |ε| = 1 the ring would not enclose the axis; the clamp keeps a wild trial
-            // step of the solver finite.
-            let sine = (a * s - b * c).clamp(-0.999, 0.999);
-            let slope = 1.0 / (1.0 - sine * sine).sqrt();
-            Turned {
-                value: theta + sine.asin(),
-                by_input: 1.0,
-                by_coefficient: [s * slope, -c * slope],
-            }
-        });
-        block.turn_by_command(me, me.joint, |at| {
-            let (s, c) = sin_cos(at.q);
-            let sine = a * s - b * c;
-            // Where the sine is clamped it does not change.
-            if sine.abs() < 0.999 {
-                (a * c + b * s) / (1.0 - sine * sine).sqrt()
-            } else {
-                0.0
-            }
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let (a, b) = (me.coefficients[0], me.coefficients[1]);
+    block.turn(me, |theta, at| {
+        let (s, c) = sin_cos(at.q);
+        // Beyond |ε| = 1 the ring would not enclose the axis; the clamp keeps a wild trial
+        // step of the solver finite.
+        let sine = (a * s - b * c).clamp(-0.999, 0.999);
+        let slope = 1.0 / (1.0 - sine * sine).sqrt();
+        Turned {
+            value: theta + sine.asin(),
+            by_input: 1.0,
+            by_coefficient: [s * slope, -c * slope],
+        }
+    });
+    block.turn_by_command(me, me.joint, |at| {
+        let (s, c) = sin_cos(at.q);
+        let sine = a * s - b * c;
+        // Where the sine is clamped it does not change.
+        if sine.abs() < 0.999 {
+            (a * c + b * s) / (1.0 - sine * sine).sqrt()
+        } else {
+            0.0
+        }
+    });
 }

@@ -8,8 +8,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct EncoderTwoCycle;
-
 const ABOUT: About = About {
     id: "encoder-two-cycle",
     title: "Encoder two-cycle error",
@@ -25,12 +23,8 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for EncoderTwoCycle {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static ENCODER_TWO_CYCLE: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        super::gear_transmission_error::add_sine_of_the_command(me, block, 2.0);
-    }
+fn act(me: &Placed, block: &mut Block) {
+    super::gear_transmission_error::add_sine_of_the_command(me, block, 2.0);
 }

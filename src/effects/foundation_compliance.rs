@@ -20,8 +20,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
 
-pub(super) struct FoundationCompliance;
-
 const ABOUT: About = About {
     id: "foundation-compliance",
     title: "Foundation compliance",
@@ -66,46 +64,45 @@ const MOMENT: Need = Need {
     },
 };
 
-impl Effect for FoundationCompliance {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static FOUNDATION_COMPLIANCE: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
-        Some("stiffen the foundation, or give the controller a payload model".to_owned())
-    }
+fn remedy(_: &Robot, _: &Term) -> String {
+    "stiffen the foundation, or give the controller a payload model".to_owned()
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let Some(down) = me.down else {
-            block.transform(me, |p, _| (p, IDENTITY, [[0.0; 3]; 2]));
-            return;
-        };
-        let (x, y) = across(down);
-        let moments: [[f64; 3]; LANES] = std::array::from_fn(|lane| overturning_nm(block, lane));
-        block.transform(me, |p, at| {
-            let moment = moments[at.lane];
-            let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
-            let omega = add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1]);
-            let turn = rotation(omega);
-            let to = times(turn, p);
-            let left = left_jacobian(omega);
-            (to, turn, by.map(|by| cross(times(left, by), to)))
+fn act(me: &Placed, block: &mut Block) {
+    let Some(down) = me.down else {
+        block.transform(me, |p, _| (p, IDENTITY, [[0.0; 3]; 2]));
+        return;
+    };
+    let (x, y) = across(down);
+    let moments: [[f64; 3]; LANES] = std::array::from_fn(|lane| overturning_nm(block, lane));
+    block.transform(me, |p, at| {
+        let moment = moments[at.lane];
+        let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
+        let omega = add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1]);
+        let turn = rotation(omega);
+        let to = times(turn, p);
+        let left = left_jacobian(omega);
+        (to, turn, by.map(|by| cross(times(left, by), to)))
+    });
+    if !block.by_command() {
+        return;
+    }
+    let turned_by = |moment: [f64; 3]| {
+        let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
+        add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1])
+    };
+    for joint in 0..block.robot.joints.len() {
+        let slopes: [[f64; 3]; LANES] =
+            std::array::from_fn(|lane| overturning_slope(block, joint, lane));
+        block.shift_by_command_of(me, joint, |p, at| {
+            let left = left_jacobian(turned_by(moments[at.lane]));
+            cross(times(left, turned_by(slopes[at.lane])), p)
         });
-        if !block.by_command() {
-            return;
-        }
-        let turned_by = |moment: [f64; 3]| {
-            let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
-            add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1])
-        };
-        for joint in 0..block.robot.joints.len() {
-            let slopes: [[f64; 3]; LANES] =
-                std::array::from_fn(|lane| overturning_slope(block, joint, lane));
-            block.shift_by_command_of(me, joint, |p, at| {
-                let left = left_jacobian(turned_by(moments[at.lane]));
-                cross(times(left, turned_by(slopes[at.lane])), p)
-            });
-        }
     }
 }
 

@@ -8,8 +8,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-pub(super) struct FrameDrift;
-
 const ABOUT: About = About {
     id: "frame-drift",
     title: "Frame drift",
@@ -33,20 +31,16 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for FrameDrift {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static FRAME_DRIFT: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let rate = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        let start_s = me.start_s;
-        block.displace(me, |at| {
-            let elapsed_s = at.time_s - start_s;
-            (
-                scaled(rate, elapsed_s),
-                AXES.map(|axis| scaled(axis, elapsed_s)),
-            )
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let rate = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    let start_s = me.start_s;
+    block.displace(me, |at| {
+        let elapsed_s = at.time_s - start_s;
+        (
+            scaled(rate, elapsed_s),
+            AXES.map(|axis| scaled(axis, elapsed_s)),
+        )
+    });
 }

@@ -6,22 +6,15 @@ use super::about::{About, Form, Over, Owner, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
-
-pub(super) struct FrameShift;
 
 const ABOUT: About = About {
     id: "frame-shift",
     title: "Frame shift",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     setting: Setting::Time,
     equation: "p = p + (x, y, z) from t* on",
     source: "a change point of the measuring frame",
@@ -35,17 +28,13 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for FrameShift {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static FRAME_SHIFT: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        let step_s = me.setting;
-        block.displace(me, |at| {
-            let after = f64::from(u8::from(at.time_s >= step_s));
-            (scaled(by, after), AXES.map(|axis| scaled(axis, after)))
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let by = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    let step_s = me.setting;
+    block.displace(me, |at| {
+        let after = f64::from(u8::from(at.time_s >= step_s));
+        (scaled(by, after), AXES.map(|axis| scaled(axis, after)))
+    });
 }

@@ -10,8 +10,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct GearTransmissionError;
-
 const ABOUT: About = About {
     id: "gear-transmission-error",
     title: "Gear transmission error",
@@ -28,14 +26,10 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for GearTransmissionError {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static GEAR_TRANSMISSION_ERROR: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        add_sine_of_the_command(me, block, me.setting);
-    }
+fn act(me: &Placed, block: &mut Block) {
+    add_sine_of_the_command(me, block, me.setting);
 }
 
 /// `θ += A sin(k q + φ)`: A cos φ multiplies sin(k q), A sin φ multiplies cos(k q).

@@ -6,8 +6,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::scaled;
 
-pub(super) struct InstrumentScale;
-
 const ABOUT: About = About {
     id: "instrument-scale",
     title: "Instrument scale",
@@ -25,14 +23,10 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for InstrumentScale {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static INSTRUMENT_SCALE: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let factor = 1.0 + me.coefficients[0];
-        let carry = super::base_offset::AXES.map(|row| scaled(row, factor));
-        block.transform(me, |x, _| (scaled(x, factor), carry, [x]));
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let factor = 1.0 + me.coefficients[0];
+    let carry = super::base_offset::AXES.map(|row| scaled(row, factor));
+    block.transform(me, |x, _| (scaled(x, factor), carry, [x]));
 }

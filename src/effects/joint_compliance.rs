@@ -22,8 +22,6 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 mod unknown_masses;
 
-pub(super) struct JointCompliance;
-
 const ABOUT: About = About {
     id: "joint-compliance",
     title: "Joint compliance",
@@ -73,70 +71,66 @@ const TORQUE: Need = Need {
     },
 };
 
-impl Effect for JointCompliance {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static JOINT_COMPLIANCE: Effect = Effect {
+    // The form with fewer parameters first: a model's file tells the form by its parameters.
+    other_forms: &[&unknown_masses::SAG, &unknown_masses::WITH_LOAD],
+    takes_form,
+    ..Effect::new(ABOUT, act)
+};
 
-    fn other_forms(&self) -> &'static [&'static dyn Effect] {
-        // The form with fewer parameters first: a model's file tells the form by its parameters.
-        &[&unknown_masses::SAG, &unknown_masses::WITH_LOAD]
+fn takes_form(survey: &Survey, joint: usize) -> Option<&'static Effect> {
+    let measured = survey.joints[joint].torque_range_nm.is_some();
+    if survey.joints.len() == 1 || survey.link_masses || measured {
+        return None;
     }
+    let told_by_load = survey.loads >= 2 && survey.largest_load_kg > 0.0;
+    Some(if told_by_load {
+        &unknown_masses::WITH_LOAD
+    } else {
+        &unknown_masses::SAG
+    })
+}
 
-    fn takes_form(&self, survey: &Survey, joint: usize) -> Option<&'static dyn Effect> {
-        let measured = survey.joints[joint].torque_range_nm.is_some();
-        if survey.joints.len() == 1 || survey.link_masses || measured {
-            return None;
+fn act(me: &Placed, block: &mut Block) {
+    let compliance = me.coefficients[0];
+    let torques: [Torque; LANES] = std::array::from_fn(|i| Torque::of(block, me.joint, i));
+    let measured: [Option<f64>; LANES] = std::array::from_fn(|i| block.torque_nm(me.joint, i));
+    block.turn(me, |start, at| {
+        if let Some(tau) = measured[at.lane] {
+            return Turned {
+                value: start + compliance * tau,
+                by_input: 1.0,
+                by_coefficient: [tau],
+            };
         }
-        let told_by_load = survey.loads >= 2 && survey.largest_load_kg > 0.0;
-        Some(if told_by_load {
-            &unknown_masses::WITH_LOAD
-        } else {
-            &unknown_masses::SAG
-        })
-    }
-
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let compliance = me.coefficients[0];
-        let torques: [Torque; LANES] = std::array::from_fn(|i| Torque::of(block, me.joint, i));
-        let measured: [Option<f64>; LANES] = std::array::from_fn(|i| block.torque_nm(me.joint, i));
-        block.turn(me, |start, at| {
-            if let Some(tau) = measured[at.lane] {
-                return Turned {
-                    value: start + compliance * tau,
-                    by_input: 1.0,
-                    by_coefficient: [tau],
-                };
-            }
-            let torque = &torques[at.lane];
-            let mut theta = start;
-            for _ in 0..NEWTON_STEPS {
-                let (tau, slope) = torque.at(theta);
-                theta -= (theta - start - compliance * tau) / (1.0 - compliance * slope);
-            }
+        let torque = &torques[at.lane];
+        let mut theta = start;
+        for _ in 0..NEWTON_STEPS {
             let (tau, slope) = torque.at(theta);
-            let gain = 1.0 / (1.0 - compliance * slope);
-            Turned {
-                value: theta,
-                by_input: gain,
-                by_coefficient: [tau * gain],
-            }
-        });
-        if block.by_command() {
-            let joints = block.robot.joints.len();
-            for other in (0..joints).filter(|k| *k != me.joint) {
-                let slopes = std::array::from_fn(|i| {
-                    if measured[i].is_some() {
-                        return 0.0;
-                    }
-                    let theta = block.value(me.joint, i);
-                    let torque = &torques[i];
-                    let gain = 1.0 / (1.0 - compliance * torque.at(theta).1);
-                    let by_other = torque.by_other(block, me.joint, other, i, theta);
-                    compliance * by_other * gain
-                });
-                block.turn_by_command_of(me, other, &slopes);
-            }
+            theta -= (theta - start - compliance * tau) / (1.0 - compliance * slope);
+        }
+        let (tau, slope) = torque.at(theta);
+        let gain = 1.0 / (1.0 - compliance * slope);
+        Turned {
+            value: theta,
+            by_input: gain,
+            by_coefficient: [tau * gain],
+        }
+    });
+    if block.by_command() {
+        let joints = block.robot.joints.len();
+        for other in (0..joints).filter(|k| *k != me.joint) {
+            let slopes = std::array::from_fn(|i| {
+                if measured[i].is_some() {
+                    return 0.0;
+                }
+                let theta = block.value(me.joint, i);
+                let torque = &torques[i];
+                let gain = 1.0 / (1.0 - compliance * torque.at(theta).1);
+                let by_other = torque.by_other(block, me.joint, other, i, theta);
+                compliance * by_other * gain
+            });
+            block.turn_by_command_of(me, other, &slopes);
         }
     }
 }

@@ -9,8 +9,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct JointScale;
-
 const ABOUT: About = About {
     id: "joint-scale",
     title: "Joint scale",
@@ -26,17 +24,13 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for JointScale {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static JOINT_SCALE: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let k = me.coefficients[0];
-        block.turn(me, |theta, _| Turned {
-            value: (1.0 + k) * theta,
-            by_input: 1.0 + k,
-            by_coefficient: [theta],
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let k = me.coefficients[0];
+    block.turn(me, |theta, _| Turned {
+        value: (1.0 + k) * theta,
+        by_input: 1.0 + k,
+        by_coefficient: [theta],
+    });
 }

@@ -8,8 +8,6 @@ use super::block::{Block, Turned};
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct JointZeroOffset;
-
 pub(super) const ABOUT: About = About {
     id: "joint-zero-offset",
     title: "Joint zero offset",
@@ -29,17 +27,13 @@ pub(super) const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for JointZeroOffset {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static JOINT_ZERO_OFFSET: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let offset = me.coefficients[0];
-        block.turn(me, |theta, _| Turned {
-            value: theta + offset,
-            by_input: 1.0,
-            by_coefficient: [1.0],
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let offset = me.coefficients[0];
+    block.turn(me, |theta, _| Turned {
+        value: theta + offset,
+        by_input: 1.0,
+        by_coefficient: [1.0],
+    });
 }

@@ -8,8 +8,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
-pub(super) struct LinkDroop;
-
 const ABOUT: About = About {
     id: "link-droop",
     title: "Link droop",
@@ -28,21 +26,20 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for LinkDroop {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static LINK_DROOP: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
-        Some("stiffen the link, or give the controller a payload model".to_owned())
-    }
+fn remedy(_: &Robot, _: &Term) -> String {
+    "stiffen the link, or give the controller a payload model".to_owned()
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let down = me.down.unwrap_or([0.0; 3]);
-        let mm_per_kg = me.coefficients[0];
-        block.displace(me, |at| {
-            let column = scaled(down, at.load_kg);
-            (scaled(column, mm_per_kg), [column])
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let down = me.down.unwrap_or([0.0; 3]);
+    let mm_per_kg = me.coefficients[0];
+    block.displace(me, |at| {
+        let column = scaled(down, at.load_kg);
+        (scaled(column, mm_per_kg), [column])
+    });
 }

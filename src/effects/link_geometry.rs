@@ -23,9 +23,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, dot, scaled, times};
 
-/// See the module.
-pub struct LinkGeometry;
-
 const ABOUT: About = About {
     id: "link-geometry",
     title: "Link geometry",
@@ -58,33 +55,33 @@ const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
         .then(|| "the robot has a single axis: axis tilt and base offset take its place".to_owned())
 });
 
-impl Effect for LinkGeometry {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static LINK_GEOMETRY: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
-        Some("enter the identified geometry as the controller's kinematic data".to_owned())
-    }
+fn remedy(_: &Robot, _: &Term) -> String {
+    "enter the identified geometry as the controller's kinematic data".to_owned()
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (x, y) = across(me.frame.along);
-        let c = &me.coefficients;
-        let screw = Screw {
-            turn: add_scaled(scaled(x, c[2]), y, c[3]),
-            shift: add_scaled(scaled(x, c[0]), y, c[1]),
-        };
-        let zero = [0.0; 3];
-        let units = [(zero, x), (zero, y), (x, zero), (y, zero)];
-        let by = units.map(|(turn, shift)| screw.left_jacobian_times(Screw { turn, shift }));
-        let motion = RigidMotion {
-            origin_mm: me.frame.origin_mm,
-            rotation: rotation(screw.turn),
-            shift_mm: times(left_jacobian(screw.turn), screw.shift),
-            by: by.map(|by| (by.turn, by.shift)),
-        };
-        block.move_rigidly(me, &motion);
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let (x, y) = across(me.frame.along);
+    let c = &me.coefficients;
+    let screw = Screw {
+        turn: add_scaled(scaled(x, c[2]), y, c[3]),
+        shift: add_scaled(scaled(x, c[0]), y, c[1]),
+    };
+    let zero = [0.0; 3];
+    let units = [(zero, x), (zero, y), (x, zero), (y, zero)];
+    let by = units.map(|(turn, shift)| screw.left_jacobian_times(Screw { turn, shift }));
+    let motion = RigidMotion {
+        origin_mm: me.frame.origin_mm,
+        rotation: rotation(screw.turn),
+        shift_mm: times(left_jacobian(screw.turn), screw.shift),
+        by: by.map(|by| (by.turn, by.shift)),
+    };
+    block.move_rigidly(me, &motion);
 }
 
 /// X and Y of a joint with this axis: see the module.

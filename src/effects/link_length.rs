@@ -12,8 +12,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
-pub(super) struct LinkLength;
-
 pub(super) const ABOUT: About = About {
     id: "link-length",
     title: "Link length",
@@ -30,23 +28,22 @@ pub(super) const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for LinkLength {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static LINK_LENGTH: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, robot: &Robot, term: &Term) -> Option<String> {
-        let radius = JointFrame::new(robot, term.joint).radius_mm;
-        Some(format!(
-            "along the radius; set the tool's radius (l1) in the controller from {radius:.4} to \
-             {:.4} mm",
-            radius + term.coefficients[0]
-        ))
-    }
+fn remedy(robot: &Robot, term: &Term) -> String {
+    let radius = JointFrame::new(robot, term.joint).radius_mm;
+    format!(
+        "along the radius; set the tool's radius (l1) in the controller from {radius:.4} to \
+         {:.4} mm",
+        radius + term.coefficients[0]
+    )
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let radial = me.frame.radial;
-        let delta = scaled(radial, me.coefficients[0]);
-        block.displace(me, |_| (delta, [radial]));
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let radial = me.frame.radial;
+    let delta = scaled(radial, me.coefficients[0]);
+    block.displace(me, |_| (delta, [radial]));
 }

@@ -10,8 +10,6 @@ use super::term::fade;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct LostMotion;
-
 const ABOUT: About = About {
     id: "lost-motion",
     title: "Lost motion",
@@ -32,30 +30,26 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for LostMotion {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static LOST_MOTION: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let width = me.coefficients[0];
-        // A fade of zero is the limit, backlash; 0/0 at a travel of zero must not arise.
-        let per_fade = 1.0 / fade(me.setting, me.coefficients[1]).max(1e-12);
-        block.turn(me, |theta, at| {
-            let fades = at.travel * per_fade;
-            let left = (-fades).exp();
-            let lag = -0.5 * at.dir * (1.0 - 2.0 * left);
-            // ∂lag/∂u with fade = f₀ eᵘ; nothing is left after a long way (∞·0 must not arise).
-            let by_u = if left > 0.0 {
-                at.dir * left * fades
-            } else {
-                0.0
-            };
-            Turned {
-                value: theta + lag * width,
-                by_input: 1.0,
-                by_coefficient: [lag, by_u * width],
-            }
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let width = me.coefficients[0];
+    // A fade of zero is the limit, backlash; 0/0 at a travel of zero must not arise.
+    let per_fade = 1.0 / fade(me.setting, me.coefficients[1]).max(1e-12);
+    block.turn(me, |theta, at| {
+        let fades = at.travel * per_fade;
+        let left = (-fades).exp();
+        let lag = -0.5 * at.dir * (1.0 - 2.0 * left);
+        // ∂lag/∂u with fade = f₀ eᵘ; nothing is left after a long way (∞·0 must not arise).
+        let by_u = if left > 0.0 {
+            at.dir * left * fades
+        } else {
+            0.0
+        };
+        Turned {
+            value: theta + lag * width,
+            by_input: 1.0,
+            by_coefficient: [lag, by_u * width],
+        }
+    });
 }

@@ -15,9 +15,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::{add_scaled, cross, scaled, times};
 
-/// See the module.
-pub struct MeasuringFrame;
-
 const ABOUT: About = About {
     id: "measuring-frame",
     title: "Measuring frame",
@@ -51,35 +48,32 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for MeasuringFrame {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static MEASURING_FRAME: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let omega = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        let shift = [me.coefficients[3], me.coefficients[4], me.coefficients[5]];
-        let rotation = rotation(omega);
-        let left = left_jacobian(omega);
-        // ∂(R x)/∂ω_k = (J_l e_k) × (R x), J_l the left Jacobian of SO(3).
-        let spins: [[f64; 3]; 3] = std::array::from_fn(|k| times(left, AXES[k]));
-        block.transform(me, |x, at| {
-            if at.setup == me.setting {
-                let turned = times(rotation, x);
-                let columns = [
-                    cross(spins[0], turned),
-                    cross(spins[1], turned),
-                    cross(spins[2], turned),
-                    AXES[0],
-                    AXES[1],
-                    AXES[2],
-                ];
-                (add_scaled(turned, shift, 1.0), rotation, columns)
-            } else {
-                (x, AXES, [[0.0; 3]; 6])
-            }
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let omega = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    let shift = [me.coefficients[3], me.coefficients[4], me.coefficients[5]];
+    let rotation = rotation(omega);
+    let left = left_jacobian(omega);
+    // ∂(R x)/∂ω_k = (J_l e_k) × (R x), J_l the left Jacobian of SO(3).
+    let spins: [[f64; 3]; 3] = std::array::from_fn(|k| times(left, AXES[k]));
+    block.transform(me, |x, at| {
+        if at.setup == me.setting {
+            let turned = times(rotation, x);
+            let columns = [
+                cross(spins[0], turned),
+                cross(spins[1], turned),
+                cross(spins[2], turned),
+                AXES[0],
+                AXES[1],
+                AXES[2],
+            ];
+            (add_scaled(turned, shift, 1.0), rotation, columns)
+        } else {
+            (x, AXES, [[0.0; 3]; 6])
+        }
+    });
 }
 
 /// Exchanges a rotation vector of more than half a turn for the shorter one of the same rotation.

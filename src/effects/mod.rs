@@ -1,5 +1,5 @@
 //! The physical effects that make a real robot differ from the robot that its controller
-//! believes in: one file each, behind the trait [`Effect`], listed in [`CATALOGUE`].
+//! believes in: one file each, each an [`Effect`], listed in [`CATALOGUE`].
 //!
 //! # To add an effect
 //! Write one file like its neighbours and add it to the list at [`CATALOGUE`]. Simulation,
@@ -65,151 +65,147 @@ pub use about::{
 pub use block::{Block, Lane, Turned};
 pub use curve::{Curve, CurveError, Knots};
 pub use inputs::{Inputs, JointValues};
-pub use link_geometry::LinkGeometry;
-pub use measuring_frame::MeasuringFrame;
+pub use link_geometry::LINK_GEOMETRY;
+pub use measuring_frame::MEASURING_FRAME;
 pub use needs::{Need, Offered};
 pub use places::{Place, PlaceKind};
 pub use survey::{JointSurvey, Survey};
 pub use term::{Held, JointFrame, Parameter, Placed, Term, TermError};
-pub use tool_orientation::ToolOrientation;
-pub use tool_position::ToolPosition;
-pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
+pub use tool_orientation::TOOL_ORIENTATION;
+pub use tool_position::TOOL_POSITION;
+pub use unexplained::{EACH_DIRECTION, SMOOTH, UNEXPLAINED};
 pub use units::Unit;
-pub use unknown_anchor::UnknownAnchor;
-pub use unknown_plane::UnknownPlane;
-pub use unknown_socket::UnknownSocket;
-pub use unknown_station::UnknownStation;
+pub use unknown_anchor::UNKNOWN_ANCHOR;
+pub use unknown_plane::UNKNOWN_PLANE;
+pub use unknown_socket::UNKNOWN_SOCKET;
+pub use unknown_station::UNKNOWN_STATION;
 
 use crate::kinematics::{JointKind, Robot};
 
-/// One physical effect.
-pub trait Effect: Sync {
-    /// Its name, equation, parameters and the words about it.
-    fn about(&self) -> &'static About;
-
+/// One physical effect: the words about it, and what it does.
+pub struct Effect {
+    about: About,
     /// Whether there is such an effect on a joint at all, whatever is measured.
-    fn exists_on(&self, joint: usize, kind: JointKind) -> bool {
-        let _ = (joint, kind);
-        true
-    }
-
+    pub exists_on: fn(usize, JointKind) -> bool,
     /// The same effect with other parameters, for sessions that know less of the machine; one whose
     /// parameters another has as well stands before it.
-    fn other_forms(&self) -> &'static [&'static dyn Effect] {
-        &[]
+    pub other_forms: &'static [&'static Effect],
+    /// Which of [`Effect::other_forms`] a session like this one takes for a joint, if any.
+    pub takes_form: fn(&Survey, usize) -> Option<&'static Effect>,
+    /// What in the controller's data would remove the effect where commands of the joints cannot;
+    /// `None` where only work on the machine does.
+    pub remedy: Option<fn(&Robot, &Term) -> String>,
+    /// Figures of the effect in a session that are no parameters of it.
+    pub figures: fn(&Placed, &Robot, &Inputs) -> Vec<Figure>,
+    /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
+    pub act: fn(&Placed, &mut Block),
+}
+
+/// The name of a figure with its unit, and the value where the samples show it.
+pub type Figure = (&'static str, Option<f64>);
+
+impl Effect {
+    /// An effect of one form on every joint, without remedy and figures.
+    pub const fn new(about: About, act: fn(&Placed, &mut Block)) -> Self {
+        Self {
+            about,
+            exists_on: |_, _| true,
+            other_forms: &[],
+            takes_form: |_, _| None,
+            remedy: None,
+            figures: |_, _, _| Vec::new(),
+            act,
+        }
     }
 
-    /// Which of [`Effect::other_forms`] a session like this one takes for a joint, if any.
-    fn takes_form(&self, survey: &Survey, joint: usize) -> Option<&'static dyn Effect> {
-        let _ = (survey, joint);
-        None
+    /// Its name, equation, parameters and the words about it.
+    pub const fn about(&self) -> &About {
+        &self.about
     }
 
     /// Why this session cannot show the effect on this joint; `None` where it can: the first of
     /// its needs that is not met.
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        let needs = self.about().needs.iter();
+    pub fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        let needs = self.about.needs.iter();
         needs
             .map(|need| (need.unmet)(survey, joint))
             .find_map(|reason| reason)
     }
-
-    /// What in the controller's data would remove the effect where commands of the joints cannot;
-    /// `None` where only work on the machine does.
-    fn remedy(&self, robot: &Robot, term: &Term) -> Option<String> {
-        let _ = (robot, term);
-        None
-    }
-
-    /// Figures of the effect in a session that are no parameters of it: name with its unit, and the
-    /// value where the samples show it.
-    fn figures(
-        &self,
-        me: &Placed,
-        robot: &Robot,
-        inputs: &Inputs,
-    ) -> Vec<(&'static str, Option<f64>)> {
-        let _ = (me, robot, inputs);
-        Vec::new()
-    }
-
-    /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
-    fn act(&self, me: &Placed, block: &mut block::Block);
 }
 
 /// Every effect, in the order in which they act.
-pub const CATALOGUE: &[&dyn Effect] = &[
-    &joint_scale::JointScale,
-    &joint_zero_offset::JointZeroOffset,
-    &encoder_eccentricity::EncoderEccentricity,
-    &encoder_two_cycle::EncoderTwoCycle,
-    &gear_transmission_error::GearTransmissionError,
-    &screw_pitch::ScrewPitch,
-    &backlash::Backlash,
-    &lost_motion::LostMotion,
-    &tracking_lag::TrackingLag,
-    &thermal_zero_drift::ThermalZeroDrift,
-    &joint_compliance::JointCompliance,
-    &wrist_coupling::WristCoupling,
-    &link_length::LinkLength,
-    &tool_lateral_offset::ToolLateralOffset,
-    &thermal_growth::ThermalGrowth,
-    &bearing_runout::BearingRunout,
-    &axis_wobble::AxisWobble,
-    &link_droop::LinkDroop,
-    &foundation_compliance::FoundationCompliance,
-    &axis_tilt::AxisTilt,
-    &base_offset::BaseOffset,
-    &instrument_scale::InstrumentScale,
-    &frame_shift::FrameShift,
-    &frame_drift::FrameDrift,
+pub const CATALOGUE: &[&Effect] = &[
+    &joint_scale::JOINT_SCALE,
+    &joint_zero_offset::JOINT_ZERO_OFFSET,
+    &encoder_eccentricity::ENCODER_ECCENTRICITY,
+    &encoder_two_cycle::ENCODER_TWO_CYCLE,
+    &gear_transmission_error::GEAR_TRANSMISSION_ERROR,
+    &screw_pitch::SCREW_PITCH,
+    &backlash::BACKLASH,
+    &lost_motion::LOST_MOTION,
+    &tracking_lag::TRACKING_LAG,
+    &thermal_zero_drift::THERMAL_ZERO_DRIFT,
+    &joint_compliance::JOINT_COMPLIANCE,
+    &wrist_coupling::WRIST_COUPLING,
+    &link_length::LINK_LENGTH,
+    &tool_lateral_offset::TOOL_LATERAL_OFFSET,
+    &thermal_growth::THERMAL_GROWTH,
+    &bearing_runout::BEARING_RUNOUT,
+    &axis_wobble::AXIS_WOBBLE,
+    &link_droop::LINK_DROOP,
+    &foundation_compliance::FOUNDATION_COMPLIANCE,
+    &axis_tilt::AXIS_TILT,
+    &base_offset::BASE_OFFSET,
+    &instrument_scale::INSTRUMENT_SCALE,
+    &frame_shift::FRAME_SHIFT,
+    &frame_drift::FRAME_DRIFT,
 ];
 
 /// The form of an effect in which a session shows it on a joint.
-pub fn form_in(effect: &'static dyn Effect, survey: &Survey, joint: usize) -> &'static dyn Effect {
-    effect.takes_form(survey, joint).unwrap_or(effect)
+pub fn form_in(effect: &'static Effect, survey: &Survey, joint: usize) -> &'static Effect {
+    (effect.takes_form)(survey, joint).unwrap_or(effect)
 }
 
 /// The form of an effect that has such parameters or so many coefficients.
 pub fn form_with(
-    effect: &'static dyn Effect,
-    is_it: impl Fn(&'static dyn Effect) -> bool,
-) -> &'static dyn Effect {
+    effect: &'static Effect,
+    is_it: impl Fn(&'static Effect) -> bool,
+) -> &'static Effect {
     if is_it(effect) {
         return effect;
     }
-    let mut others = effect.other_forms().iter().copied();
-    others.find(|e| is_it(*e)).unwrap_or(effect)
+    let mut others = effect.other_forms.iter().copied();
+    others.find(|e| is_it(e)).unwrap_or(effect)
 }
 
 /// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
 /// with several joints, which is never a candidate, and what has no name.
-pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] = &[
-    &MeasuringFrame,
-    &ToolOrientation,
-    &ToolPosition,
-    &LinkGeometry,
-    &UnknownAnchor,
-    &UnknownStation,
-    &UnknownPlane,
-    &UnknownSocket,
-    &Unexplained,
+pub const BESIDE_THE_CATALOGUE: &[&Effect] = &[
+    &MEASURING_FRAME,
+    &TOOL_ORIENTATION,
+    &TOOL_POSITION,
+    &LINK_GEOMETRY,
+    &UNKNOWN_ANCHOR,
+    &UNKNOWN_STATION,
+    &UNKNOWN_PLANE,
+    &UNKNOWN_SOCKET,
+    &SMOOTH,
 ];
 
 /// The effect of this name; also what models carry beside the catalogue's effects.
-pub fn find(id: &str) -> Option<&'static dyn Effect> {
+pub fn find(id: &str) -> Option<&'static Effect> {
     let all = CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE);
     all.copied().find(|effect| effect.about().id == id)
 }
 
 /// The zero offset of a joint.
-pub fn joint_zero() -> &'static dyn Effect {
-    &joint_zero_offset::JointZeroOffset
+pub fn joint_zero() -> &'static Effect {
+    &joint_zero_offset::JOINT_ZERO_OFFSET
 }
 
 /// The length from a single axis to the tool.
-pub fn tool_radius() -> &'static dyn Effect {
-    &link_length::LinkLength
+pub fn tool_radius() -> &'static Effect {
+    &link_length::LINK_LENGTH
 }
 
 /// The effects that every calibration of a single axis identifies.
@@ -223,7 +219,7 @@ pub fn role(id: &str) -> Role {
 /// Place of an effect among all: effects act in this order, that of the catalogue. The measuring
 /// frame acts before what is told in the instrument's own axes (its scale, a shift, a drift), and
 /// what else stands beside the catalogue acts after everything of its stage.
-pub fn rank(effect: &dyn Effect) -> usize {
+pub fn rank(effect: &Effect) -> usize {
     let id = effect.about().id;
     let place = |id: &str| CATALOGUE.iter().position(|e| e.about().id == id);
     let beside = || {
@@ -233,7 +229,7 @@ pub fn rank(effect: &dyn Effect) -> usize {
     match place(id) {
         Some(place) => 2 * place + 1,
         None if effect.about().role == Role::FreeFrame => {
-            let instruments = |e: &&dyn Effect| e.about().owner == Owner::Instrument;
+            let instruments = |e: &&Effect| e.about().owner == Owner::Instrument;
             2 * CATALOGUE.iter().position(instruments).unwrap_or(0)
         }
         None => 2 * CATALOGUE.len() + beside(),
@@ -257,7 +253,8 @@ mod tests {
             }
             let text = std::fs::read_to_string(&path).unwrap();
             let stem = path.file_stem().unwrap().to_str().unwrap();
-            let is_effect = text.contains("\nimpl Effect for ");
+            let declares = |l: &str| l.starts_with("pub") && l.contains(": Effect = Effect");
+            let is_effect = text.lines().any(declares);
             if is_effect && find(&stem.replace('_', "-")).is_none() {
                 unlisted.push(stem.to_owned());
             }
@@ -270,8 +267,8 @@ mod tests {
         let mut before = 0;
         for effect in CATALOGUE {
             let about = effect.about();
-            assert!(rank(*effect) > before, "{}", about.id);
-            before = rank(*effect);
+            assert!(rank(effect) > before, "{}", about.id);
+            before = rank(effect);
             for text in [
                 about.title,
                 about.equation,

@@ -12,7 +12,8 @@
 use nalgebra::{Point3, Vector3};
 
 use super::about::{About, Owner, Role, Setting, Stage};
-use super::{Effect, Term, UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
+use super::block::Block;
+use super::{Effect, Placed, Term, UNKNOWN_ANCHOR, UNKNOWN_PLANE, UNKNOWN_SOCKET, UNKNOWN_STATION};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What kind of place.
@@ -55,16 +56,19 @@ pub(super) const ABOUT: About = About {
     ..About::PLAIN
 };
 
+/// The robot does what it does wherever it is measured from.
+pub(super) const NOTHING: fn(&Placed, &mut Block) = |_, _| {};
+
 impl PlaceKind {
     const ALL: [Self; 4] = [Self::Anchor, Self::Station, Self::Plane, Self::Socket];
 
     /// As a term of a model.
-    pub fn effect(self) -> &'static dyn Effect {
+    pub fn effect(self) -> &'static Effect {
         match self {
-            Self::Anchor => &UnknownAnchor,
-            Self::Station => &UnknownStation,
-            Self::Plane => &UnknownPlane,
-            Self::Socket => &UnknownSocket,
+            Self::Anchor => &UNKNOWN_ANCHOR,
+            Self::Station => &UNKNOWN_STATION,
+            Self::Plane => &UNKNOWN_PLANE,
+            Self::Socket => &UNKNOWN_SOCKET,
         }
     }
 

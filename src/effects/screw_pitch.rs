@@ -12,8 +12,6 @@ use super::{Effect, Placed};
 use crate::kinematics::JointKind;
 use crate::sincos::sin_cos_small as sin_cos;
 
-pub(super) struct ScrewPitch;
-
 const ABOUT: About = About {
     id: "screw-pitch",
     title: "Screw pitch error",
@@ -63,29 +61,28 @@ const TURNS: Need = Need::of_samples("a travel of several turns of the screw", |
     none.then(|| "the joint moved by less than one and a half turns of any screw".to_owned())
 });
 
-impl Effect for ScrewPitch {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static SCREW_PITCH: Effect = Effect {
+    exists_on,
+    ..Effect::new(ABOUT, act)
+};
 
-    fn exists_on(&self, _: usize, kind: JointKind) -> bool {
-        kind == JointKind::Prismatic
-    }
+fn exists_on(_: usize, kind: JointKind) -> bool {
+    kind == JointKind::Prismatic
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (a, b) = (me.coefficients[0], me.coefficients[1]);
-        let per_mm = std::f64::consts::TAU / me.setting.max(f64::MIN_POSITIVE);
-        block.turn(me, |q, at| {
-            let (s, c) = sin_cos(per_mm * at.q);
-            Turned {
-                value: q + a * s + b * c,
-                by_input: 1.0,
-                by_coefficient: [s, c],
-            }
-        });
-        block.turn_by_command(me, me.joint, |at| {
-            let (s, c) = sin_cos(per_mm * at.q);
-            per_mm * (a * c - b * s)
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let (a, b) = (me.coefficients[0], me.coefficients[1]);
+    let per_mm = std::f64::consts::TAU / me.setting.max(f64::MIN_POSITIVE);
+    block.turn(me, |q, at| {
+        let (s, c) = sin_cos(per_mm * at.q);
+        Turned {
+            value: q + a * s + b * c,
+            by_input: 1.0,
+            by_coefficient: [s, c],
+        }
+    });
+    block.turn_by_command(me, me.joint, |at| {
+        let (s, c) = sin_cos(per_mm * at.q);
+        per_mm * (a * c - b * s)
+    });
 }

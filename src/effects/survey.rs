@@ -1,6 +1,7 @@
 //! What a session shows: which conditions vary, and how far. Effects ask it whether they can be
 //! tested at all.
 
+use crate::numeric::extent;
 use nalgebra::Vector3;
 
 use crate::kinematics::{JointKind, Robot};
@@ -178,11 +179,7 @@ fn extremes(values: &[f64]) -> (f64, f64) {
     if values.is_empty() {
         return (0.0, 0.0);
     }
-    values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(*v), high.max(*v))
-        })
+    extent(values).into()
 }
 
 /// From the smallest to the largest value.

@@ -1,5 +1,6 @@
 //! An effect in a model: which joint, which setting, how large.
 
+use crate::numeric::extent;
 use std::sync::Arc;
 
 use crate::kinematics::{JointKind, Range, Robot};
@@ -16,7 +17,7 @@ use super::{Effect, Role, find, form_with};
 #[derive(Clone)]
 pub struct Term {
     /// The effect.
-    pub effect: &'static dyn Effect,
+    pub effect: &'static Effect,
     /// Its joint, counted from 0; 0 where the effect belongs to none.
     pub joint: usize,
     /// The scanned parameter: an order, a time in s, a fade in rad, the index of a frame.
@@ -112,7 +113,7 @@ pub enum TermError {
 
 impl Term {
     /// An effect that is absent so far: all coefficients zero.
-    pub fn absent(effect: &'static dyn Effect, joint: usize, setting: f64) -> Self {
+    pub fn absent(effect: &'static Effect, joint: usize, setting: f64) -> Self {
         Self {
             effect,
             joint,
@@ -377,12 +378,12 @@ pub(crate) fn setting_quantity(setting: Setting) -> Option<Quantity> {
 }
 
 /// Names of an effect's parameters in the order in which they are shown.
-pub(crate) fn parameter_names(effect: &dyn Effect) -> Vec<&'static str> {
+pub(crate) fn parameter_names(effect: &Effect) -> Vec<&'static str> {
     names_on(effect, JointKind::Revolute)
 }
 
 /// The same on a joint of this kind.
-pub(crate) fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+pub(crate) fn names_on(effect: &Effect, kind: JointKind) -> Vec<&'static str> {
     let about = effect.about();
     let setting = setting_quantity(about.setting);
     let mut names: Vec<_> = setting.map(|s| s.on(kind).name).into_iter().collect();
@@ -395,7 +396,7 @@ pub(crate) fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str
 }
 
 /// An effect's parameters at values that can be seen in a simulation.
-pub(crate) fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)> {
+pub(crate) fn parameters_to_see(effect: &Effect) -> Vec<(&'static str, f64)> {
     let about = effect.about();
     let quantities = setting_quantity(about.setting).into_iter();
     let quantities = quantities.chain(about.form.quantities().iter().copied());
@@ -406,7 +407,7 @@ pub(crate) fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)>
 
 /// Names of what identification solves for, one for each coefficient; an amplitude and its phase
 /// stand for their two parts.
-pub(crate) fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+pub(crate) fn coefficient_names_on(effect: &Effect, kind: JointKind) -> Vec<&'static str> {
     let mut names = names_on(effect, kind);
     match effect.about().form {
         // The fade is shown first and solved for last.
@@ -420,7 +421,7 @@ pub(crate) fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<
 }
 
 fn check_setting(
-    effect: &dyn Effect,
+    effect: &Effect,
     [joint, joints]: [usize; 2],
     name: &'static str,
     given: f64,
@@ -534,10 +535,7 @@ pub struct Placed {
 /// Limits of a joint, else the range of its values in the data.
 pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     robot.joints[joint].limits.unwrap_or_else(|| {
-        let finite = q.iter().copied().filter(|v| v.is_finite());
-        let (from, to) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+        let [from, to] = extent(q.iter().copied());
         Range { from, to }
     })
 }
@@ -559,7 +557,7 @@ mod tests {
     #[test]
     fn every_form_of_an_effect_is_known_by_its_parameters() {
         for effect in crate::effects::CATALOGUE {
-            let forms = std::iter::once(*effect).chain(effect.other_forms().iter().copied());
+            let forms = std::iter::once(*effect).chain(effect.other_forms.iter().copied());
             for form in forms {
                 let names = parameter_names(form);
                 let mut given = parameters_to_see(form);

@@ -8,8 +8,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus, scaled};
 
-pub(super) struct ThermalGrowth;
-
 const ABOUT: About = About {
     id: "thermal-growth",
     title: "Thermal growth",
@@ -28,30 +26,29 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for ThermalGrowth {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static THERMAL_GROWTH: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
-        Some("let the machine warm up, or enter the arm's expansion in the controller".to_owned())
-    }
+fn remedy(_: &Robot, _: &Term) -> String {
+    "let the machine warm up, or enter the arm's expansion in the controller".to_owned()
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let alpha = me.coefficients[0];
-        let (origin, along) = (me.frame.origin_mm, me.frame.along);
-        block.transform(me, |x, at| {
-            let arm = minus(x, origin);
-            let radius = add_scaled(arm, along, -dot(arm, along));
-            let growth = alpha * at.above_20_c;
-            let carry = identity_plus_across(along, growth);
-            (
-                add_scaled(x, radius, growth),
-                carry,
-                [scaled(radius, at.above_20_c)],
-            )
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let alpha = me.coefficients[0];
+    let (origin, along) = (me.frame.origin_mm, me.frame.along);
+    block.transform(me, |x, at| {
+        let arm = minus(x, origin);
+        let radius = add_scaled(arm, along, -dot(arm, along));
+        let growth = alpha * at.above_20_c;
+        let carry = identity_plus_across(along, growth);
+        (
+            add_scaled(x, radius, growth),
+            carry,
+            [scaled(radius, at.above_20_c)],
+        )
+    });
 }
 
 /// `1 + k (1 − u uᵀ)`: stretches by k across the direction u.

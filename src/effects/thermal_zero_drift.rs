@@ -6,8 +6,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct ThermalZeroDrift;
-
 const ABOUT: About = About {
     id: "thermal-zero-drift",
     title: "Thermal zero drift",
@@ -26,17 +24,13 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for ThermalZeroDrift {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static THERMAL_ZERO_DRIFT: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let kappa = me.coefficients[0];
-        block.turn(me, |theta, at| Turned {
-            value: theta + kappa * at.above_20_c,
-            by_input: 1.0,
-            by_coefficient: [at.above_20_c],
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let kappa = me.coefficients[0];
+    block.turn(me, |theta, at| Turned {
+        value: theta + kappa * at.above_20_c,
+        by_input: 1.0,
+        by_coefficient: [at.above_20_c],
+    });
 }

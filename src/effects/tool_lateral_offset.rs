@@ -8,8 +8,6 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
-pub(super) struct ToolLateralOffset;
-
 const ABOUT: About = About {
     id: "tool-lateral-offset",
     title: "Tool lateral offset",
@@ -32,21 +30,20 @@ const TWO_TARGETS: Need = Need::of_samples("two reflectors", |survey, _| {
         .then(|| "with one reflector it cannot be told from the joint's zero offset".to_owned())
 });
 
-impl Effect for ToolLateralOffset {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static TOOL_LATERAL_OFFSET: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
 
-    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
-        Some(format!(
-            "move the tool in the controller's tool data by {:+.4} mm across the radius",
-            term.coefficients[0]
-        ))
-    }
+fn remedy(_: &Robot, term: &Term) -> String {
+    format!(
+        "move the tool in the controller's tool data by {:+.4} mm across the radius",
+        term.coefficients[0]
+    )
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let tangential = me.frame.tangential;
-        let delta = scaled(tangential, me.coefficients[0]);
-        block.displace(me, |_| (delta, [tangential]));
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let tangential = me.frame.tangential;
+    let delta = scaled(tangential, me.coefficients[0]);
+    block.displace(me, |_| (delta, [tangential]));
 }

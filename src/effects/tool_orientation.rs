@@ -13,9 +13,6 @@ use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::{add_scaled, cross, minus, times};
 
-/// See the module.
-pub struct ToolOrientation;
-
 const ABOUT: About = About {
     id: "tool-orientation",
     title: "Tool orientation",
@@ -53,25 +50,21 @@ const THREE_TARGETS: Need = Need::of_samples("three targets, or orientation", |s
     })
 });
 
-impl Effect for ToolOrientation {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static TOOL_ORIENTATION: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let tool = block.robot.base_from_tool;
-        let to_base =
-            |v: [f64; 3]| -> [f64; 3] { (tool.rotation * nalgebra::Vector3::from(v)).into() };
-        let origin: [f64; 3] = tool.translation.vector.into();
-        // The same turn, seen from the base.
-        let omega = to_base([me.coefficients[0], me.coefficients[1], me.coefficients[2]]);
-        let turn = rotation(omega);
-        let left = left_jacobian(omega);
-        let spins = AXES.map(|axis| times(left, to_base(axis)));
-        block.transform(me, |p, _| {
-            let arm = times(turn, minus(p, origin));
-            let columns = spins.map(|spin| cross(spin, arm));
-            (add_scaled(arm, origin, 1.0), turn, columns)
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let tool = block.robot.base_from_tool;
+    let to_base = |v: [f64; 3]| -> [f64; 3] { (tool.rotation * nalgebra::Vector3::from(v)).into() };
+    let origin: [f64; 3] = tool.translation.vector.into();
+    // The same turn, seen from the base.
+    let omega = to_base([me.coefficients[0], me.coefficients[1], me.coefficients[2]]);
+    let turn = rotation(omega);
+    let left = left_jacobian(omega);
+    let spins = AXES.map(|axis| times(left, to_base(axis)));
+    block.transform(me, |p, _| {
+        let arm = times(turn, minus(p, origin));
+        let columns = spins.map(|spin| cross(spin, arm));
+        (add_scaled(arm, origin, 1.0), turn, columns)
+    });
 }

@@ -9,23 +9,15 @@ use super::about::{About, Form, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::needs::Need;
-use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::{scaled, times};
-
-/// See the module.
-pub struct ToolPosition;
 
 const ABOUT: About = About {
     id: "tool-position",
     title: "Tool position",
     stage: Stage::Tool,
     per_joint: false,
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     setting: Setting::Target,
     equation: "target = target + (x, y, z) in the tool frame",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
@@ -44,28 +36,24 @@ const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
         .then(|| "the robot has a single axis: link length takes its place".to_owned())
 });
 
-impl Effect for ToolPosition {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// See the module.
+pub static TOOL_POSITION: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let turn = block.robot.base_from_tool.rotation.to_rotation_matrix();
-        let turn = turn.matrix();
-        let columns: [[f64; 3]; 3] =
-            std::array::from_fn(|k| [turn[(0, k)], turn[(1, k)], turn[(2, k)]]);
-        let rows: [[f64; 3]; 3] =
-            std::array::from_fn(|k| [turn[(k, 0)], turn[(k, 1)], turn[(k, 2)]]);
-        let own = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
-        let shift = times(rows, own);
-        let setting = me.setting;
-        block.displace(me, |at| {
-            let mine = setting == 0.0 || at.target + 1.0 == setting;
-            if mine {
-                (shift, columns)
-            } else {
-                (scaled(shift, 0.0), [scaled(AXES[0], 0.0); 3])
-            }
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let turn = block.robot.base_from_tool.rotation.to_rotation_matrix();
+    let turn = turn.matrix();
+    let columns: [[f64; 3]; 3] =
+        std::array::from_fn(|k| [turn[(0, k)], turn[(1, k)], turn[(2, k)]]);
+    let rows: [[f64; 3]; 3] = std::array::from_fn(|k| [turn[(k, 0)], turn[(k, 1)], turn[(k, 2)]]);
+    let own = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+    let shift = times(rows, own);
+    let setting = me.setting;
+    block.displace(me, |at| {
+        let mine = setting == 0.0 || at.target + 1.0 == setting;
+        if mine {
+            (shift, columns)
+        } else {
+            (scaled(shift, 0.0), [scaled(AXES[0], 0.0); 3])
+        }
+    });
 }

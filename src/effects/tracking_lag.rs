@@ -8,8 +8,6 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-pub(super) struct TrackingLag;
-
 const ABOUT: About = About {
     id: "tracking-lag",
     title: "Tracking lag",
@@ -27,17 +25,13 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-impl Effect for TrackingLag {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static TRACKING_LAG: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let delay_s = me.coefficients[0];
-        block.turn(me, |theta, at| Turned {
-            value: theta - at.speed * delay_s,
-            by_input: 1.0,
-            by_coefficient: [-at.speed],
-        });
-    }
+fn act(me: &Placed, block: &mut Block) {
+    let delay_s = me.coefficients[0];
+    block.turn(me, |theta, at| Turned {
+        value: theta - at.speed * delay_s,
+        by_input: 1.0,
+        by_coefficient: [-at.speed],
+    });
 }

@@ -14,17 +14,15 @@ use super::about::{About, Form, Quantity, Role, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::curve::Curve;
+use super::needs::Need;
 use super::term::JointFrame;
 use super::units::Unit;
-use super::{Effect, Placed, Survey, Term};
+use super::{Effect, Placed, Term};
 use crate::kinematics::JointKind;
 use crate::lanes::{add_scaled, cross, minus, turned};
 
 /// The name under which it stands in models.
 pub const UNEXPLAINED: &str = "unexplained";
-
-/// See the module.
-pub struct Unexplained;
 
 const ABOUT: About = About {
     id: UNEXPLAINED,
@@ -37,70 +35,65 @@ const ABOUT: About = About {
     usual_size: "any",
     confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
     check: "look at the machine where the joint stands in that range: scale, bearing, cables, cover",
+    needs: &[NO_NAME],
     role: Role::Unexplained,
     ..About::PLAIN
 };
 
-impl Effect for Unexplained {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+/// It has no name by which it could be fitted.
+const NO_NAME: Need = Need::of_samples("a smooth correction", |_, _| {
+    Some(
+        "it is no effect that can be fitted by its name: `truepose diagnose \
+         --correct-unexplained` makes the correction"
+            .to_owned(),
+    )
+});
 
-    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-        Some(
-            "it is no effect that can be fitted by its name: `truepose diagnose \
-             --correct-unexplained` makes the correction"
-                .to_owned(),
-        )
-    }
+/// See the module.
+pub static SMOOTH: Effect = Effect::new(ABOUT, act);
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let Some(curve) = &me.curve else { return };
-        let (out, along) = across(&me.frame);
-        let kind = block.robot.joints[me.joint].kind;
-        block.transform(me, |x, at| {
-            let [motion, radial, axial] = curve.at(at.q);
-            match kind {
-                JointKind::Revolute => {
-                    let moved = add_scaled(add_scaled(x, out, radial), along, axial);
-                    let (sin, cos) = motion.sin_cos();
-                    let about = |v: [f64; 3]| turned(v, along, sin, cos);
-                    let origin = me.frame.origin_mm;
-                    let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
-                    let columns = AXES.map(about);
-                    let carry = std::array::from_fn(|row| columns.map(|column| column[row]));
-                    (to, carry, [])
-                }
-                JointKind::Prismatic => {
-                    let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);
-                    (add_scaled(moved, along, motion), AXES, [])
-                }
+fn act(me: &Placed, block: &mut Block) {
+    let Some(curve) = &me.curve else { return };
+    let (out, along) = across(&me.frame);
+    let kind = block.robot.joints[me.joint].kind;
+    block.transform(me, |x, at| {
+        let [motion, radial, axial] = curve.at(at.q);
+        match kind {
+            JointKind::Revolute => {
+                let moved = add_scaled(add_scaled(x, out, radial), along, axial);
+                let (sin, cos) = motion.sin_cos();
+                let about = |v: [f64; 3]| turned(v, along, sin, cos);
+                let origin = me.frame.origin_mm;
+                let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
+                let columns = AXES.map(about);
+                let carry = std::array::from_fn(|row| columns.map(|column| column[row]));
+                (to, carry, [])
             }
-        });
-        block.shift_by_command(me, |x, at| {
-            let [motion, ..] = curve.at(at.q);
-            let [turn, radial, axial] = curve.slope(at.q);
-            match kind {
-                JointKind::Revolute => {
-                    let (sin, cos) = motion.sin_cos();
-                    let shift = add_scaled(out.map(|v| v * radial), along, axial);
-                    let shift = turned(shift, along, sin, cos);
-                    add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
-                }
-                JointKind::Prismatic => {
-                    let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
-                    add_scaled(shift, along, turn)
-                }
+            JointKind::Prismatic => {
+                let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);
+                (add_scaled(moved, along, motion), AXES, [])
             }
-        });
-    }
+        }
+    });
+    block.shift_by_command(me, |x, at| {
+        let [motion, ..] = curve.at(at.q);
+        let [turn, radial, axial] = curve.slope(at.q);
+        match kind {
+            JointKind::Revolute => {
+                let (sin, cos) = motion.sin_cos();
+                let shift = add_scaled(out.map(|v| v * radial), along, axial);
+                let shift = turned(shift, along, sin, cos);
+                add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
+            }
+            JointKind::Prismatic => {
+                let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
+                add_scaled(shift, along, turn)
+            }
+        }
+    });
 }
 
-/// The derivatives of the points with respect to a constant in each direction of a curve: what a
-/// fit of the curve starts from. It moves nothing.
-pub struct Directions;
-
-const DIRECTIONS: About = About {
+const ABOUT_DIRECTIONS: About = About {
     id: "unexplained-directions",
     title: "Directions of what is unexplained",
     form: Form::Plain(&[
@@ -108,29 +101,24 @@ const DIRECTIONS: About = About {
         Quantity::new("radial_mm", Unit::MM),
         Quantity::new("axial_mm", Unit::MM),
     ]),
+    needs: &[],
     ..ABOUT
 };
 
-impl Effect for Directions {
-    fn about(&self) -> &'static About {
-        &DIRECTIONS
-    }
+/// The derivatives of the points with respect to a constant in each direction of a curve: what a
+/// fit of the curve starts from. It moves nothing.
+pub static EACH_DIRECTION: Effect = Effect::new(ABOUT_DIRECTIONS, differentiate);
 
-    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-        None
-    }
-
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let (out, along) = across(&me.frame);
-        let kind = block.robot.joints[me.joint].kind;
-        block.transform(me, |x, _| {
-            let columns = match kind {
-                JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
-                JointKind::Prismatic => [along, out, me.frame.across_2],
-            };
-            (x, AXES, columns)
-        });
-    }
+fn differentiate(me: &Placed, block: &mut Block) {
+    let (out, along) = across(&me.frame);
+    let kind = block.robot.joints[me.joint].kind;
+    block.transform(me, |x, _| {
+        let columns = match kind {
+            JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
+            JointKind::Prismatic => [along, out, me.frame.across_2],
+        };
+        (x, AXES, columns)
+    });
 }
 
 /// Away from the axis, and along it. Where the tool lies on the axis, or the joint slides, any
@@ -149,7 +137,7 @@ impl Term {
     pub fn unexplained(joint: usize, curve: Curve) -> Self {
         Self {
             curve: Some(Arc::new(curve)),
-            ..Self::absent(&Unexplained, joint, 0.0)
+            ..Self::absent(&SMOOTH, joint, 0.0)
         }
     }
 
@@ -236,7 +224,7 @@ mod tests {
     fn the_directions_are_the_derivatives_of_the_curve() {
         let model = Model::nominal(column());
         let inputs = inputs();
-        let probe = model.with_term(Term::absent(&Directions, 0, 0.0));
+        let probe = model.with_term(Term::absent(&EACH_DIRECTION, 0, 0.0));
         let mut columns = Vec::new();
         probe.visit(&inputs, true, |_, block| columns.clone_from(&block.columns));
         for d in 0..3 {

@@ -3,12 +3,8 @@
 //! No effect of the robot: see [`super::places`].
 
 use super::about::{About, Form, Quantity};
-use super::block::Block;
 use super::units::Unit;
-use super::{Effect, Placed, places};
-
-/// See the module.
-pub struct UnknownPlane;
+use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-plane",
@@ -23,11 +19,5 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-impl Effect for UnknownPlane {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
-
-    /// The robot does what it does wherever it is measured from.
-    fn act(&self, _: &Placed, _: &mut Block) {}
-}
+/// See the module.
+pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, places::NOTHING);

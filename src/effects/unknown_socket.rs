@@ -3,30 +3,15 @@
 //! No effect of the robot: see [`super::places`].
 
 use super::about::{About, Form, Quantity};
-use super::block::Block;
-use super::units::Unit;
-use super::{Effect, Placed, places};
-
-/// See the module.
-pub struct UnknownSocket;
+use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-socket",
     title: "Socket",
-    form: Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
+    form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = s",
     ..places::ABOUT
 };
 
-impl Effect for UnknownSocket {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
-
-    /// The robot does what it does wherever it is measured from.
-    fn act(&self, _: &Placed, _: &mut Block) {}
-}
+/// See the module.
+pub static UNKNOWN_SOCKET: Effect = Effect::new(ABOUT, places::NOTHING);

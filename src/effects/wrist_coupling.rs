@@ -13,8 +13,6 @@ use super::{Effect, Placed, Survey};
 use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 
-pub(super) struct WristCoupling;
-
 const ABOUT: About = About {
     id: "wrist-coupling",
     title: "Wrist coupling",
@@ -63,28 +61,27 @@ fn others(survey: &Survey, joint: usize) -> impl Iterator<Item = usize> {
     (0..joint).rev().chain(behind).filter(moved)
 }
 
-impl Effect for WristCoupling {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
+pub(super) static WRIST_COUPLING: Effect = Effect {
+    exists_on,
+    ..Effect::new(ABOUT, act)
+};
 
-    fn exists_on(&self, joint: usize, kind: JointKind) -> bool {
-        joint > 0 && kind == JointKind::Revolute
-    }
+fn exists_on(joint: usize, kind: JointKind) -> bool {
+    joint > 0 && kind == JointKind::Revolute
+}
 
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let ratio = me.coefficients[0];
-        let joints = block.robot.joints.len();
-        let from = (1..=joints).position(|number| number as f64 == me.setting);
-        let commands: [f64; LANES] =
-            std::array::from_fn(|lane| from.map_or(0.0, |from| block.command(from, lane)));
-        block.turn(me, |theta, at| Turned {
-            value: theta + ratio * commands[at.lane],
-            by_input: 1.0,
-            by_coefficient: [commands[at.lane]],
-        });
-        if let Some(from) = from {
-            block.turn_by_command(me, from, |_| ratio);
-        }
+fn act(me: &Placed, block: &mut Block) {
+    let ratio = me.coefficients[0];
+    let joints = block.robot.joints.len();
+    let from = (1..=joints).position(|number| number as f64 == me.setting);
+    let commands: [f64; LANES] =
+        std::array::from_fn(|lane| from.map_or(0.0, |from| block.command(from, lane)));
+    block.turn(me, |theta, at| Turned {
+        value: theta + ratio * commands[at.lane],
+        by_input: 1.0,
+        by_coefficient: [commands[at.lane]],
+    });
+    if let Some(from) = from {
+        block.turn_by_command(me, from, |_| ratio);
     }
 }

@@ -5,29 +5,19 @@
 
 use std::fmt::Write;
 
-use super::rules::{Directions, Rules, Says, Spacing};
+use super::csv;
+use super::rules::Rules;
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
     format: "c-header",
-    says: Says::Correction,
-    resolution: None,
-    units: ["deg", "mm"],
-    per_outer: 1.0,
-    spacing: Spacing::Equal,
-    widest_step: 1.0,
-    most_entries: usize::MAX,
-    limit_because: "it has no limit",
-    directions: Directions::Both,
-    repeats: false,
     interpolation: "linear between two entries",
     outside: "the first or the last entry is held",
     direction: "a direction above 0 takes the forward entries, one below 0 the reverse ones, 0 the \
                 mean of both",
-    full_turn: "the table does not repeat: what is beyond its ends gets the end's value",
-    label: None,
+    ..csv::RULES
 };
 
 pub(super) const FORMAT: Format = TableFile::format(

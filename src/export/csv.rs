@@ -10,7 +10,7 @@ use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 
-const RULES: Rules = Rules {
+pub(super) const RULES: Rules = Rules {
     format: "csv",
     says: Says::Correction,
     resolution: None,

@@ -19,23 +19,17 @@ use crate::model::format_v1::model_hash;
 /// Less than this is nothing, mm.
 const WORTH_A_NUMBER_MM: f64 = 5e-5;
 
-/// How much of what was identified a file carries.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Level {
-    /// The zero offsets of the joints, and the frames of base and tool.
-    ZerosAndFrames,
-    /// These, and the geometry of the links.
-    Links,
-}
-
-impl Level {
-    fn says(self) -> &'static str {
-        match self {
-            Self::ZerosAndFrames => "zero offsets, base and tool frame",
-            Self::Links => "zero offsets, base and tool frame, and the geometry of the links",
-        }
+named! {
+    /// How much of what was identified a file carries.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub(super) enum Level {
+        /// The zero offsets of the joints, and the frames of base and tool.
+        ZerosAndFrames = "zero offsets, base and tool frame",
+        /// These, and the geometry of the links.
+        Links = "zero offsets, base and tool frame, and the geometry of the links",
     }
+    fn says;
 }
 
 /// A description as its format wrote it.

@@ -66,12 +66,7 @@ fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
 
 /// As LinuxCNC does: up to the first line that is not three numbers.
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
-    let mut columns = Columns {
-        places: Vec::new(),
-        forward: Vec::new(),
-        reverse: Vec::new(),
-        repeats: false,
-    };
+    let mut columns = Columns::default();
     for line in text.lines() {
         let cells: Option<Vec<f64>> = line.split_whitespace().map(number).collect();
         let Some(&[place, forward, reverse]) = cells.as_deref() else {

@@ -2,28 +2,24 @@
 
 use crate::kinematics::DhConvention;
 
-/// Who takes the zero offsets of the joints. Never both: they would be corrected twice.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Zeros {
-    /// The geometry of the file. The controller's own zeros stay as they are.
-    #[default]
-    Origins,
-    /// The controller (mastering, homing). The geometry of the file is without them.
-    Controller,
+named! {
+    /// Who takes the zero offsets of the joints. Never both: they would be corrected twice.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Zeros {
+        /// The geometry of the file. The controller's own zeros stay as they are.
+        #[default]
+        Origins = "origins",
+        /// The controller (mastering, homing). The geometry of the file is without them.
+        Controller = "controller",
+    }
+    /// Its name.
+    pub fn name;
 }
 
 impl Zeros {
     /// Every one, by its name on the command line.
     pub const ALL: [(&'static str, Self); 2] =
         [("origins", Self::Origins), ("controller", Self::Controller)];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Origins => "origins",
-            Self::Controller => "controller",
-        }
-    }
 }
 
 /// The servos of a hobby arm: their homing offsets have opposite signs.

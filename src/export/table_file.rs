@@ -26,6 +26,7 @@ pub(super) struct TableFile {
 const PLACES: f64 = 1e-9;
 
 /// The numbers of a file in degrees or mm, with the file's own sign.
+#[derive(Default)]
 pub(super) struct Columns {
     pub(super) places: Vec<f64>,
     pub(super) forward: Vec<f64>,

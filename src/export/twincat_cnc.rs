@@ -102,12 +102,7 @@ fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
 
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     let wrong = |line: &str| ExportError::ReadBack(format!("the line '{line}'"));
-    let mut columns = Columns {
-        places: Vec::new(),
-        forward: Vec::new(),
-        reverse: Vec::new(),
-        repeats: false,
-    };
+    let mut columns = Columns::default();
     for line in text.lines() {
         let (key, value) = line.split_once(' ').ok_or_else(|| wrong(line))?;
         let value = value.trim();

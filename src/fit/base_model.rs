@@ -18,8 +18,8 @@ use std::borrow::Cow;
 use nalgebra::Isometry3;
 
 use crate::effects::{
-    Effect, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition, joint_zero,
-    role,
+    Effect, LINK_GEOMETRY, MEASURING_FRAME, Setting, TOOL_ORIENTATION, TOOL_POSITION, Term,
+    joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
@@ -64,19 +64,19 @@ pub(crate) fn terms(
     exists: impl Fn(&str) -> bool,
 ) -> Vec<Term> {
     let mut terms = Vec::new();
-    let of = |effect: &'static dyn Effect| exists(effect.about().id);
+    let of = |effect: &'static Effect| exists(effect.about().id);
     if let Some(layer) = &problem.observed {
         terms.extend(observed::terms(session, layer));
-    } else if of(&MeasuringFrame) {
+    } else if of(&MEASURING_FRAME) {
         terms.extend(frames(session, problem));
     }
-    if of(&ToolPosition) {
-        terms.push(Term::absent(&ToolPosition, 0, 0.0));
+    if of(&TOOL_POSITION) {
+        terms.push(Term::absent(&TOOL_POSITION, 0, 0.0));
         terms.extend(targets(session, problem));
     }
-    if of(&LinkGeometry) {
+    if of(&LINK_GEOMETRY) {
         for (joint, of_joint) in session.robot.joints.iter().enumerate() {
-            let mut term = Term::absent(&LinkGeometry, joint, 0.0);
+            let mut term = Term::absent(&LINK_GEOMETRY, joint, 0.0);
             if of_joint.kind == JointKind::Prismatic {
                 // It does not matter where a slide runs, only in which direction.
                 term.held = term.held.with(0).with(1);
@@ -128,7 +128,7 @@ pub(super) fn frames_from(
 ) -> Vec<Term> {
     let setups = session.samples.setups.as_ref();
     let frame = |setup: usize| {
-        let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
+        let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
         term.label = setups.map(|s| s.names[setup].as_str().into());
         let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
         if let Some(motion) = motion(&inside) {
@@ -158,7 +158,7 @@ fn targets(session: &Session, problem: &Problem) -> Vec<Term> {
         return Vec::new();
     }
     let own = |target: &u32| {
-        let mut term = Term::absent(&ToolPosition, 0, f64::from(*target) + 1.0);
+        let mut term = Term::absent(&TOOL_POSITION, 0, f64::from(*target) + 1.0);
         let of_session = session.targets.get(*target as usize);
         term.label = of_session.map(|t| t.name.as_str().into());
         term
@@ -212,7 +212,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
                 );
                 Cow::Borrowed(start)
             } else {
-                let turned = Term::absent(&ToolOrientation, 0, 0.0);
+                let turned = Term::absent(&TOOL_ORIENTATION, 0, 0.0);
                 Cow::Owned(start.with_term(turned))
             };
             // What they share with the tool is another thing now.
@@ -301,7 +301,7 @@ fn variance(problem: &Problem, solution: &Solution) -> f64 {
 
 /// Whether a model has the tool's orientation in it.
 fn is_turned(model: &Model) -> bool {
-    let id = ToolOrientation.about().id;
+    let id = TOOL_ORIENTATION.about().id;
     model.terms().iter().any(|t| t.effect.about().id == id)
 }
 
@@ -314,7 +314,7 @@ fn may_turn(problem: &Problem, start: &Model) -> bool {
 /// The model with its links where they are.
 fn links_held(model: &Model) -> Model {
     model.with_each(|_, term| {
-        if term.effect.about().id == LinkGeometry.about().id {
+        if term.effect.about().id == LINK_GEOMETRY.about().id {
             for k in 0..term.coefficients.len() {
                 term.held = term.held.with(k);
             }

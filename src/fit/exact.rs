@@ -271,7 +271,7 @@ pub(crate) fn report(
     }
 }
 
-fn places(effect: &dyn Effect, survey: &Survey) -> Vec<(usize, Option<String>)> {
+fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<String>)> {
     let joints = if effect.about().per_joint {
         survey.joints.len()
     } else {

@@ -27,7 +27,7 @@
 use nalgebra::DMatrix;
 
 use crate::answers::identification::NotIdentifiable;
-use crate::effects::{Effect, Inputs, LinkGeometry, Role};
+use crate::effects::{Inputs, LINK_GEOMETRY, Role};
 use crate::linear::Kept;
 use crate::model::Model;
 use crate::model::names::coefficient_names;
@@ -136,7 +136,7 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
     terms.retain(|term| {
         let about = term.effect.about();
         let all_held = (0..term.coefficients.len()).all(|k| term.held.contains(k));
-        !(all_held && about.id == LinkGeometry.about().id)
+        !(all_held && about.id == LINK_GEOMETRY.about().id)
     });
     (Model::new(start.robot.clone(), terms), held)
 }

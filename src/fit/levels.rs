@@ -10,7 +10,7 @@
 //! to know it.
 
 pub(crate) use crate::answers::errors::{Errors, Level};
-use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Role, Setting};
+use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 
 use super::base_model;
@@ -79,7 +79,7 @@ fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
 
 /// The model that each level starts from.
 fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
-    let (links, frame) = (LinkGeometry.about().id, MeasuringFrame.about().id);
+    let (links, frame) = (LINK_GEOMETRY.about().id, MEASURING_FRAME.about().id);
     let session = problem.session;
     let unknown_frame = !problem.priors.aligned;
     let start = |keep: &dyn Fn(&str) -> bool| base_model::start(session, problem, keep);

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
-use crate::effects::{Held, Role, Setting, Term, ToolOrientation};
+use crate::effects::{Held, Role, Setting, TOOL_ORIENTATION, Term};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
@@ -25,7 +25,7 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
     let placed = Model::new(session.robot.clone(), terms.clone());
     terms.extend(start::unknown_places(layer, &placed));
     if layer.shows_attitude() {
-        let mut turn = Term::absent(&ToolOrientation, 0, 0.0);
+        let mut turn = Term::absent(&TOOL_ORIENTATION, 0, 0.0);
         turn.coefficients = start::tool_turn(layer, &placed).to_vec();
         terms.push(turn);
     }

@@ -1,7 +1,7 @@
 //! What can be done by a key or from a menu: one table for what the keys do, what the menus offer and
 //! what the help lists.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::core::edit::Edit;
@@ -9,9 +9,9 @@ use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Room;
-use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{About, Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The window as it stands.
 #[derive(Clone, Copy)]

@@ -13,7 +13,6 @@ use crate::fonts::Library;
 use super::file_state::watcher;
 use super::language::Language;
 use super::preferences::Preferences;
-use super::units::write_numbers;
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, language, layers, widgets};
 use crate::gui::core::compensated::Wanted;
@@ -23,6 +22,7 @@ use crate::gui::style::tokens::{self, Palette, space};
 use crate::gui::view::{About, Plot, What};
 use crate::gui::views;
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::write_numbers;
 
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
@@ -385,7 +385,11 @@ impl App {
         if !wanted.is_empty() {
             self.workbench.execute(Command::FindLetters(wanted));
         }
-        alphabet.install(ctx, &self.workbench.letters().faces);
+        let drawn = alphabet.install(ctx, &self.workbench.letters().faces);
+        if drawn < self.workbench.letters().faces.len() {
+            ctx.request_repaint();
+        }
+        self.workbench.draws_with(drawn);
     }
 
     fn keep_title(&mut self, ctx: &Context) {

@@ -1,7 +1,7 @@
 //! What the words mean, in the technician's own: one table for the tips beside the numbers and for
 //! the sheet that lists them all.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 
 /// A word and what it means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -218,13 +218,15 @@ mod tests {
         }
     }
 
-    /// Keys of names that stand before a number in a source file: `fact(ui, say!(…), …)`.
+    /// Keys of names that stand before a number in a source file: `fact(ui, say!(…), …)` and
+    /// `fact_of(ui, …)`.
     fn names_in(source: &str) -> Vec<&str> {
         let calls = source.split("fact(").skip(1);
+        let calls = calls.chain(source.split("fact_of(").skip(1));
         calls
             .filter_map(|rest| {
                 let rest = rest.trim_start().strip_prefix("ui,")?.trim_start();
-                let key = rest.strip_prefix("say!(")?.trim_start();
+                let key = rest.strip_prefix("say!(").unwrap_or(rest).trim_start();
                 key.strip_prefix('"')?.split('"').next()
             })
             .collect()

@@ -19,9 +19,13 @@
 //!   session.
 //! - `core`: the session and what follows from it, the document, its changes, undo: no view, nothing
 //!   that is drawn.
-//! - `preferences`, `units`, `help`, `style`: numbers, words, colours and type.
+//! - `preferences`, `help`, `style`: numbers, words, colours and type.
 //! - `jobs`: work in the background, whatever it is about.
 //! - `language`: the texts of the window, by key.
+
+// First: `say!` is in the scope of what follows.
+#[macro_use]
+mod language;
 
 mod actions;
 mod app;
@@ -34,14 +38,12 @@ mod files;
 mod help;
 mod import_draft;
 mod jobs;
-mod language;
 mod layers;
 mod plots;
 mod preferences;
 mod style;
 #[cfg(test)]
 mod testing;
-mod units;
 mod view;
 mod views;
 mod widgets;

@@ -4,9 +4,9 @@
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
-use super::units::Notation;
 use crate::gui::language::Language;
-use crate::gui::units::{AngleUnit, LengthUnit};
+use crate::present::numbers::Notation;
+use crate::present::units::{AngleUnit, LengthUnit};
 
 /// Light, dark, or as the system has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]

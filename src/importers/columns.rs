@@ -1,6 +1,6 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
-use crate::importers::headings::{Role, session_heading};
+use crate::importers::headings::Role;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
@@ -19,7 +19,7 @@ impl Column {
     /// A column of numbers that a reader made itself, in inner units or degrees.
     pub(crate) fn made(quantity: Quantity, unit: Unit, values: Vec<f64>) -> Self {
         Self {
-            name: session_heading(quantity, Some(unit)),
+            name: quantity.heading(Some(unit)),
             number: 0,
             role: Role::Known(quantity, Some(unit)),
             cells: Cells::Numbers(values),

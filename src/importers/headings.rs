@@ -99,60 +99,8 @@ impl fmt::Display for Role {
             Self::Time(_) => f.write_str("time_s"),
             Self::Axis(_) => f.write_str("position"),
             Self::Kept | Self::Left => f.write_str("-"),
-            Self::Known(quantity, unit) => f.write_str(&session_heading(*quantity, *unit)),
+            Self::Known(quantity, unit) => f.write_str(&quantity.heading(*unit)),
         }
-    }
-}
-
-/// The heading that a session has for a quantity; without a unit where it is not known or not one
-/// of a session's.
-pub(crate) fn session_heading(quantity: Quantity, unit: Option<Unit>) -> String {
-    let degree = AngleFactor::degrees();
-    let suffix = match unit {
-        Some(Unit::Length(factor)) => match factor {
-            1000.0 => "_m",
-            1.0 => "_mm",
-            1e-3 => "_um",
-            25.4 => "_in",
-            _ => "",
-        },
-        Some(Unit::Angle(1.0)) => "_rad",
-        Some(Unit::Angle(factor)) if factor == degree => "_deg",
-        _ => "",
-    };
-    match quantity {
-        Quantity::Commanded(joint) => format!("q{}{suffix}", joint + 1),
-        Quantity::ReadBack(joint) => format!("q{}_read{suffix}", joint + 1),
-        Quantity::X => format!("x{suffix}"),
-        Quantity::Y => format!("y{suffix}"),
-        Quantity::Z => format!("z{suffix}"),
-        Quantity::Orientation(part) => format!("q{}", ["w", "x", "y", "z"][part]),
-        Quantity::Distance => format!("distance{suffix}"),
-        Quantity::Azimuth => format!("azimuth{suffix}"),
-        Quantity::Elevation => format!("elevation{suffix}"),
-        Quantity::Anchor => "anchor".to_owned(),
-        Quantity::Station => "station".to_owned(),
-        Quantity::Plane => "plane".to_owned(),
-        Quantity::Socket => "socket".to_owned(),
-        Quantity::Target => "target".to_owned(),
-        Quantity::Direction(joint) => format!("dir{}", joint + 1),
-        Quantity::Speed(joint) if suffix.is_empty() => format!("speed{}", joint + 1),
-        Quantity::Speed(joint) => format!("speed{}{suffix}_s", joint + 1),
-        Quantity::Torque(joint) => format!("torque{}_nm", joint + 1),
-        Quantity::JointTemperature(joint) => format!("temperature{}_c", joint + 1),
-        Quantity::Load => "load_kg".to_owned(),
-        Quantity::Temperature => "temperature_c".to_owned(),
-        Quantity::Time => "time_s".to_owned(),
-        Quantity::Setup => "setup".to_owned(),
-        Quantity::Use => "use".to_owned(),
-    }
-}
-
-struct AngleFactor;
-
-impl AngleFactor {
-    fn degrees() -> f64 {
-        crate::units::rad_from_deg(1.0)
     }
 }
 
@@ -230,36 +178,20 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
 }
 
 /// Words that say nothing more than that something was measured.
-const MEASURED: [&str; 14] = [
-    "actual",
-    "act",
-    "measured",
-    "meas",
-    "ist",
-    "istwert",
-    "position",
-    "pos",
-    "coordinate",
-    "coord",
-    "koordinate",
-    "value",
-    "wert",
-    "messwert",
-];
+const MEASURED: Words = "actual act measured meas ist istwert position pos coordinate coord koordinate value \
+                        wert messwert";
 /// Words that say that a column was commanded.
-const COMMANDED: [&str; 9] = [
-    "commanded",
-    "command",
-    "cmd",
-    "setpoint",
-    "soll",
-    "sollwert",
-    "demand",
-    "angle",
-    "winkel",
-];
+const COMMANDED: Words = "commanded command cmd setpoint soll sollwert demand angle winkel";
 /// Words that say that the controller read it back.
-const READ_BACK: [&str; 6] = ["read", "feedback", "actual", "act", "ist", "measured"];
+const READ_BACK: Words = "read feedback actual act ist measured";
+
+/// Words with spaces between them.
+pub(crate) type Words = &'static str;
+
+/// Whether a word is one of these.
+pub(crate) fn is_among(word: &str, words: Words) -> bool {
+    words.split_ascii_whitespace().any(|one| one == word)
+}
 
 fn role_of(words: &[&str]) -> Role {
     match words.join(" ").as_str() {
@@ -283,9 +215,9 @@ fn role_of(words: &[&str]) -> Role {
         }
         _ => {}
     }
-    let rest_in = |at: usize, allowed: &[&str]| {
+    let rest_in = |at: usize, allowed: Words| {
         let mut others = words.iter().enumerate().filter(|(index, _)| *index != at);
-        others.all(|(_, word)| allowed.contains(word))
+        others.all(|(_, word)| is_among(word, allowed))
     };
     for (at, word) in words.iter().enumerate() {
         let measured = match *word {
@@ -295,7 +227,7 @@ fn role_of(words: &[&str]) -> Role {
             _ => None,
         };
         if let Some(quantity) = measured
-            && rest_in(at, &MEASURED)
+            && rest_in(at, MEASURED)
         {
             return Role::Known(quantity, None);
         }
@@ -348,7 +280,7 @@ fn joint_role(words: &[&str]) -> Role {
     let mut others = others.to_vec();
     let name = match *first {
         // The qualifier may come first: `actual j1`.
-        word if READ_BACK.contains(&word) || COMMANDED.contains(&word) => {
+        word if is_among(word, READ_BACK) || is_among(word, COMMANDED) => {
             let at = others.iter().position(|word| is_joint(word));
             match at {
                 Some(at) => {
@@ -363,10 +295,9 @@ fn joint_role(words: &[&str]) -> Role {
     };
     // `axis 1` alone is a joint, `a` and `j` only with a number.
     let numbered = !numbers.is_empty();
-    let all = |list: &[&str]| {
-        others
-            .iter()
-            .all(|word| list.contains(word) || *word == "position")
+    let all = |list: Words| {
+        let mut others = others.iter();
+        others.all(|word| is_among(word, list) || *word == "position")
     };
     match name {
         "dir" | "direction" | "approach" | "richtung" if others.is_empty() => {
@@ -376,17 +307,14 @@ fn joint_role(words: &[&str]) -> Role {
             Role::Known(Quantity::Speed(joint), None)
         }
         "a" | "j" | "q" if !numbered => Role::Kept,
-        name if is_joint(name) && all(&COMMANDED) => Role::Known(Quantity::Commanded(joint), None),
-        name if is_joint(name) && all(&READ_BACK) => Role::Known(Quantity::ReadBack(joint), None),
+        name if is_joint(name) && all(COMMANDED) => Role::Known(Quantity::Commanded(joint), None),
+        name if is_joint(name) && all(READ_BACK) => Role::Known(Quantity::ReadBack(joint), None),
         _ => Role::Kept,
     }
 }
 
 fn is_joint(word: &str) -> bool {
-    matches!(
-        word,
-        "q" | "j" | "a" | "joint" | "axis" | "achse" | "theta" | "θ" | "angle" | "winkel"
-    )
+    is_among(word, "q j a joint axis achse theta θ angle winkel")
 }
 
 #[cfg(test)]

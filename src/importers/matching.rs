@@ -10,27 +10,20 @@ use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::headings::Role;
 
-/// How commands find their measurements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Matching {
-    /// The first belongs to the first, and so on.
-    #[default]
-    Order,
-    /// By clock.
-    Time,
-    /// By the points' names.
-    Name,
-}
-
-impl Matching {
-    /// As `--match` takes it.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Order => "order",
-            Self::Time => "time",
-            Self::Name => "name",
-        }
+named! {
+    /// How commands find their measurements.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Matching {
+        /// The first belongs to the first, and so on.
+        #[default]
+        Order = "order",
+        /// By clock.
+        Time = "time",
+        /// By the points' names.
+        Name = "name",
     }
+    /// As `--match` takes it.
+    pub fn id;
 }
 
 /// Rows that belong together, and what has no partner.

@@ -6,7 +6,7 @@ use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::{Role, session_heading, understand};
+use crate::importers::headings::{Role, understand};
 use crate::importers::settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, units};
@@ -183,7 +183,7 @@ impl<'a> Case<'a> {
             .enumerate()
             .filter_map(|(index, (role, cells))| {
                 let name = match (heading(index), role.quantity()) {
-                    ("", Some(quantity)) => session_heading(quantity, None),
+                    ("", Some(quantity)) => quantity.heading(None),
                     ("", None) => role.to_string(),
                     (heading, _) => heading.to_owned(),
                 };

@@ -7,30 +7,24 @@
 use crate::sessions::columns::Unit;
 use crate::units::rad_from_deg;
 
-/// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// Metres.
-    Metres,
-    /// Millimetres.
-    Millimetres,
-    /// Inches of 25.4 mm.
-    Inches,
+named! {
+    /// A unit of length.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum LengthUnit {
+        /// Metres.
+        Metres = "m",
+        /// Millimetres.
+        Millimetres = "mm",
+        /// Inches of 25.4 mm.
+        Inches = "in",
+    }
+    /// As `--unit` takes it.
+    pub fn symbol;
+    /// All of them.
+    pub const ALL;
 }
 
 impl LengthUnit {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Metres, Self::Millimetres, Self::Inches];
-
-    /// As `--unit` takes it.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Metres => "m",
-            Self::Millimetres => "mm",
-            Self::Inches => "in",
-        }
-    }
-
     /// Millimetres in one.
     pub fn in_mm(self) -> f64 {
         match self {
@@ -45,24 +39,20 @@ impl LengthUnit {
     }
 }
 
-/// A unit of angle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AngleUnit {
-    /// Degrees.
-    Degrees,
-    /// Radians.
-    Radians,
+named! {
+    /// A unit of angle.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum AngleUnit {
+        /// Degrees.
+        Degrees = "deg",
+        /// Radians.
+        Radians = "rad",
+    }
+    /// As `--angle-unit` takes it.
+    pub fn symbol;
 }
 
 impl AngleUnit {
-    /// As `--angle-unit` takes it.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Degrees => "deg",
-            Self::Radians => "rad",
-        }
-    }
-
     pub(crate) fn unit(self) -> Unit {
         Unit::Angle(match self {
             Self::Degrees => rad_from_deg(1.0),

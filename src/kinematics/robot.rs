@@ -34,24 +34,20 @@ pub enum KinematicsError {
     NoJoints,
 }
 
-/// What a joint does with its value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum JointKind {
-    /// Turns about its axis; the value is an angle in rad.
-    Revolute,
-    /// Slides along its axis; the value is a length in mm.
-    Prismatic,
+named! {
+    /// What a joint does with its value.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum JointKind {
+        /// Turns about its axis; the value is an angle in rad.
+        Revolute = "revolute",
+        /// Slides along its axis; the value is a length in mm.
+        Prismatic = "prismatic",
+    }
+    /// Its word in files.
+    pub fn name;
 }
 
 impl JointKind {
-    /// Its word in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Revolute => "revolute",
-            Self::Prismatic => "prismatic",
-        }
-    }
-
     /// The user's unit of its values, as names in files carry it: `deg` or `mm`.
     pub fn unit(self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::kinematics::Range;
-use crate::sessions::Target;
+use crate::sessions::{Region, Target};
 
 use super::Model;
 
@@ -22,6 +22,17 @@ pub struct RegionalCorrection {
     pub theta_rad: f64,
     /// Δl1: to be added to the position along the radius at home, mm.
     pub l1_mm: f64,
+}
+
+impl RegionalCorrection {
+    /// The region that it holds in.
+    pub fn region(&self) -> Region {
+        Region {
+            name: self.name.clone(),
+            from_rad: self.from_rad,
+            to_rad: self.to_rad,
+        }
+    }
 }
 
 /// One step of the way from the nominal robot to the model.

@@ -224,7 +224,7 @@ impl Model {
             for (term, me) in self.terms.iter().zip(placed) {
                 let here = joint.is_none_or(|joint| joint == term.joint);
                 if term.effect.about().stage == stage && here {
-                    term.effect.act(me, block);
+                    (term.effect.act)(me, block);
                 }
             }
         };
@@ -244,7 +244,7 @@ impl Model {
         let mut placed = self.terms.iter().zip(self.placed(inputs));
         let found = placed.find(|(own, _)| own.same_column(term));
         found.map_or_else(Vec::new, |(term, me)| {
-            term.effect.figures(&me, &self.robot, inputs)
+            (term.effect.figures)(&me, &self.robot, inputs)
         })
     }
 

@@ -6,7 +6,7 @@ use crate::effects::{Effect, Setting};
 use crate::kinematics::Robot;
 
 /// An effect's name, with its joint where the robot has several.
-pub(crate) fn name_on_joint(effect: &dyn Effect, joint: usize, robot: &Robot) -> String {
+pub(crate) fn name_on_joint(effect: &Effect, joint: usize, robot: &Robot) -> String {
     let id = effect.about().id;
     if effect.about().per_joint && robot.joints.len() > 1 {
         format!("{id} of joint {}", joint + 1)

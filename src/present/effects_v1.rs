@@ -8,11 +8,11 @@ use crate::effects::{CATALOGUE, Effect};
 pub fn document() -> Json {
     object! {
         "format": "truepose-effects/1",
-        "effects": list(CATALOGUE, |effect| entry(*effect)),
+        "effects": list(CATALOGUE, |effect| entry(effect)),
     }
 }
 
-fn entry(effect: &dyn Effect) -> Json {
+fn entry(effect: &Effect) -> Json {
     let about = effect.about();
     object! {
         "effect": about.id,

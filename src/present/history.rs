@@ -2,6 +2,7 @@
 //!
 //! Values are in the units of the files. What belongs to the measuring set-up is left out.
 
+use crate::numeric::extent;
 use std::path::Path;
 
 use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
@@ -90,15 +91,10 @@ pub fn short_name(entry: &Entry) -> String {
 
 /// Sessions and models with their errors, the earliest first.
 pub fn entries(robot: &RobotHistory) -> Table {
-    let mut table = Table::new([
-        "Session",
-        "From",
-        ">Samples",
-        ">RMS error nominal, mm",
-        ">Model, mm",
-        ">With the earliest, mm",
-        ">Changed",
-    ]);
+    let mut table = Table::headed(
+        "Session | From | >Samples | >RMS error nominal, mm \
+ | >Model, mm | >With the earliest, mm | >Changed",
+    );
     let dash = || "–".to_owned();
     for entry in &robot.entries {
         let changed = entry.changes.iter().filter(|c| c.is_significant()).count();
@@ -147,14 +143,8 @@ fn says(value: Option<Value>) -> String {
 pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles) -> Option<Table> {
     let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
     let joints = now.parameters.iter().filter_map(|one| one.joint).max();
-    let mut table = Table::new([
-        "Parameter",
-        "Unit",
-        ">Before",
-        ">After",
-        ">Difference",
-        "Beyond its interval",
-    ]);
+    let mut table =
+        Table::headed("Parameter | Unit | >Before | >After | >Difference | Beyond its interval");
     for change in changes(before, now) {
         let one = &now.parameters[change.parameter];
         let was = before.parameters.iter().find(|other| is_same(other, one));
@@ -191,10 +181,7 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
     let ends = there
         .iter()
         .flat_map(|(_, v)| v.ci95.unwrap_or([v.value; 2]));
-    let ends = ends.filter(|end| end.is_finite());
-    let range = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], end| {
-        [a.min(end), b.max(end)]
-    });
+    let range = extent(ends);
     let [low, high] = super::chart::panel::room(range);
     let by = 0.08 * (high - low);
     let way: Vec<[f64; 2]> = there.iter().map(|(x, v)| [*x, v.value]).collect();

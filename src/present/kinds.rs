@@ -31,17 +31,10 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
 
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
 pub(crate) fn table(kinds: &[KindFigures]) -> Table {
-    let mut table = Table::new([
-        "Kind",
-        ">Number",
-        "Unit",
-        ">Nominal",
-        ">Model",
-        ">Unseen",
-        ">Largest",
-        ">σ stated",
-        ">σ found",
-    ]);
+    let mut table = Table::headed(
+        "Kind | >Number | Unit | >Nominal | >Model \
+ | >Unseen | >Largest | >σ stated | >σ found",
+    );
     let number = |value| Cell::number(value, plain);
     for own in kinds {
         let fitted = own

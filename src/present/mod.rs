@@ -1,6 +1,7 @@
 //! What is shown of an answer, without computing any of it, once for terminal, window and report: JSON
 //! documents, charts and drawings, names, numbers, and the words for a place.
 
+pub(crate) mod bins;
 pub mod chart;
 pub mod compensation_v1;
 pub mod decision;
@@ -18,6 +19,7 @@ pub(crate) mod numbers;
 mod parts;
 pub mod plan_v1;
 pub(crate) mod poses;
+pub(crate) mod spectrum;
 pub(crate) mod standards;
 pub mod standards_v1;
 pub mod table;

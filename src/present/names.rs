@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn every_parameter_of_the_catalogue_has_a_name_and_a_unit() {
         for effect in CATALOGUE {
-            for name in parameter_names(*effect) {
+            for name in parameter_names(effect) {
                 let (words, unit) = parameter(name);
                 assert!(!words.is_empty() && !words.contains('_'), "{name}: {words}");
                 let pure = ["order", "ratio", "from_joint"].contains(&name);

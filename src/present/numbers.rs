@@ -2,6 +2,7 @@
 //! supports, a real minus sign, and the decimal sign that the reader chose. Terminal tables write an
 //! ASCII minus sign, as other programs read them.
 
+use crate::numeric::whole;
 use std::cell::Cell;
 
 /// How numbers are written for people.
@@ -175,16 +176,6 @@ pub(crate) fn with_minus_signs(text: &str) -> String {
         before = letter;
     }
     out
-}
-
-/// A small number that is whole already, or zero where it is below.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "clamped to what a count of digits or of pieces can be"
-)]
-pub(crate) fn whole(value: f64) -> usize {
-    value.clamp(0.0, 1e6) as usize
 }
 
 /// Digits and sign as an exponent.

@@ -8,7 +8,7 @@ use crate::kinematics::Robot;
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
 pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
-    let mut table = Table::new(["pose", "from", "reflector", "conditions", "why"]);
+    let mut table = Table::headed("pose | from | reflector | conditions | why");
     let values = |values: &[f64], per: &str| {
         let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
             let value = trimmed(joint.kind.outer(*value), 2);

@@ -91,6 +91,11 @@ impl Table {
         }
     }
 
+    /// The same, the headings in one line with ` | ` between them.
+    pub fn headed(headings: impl AsRef<str>) -> Self {
+        Self::new(headings.as_ref().split(" | "))
+    }
+
     /// Adds a row.
     pub fn row<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
         self.rows.push(cells.into_iter().map(Into::into).collect());

@@ -1,31 +1,22 @@
 //! What became of the targets of a file.
 
-/// Why a target was left as it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reason {
-    /// The tool can hardly be moved in some direction there.
-    Singular,
-    /// No joint values within the limits reach it.
-    Unreachable,
-    /// Several sets of joint values reach it, and nothing says which.
-    Ambiguous,
-    /// It is a way from where the robot is, and no place.
-    Relative,
-    /// Its frame or its tool is not known.
-    Frame,
-}
-
-impl Reason {
-    /// Its name in answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Singular => "singular",
-            Self::Unreachable => "unreachable",
-            Self::Ambiguous => "ambiguous",
-            Self::Relative => "relative",
-            Self::Frame => "frame",
-        }
+named! {
+    /// Why a target was left as it is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Reason {
+        /// The tool can hardly be moved in some direction there.
+        Singular = "singular",
+        /// No joint values within the limits reach it.
+        Unreachable = "unreachable",
+        /// Several sets of joint values reach it, and nothing says which.
+        Ambiguous = "ambiguous",
+        /// It is a way from where the robot is, and no place.
+        Relative = "relative",
+        /// Its frame or its tool is not known.
+        Frame = "frame",
     }
+    /// Its name in answers.
+    pub fn name;
 }
 
 /// A target that was left as it is.

@@ -24,10 +24,7 @@ pub(super) fn section(standards: &Standards) -> Section {
     if !standards.notes.is_empty() {
         blocks.push(Block::List(standards.notes.clone()));
     }
-    Section {
-        title: "Accuracy and repeatability".to_owned(),
-        blocks,
-    }
+    Section::new("Accuracy and repeatability", blocks)
 }
 
 fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
@@ -61,16 +58,9 @@ fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
             test.poses.len()
         )));
     }
-    let mut table = Table::new([
-        "Pose",
-        "Side",
-        "Reflector",
-        ">n",
-        ">AP, mm",
-        ">RP, mm",
-        ">AP corrected",
-        ">RP corrected",
-    ]);
+    let mut table = Table::headed(
+        "Pose | Side | Reflector | >n | >AP, mm | >RP, mm | >AP corrected | >RP corrected",
+    );
     for k in worst.into_iter().take(shown) {
         let pose = &test.poses[k];
         let after = |pick: fn(&crate::standards::pose::Attained) -> f64| {

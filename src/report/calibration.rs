@@ -95,10 +95,7 @@ fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
     ));
     facts.push(fact("Hash of robot and samples", clean(&c.samples_hash)));
     facts.push(fact("Hash of the model", hash));
-    Section {
-        title: "Where the model comes from".to_owned(),
-        blocks: vec![Block::Facts(facts)],
-    }
+    Section::new("Where the model comes from", vec![Block::Facts(facts)])
 }
 
 fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
@@ -133,14 +130,7 @@ pub(super) fn values(c: &Calibration) -> Section {
         blocks.extend(implausible(all.iter(), &c.model.robot));
     }
     if !c.regions.is_empty() {
-        let mut table = Table::new([
-            "Region",
-            ">From, °",
-            ">To, °",
-            ">Samples",
-            ">Δθ, °",
-            ">Δl1, mm",
-        ]);
+        let mut table = Table::headed("Region | >From, ° | >To, ° | >Samples | >Δθ, ° | >Δl1, mm");
         for region in &c.regions {
             table.row([
                 clean(&region.name),
@@ -162,10 +152,7 @@ pub(super) fn values(c: &Calibration) -> Section {
             "The model is the nominal robot: no effect is in it".to_owned(),
         ));
     }
-    Section {
-        title: "Parameters of the real robot".to_owned(),
-        blocks,
-    }
+    Section::new("Parameters of the real robot", blocks)
 }
 
 fn missing() -> Section {

@@ -47,6 +47,14 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
+impl Section {
+    /// A section of these pieces.
+    pub fn new(title: impl Into<String>, blocks: Vec<Block>) -> Self {
+        let title = title.into();
+        Self { title, blocks }
+    }
+}
+
 /// A piece of a section.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Block {

@@ -83,12 +83,8 @@ impl Told<'_> {
             blocks.push(Block::Heading(
                 "Names that the samples cannot tell apart".to_owned(),
             ));
-            let mut table = Table::new([
-                "In the model",
-                "Could be instead",
-                ">Odds against",
-                "What would tell",
-            ]);
+            let mut table =
+                Table::headed("In the model | Could be instead | >Odds against | What would tell");
             for rival in &d.equivalent {
                 table.row([
                     rival.explanation.join(" + "),
@@ -123,10 +119,7 @@ impl Told<'_> {
             }
             blocks.push(Block::Text(text));
         }
-        Section {
-            title: "Open points".to_owned(),
-            blocks,
-        }
+        Section::new("Open points", blocks)
     }
 
     fn next_poses(&self) -> Vec<Block> {
@@ -215,10 +208,7 @@ impl Told<'_> {
                 "Every effect of the catalogue is in the model".to_owned(),
             ));
         }
-        Section {
-            title: "What the session could not show".to_owned(),
-            blocks,
-        }
+        Section::new("What the session could not show", blocks)
     }
 }
 

@@ -39,8 +39,5 @@ pub(super) fn section(history: &History, robot: &str) -> Option<Section> {
             format!("{} over the sessions", row.name),
         ));
     }
-    Some(Section {
-        title: "History of the machine".to_owned(),
-        blocks,
-    })
+    Some(Section::new("History of the machine", blocks))
 }

@@ -63,7 +63,7 @@ pub(super) fn parameters<'a>(
     estimates: impl Iterator<Item = &'a Estimate>,
     robot: &Robot,
 ) -> Block {
-    let mut table = Table::new(["Effect", "Parameter", ">Value", "Unit", ">95 % interval"]);
+    let mut table = Table::headed("Effect | Parameter | >Value | Unit | >95 % interval");
     let mut last = String::new();
     for estimate in estimates {
         let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
@@ -134,10 +134,7 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
             ("Model".to_owned(), clean(&table.model_hash)),
         ]));
     }
-    Some(Section {
-        title: "Tables for the controller".to_owned(),
-        blocks,
-    })
+    Some(Section::new("Tables for the controller", blocks))
 }
 
 /// What a table's format is called among people, where its sidecar names a known one.
@@ -155,10 +152,10 @@ pub(super) fn details(own: &Details) -> Option<Section> {
     let facts = lines
         .into_iter()
         .map(|(name, text)| fact(name, clean(&text)));
-    Some(Section {
-        title: "Report details".to_owned(),
-        blocks: vec![Block::Facts(facts.collect())],
-    })
+    Some(Section::new(
+        "Report details",
+        vec![Block::Facts(facts.collect())],
+    ))
 }
 
 /// Room for two signatures.

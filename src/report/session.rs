@@ -11,6 +11,7 @@ use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::numeric::extent;
 use crate::present::decision::rests_on;
 use crate::present::kinds;
 use crate::present::names::{figure, title, title_on};
@@ -302,10 +303,7 @@ impl Told<'_> {
         ));
         facts.push(fact("Hash of robot and samples", hash));
         facts.push(fact("Hash of the model", self.model_hash.clone()));
-        Section {
-            title: "What was measured".to_owned(),
-            blocks: vec![Block::Facts(facts)],
-        }
+        Section::new("What was measured", vec![Block::Facts(facts)])
     }
 
     fn samples(&self) -> String {
@@ -330,10 +328,7 @@ impl Told<'_> {
     fn conditions(&self) -> String {
         let samples = &self.session.samples;
         let range = |column: &[f64], unit: &str| {
-            let finite = column.iter().filter(|v| v.is_finite());
-            let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(*v), b.max(*v))
-            });
+            let [low, high] = extent(column.iter());
             if low > high {
                 "not known".to_owned()
             } else if low == high {
@@ -356,13 +351,8 @@ impl Told<'_> {
 
     fn result(&self) -> Section {
         let (d, v) = (self.found, self.verification);
-        let mut table = Table::new([
-            "RMS error, mm",
-            ">Fit",
-            ">Cross-validated",
-            ">Largest",
-            ">Over the floor",
-        ]);
+        let mut table =
+            Table::headed("RMS error, mm | >Fit | >Cross-validated | >Largest | >Over the floor");
         let times = |mm: f64| {
             if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
@@ -430,10 +420,7 @@ impl Told<'_> {
             gap_plot(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
             "The gap step by step; each step keeps what the ones before it brought".to_owned(),
         ));
-        Section {
-            title: "Result".to_owned(),
-            blocks,
-        }
+        Section::new("Result", blocks)
     }
 
     /// What belongs to the table of the result.
@@ -531,9 +518,6 @@ impl Told<'_> {
             said.collect::<Vec<_>>()
         });
         blocks.extend(figures.map(Block::Text));
-        Section {
-            title: "Parameters of the real robot".to_owned(),
-            blocks,
-        }
+        Section::new("Parameters of the real robot", blocks)
     }
 }

@@ -7,6 +7,7 @@ use crate::fit::base_model;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
+use crate::numeric::extent;
 use crate::present::chart::{Stands, shortened};
 use crate::sessions::Session;
 
@@ -72,10 +73,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
     // Deviations are shown over the joint that moved farthest, in its own unit.
     let joints = &session.robot.joints;
     let travel = |k: usize| {
-        let finite = session.samples.q[k].iter().filter(|v| v.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(*v), b.max(*v))
-        });
+        let [low, high] = extent(session.samples.q[k].iter());
         (high - low).max(0.0)
     };
     let farthest = (0..joints.len())
@@ -133,8 +131,5 @@ pub(super) fn section(stages: &Stages) -> Section {
         deviation(stages),
         "Length of the deviation; the scales differ from panel to panel".to_owned(),
     ));
-    Section {
-        title: "Deviations".to_owned(),
-        blocks,
-    }
+    Section::new("Deviations", blocks)
 }

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
-use crate::sessions::observed::{self, NamedColumn};
+use crate::sessions::observed;
 use crate::sessions::references::References;
 use crate::sessions::table::{Cells, Names, Table};
 
@@ -74,7 +74,6 @@ pub(crate) fn samples(
         line: table.line,
         ..Samples::default()
     };
-    let mut orientation: [Option<Vec<f64>>; 4] = Default::default();
     let headings = table.layout.headings;
     let columns = headings.iter().zip(table.names).zip(table.columns);
     for (index, ((heading, name), cells)) in columns.enumerate() {
@@ -89,30 +88,10 @@ pub(crate) fn samples(
             }
             (Heading::Known(quantity, unit), Cells::Numbers(values)) => {
                 let values = column.scaled(values, unit.factor());
-                match *quantity {
-                    Quantity::Commanded(joint) => put(&mut samples.q, joint, values),
-                    Quantity::ReadBack(joint) => put(&mut samples.q_read, joint, Some(values)),
-                    Quantity::Speed(joint) => put(&mut samples.speed, joint, Some(values)),
-                    Quantity::Torque(joint) => put(&mut samples.torque_nm, joint, Some(values)),
-                    Quantity::JointTemperature(joint) => {
-                        put(&mut samples.joint_temperature_c, joint, Some(values));
-                    }
-                    Quantity::Direction(joint) => {
-                        column.check_directions(&values);
-                        put(&mut samples.dir, joint, Some(values));
-                    }
-                    Quantity::X => samples.x_mm = values,
-                    Quantity::Y => samples.y_mm = values,
-                    Quantity::Z => samples.z_mm = Some(values),
-                    Quantity::Orientation(part) => orientation[part] = Some(values),
-                    Quantity::Load => samples.load_kg = Some(values),
-                    Quantity::Temperature => samples.temperature_c = Some(values),
-                    Quantity::Time => samples.time_s = Some(values),
-                    Quantity::Distance => samples.observed.distance_mm = Some(values),
-                    Quantity::Azimuth => samples.observed.azimuth = Some(values),
-                    Quantity::Elevation => samples.observed.elevation = Some(values),
-                    _ => {}
+                if let Quantity::Direction(_) = quantity {
+                    column.check_directions(&values);
                 }
+                samples.put(*quantity, values);
             }
             (Heading::Known(Quantity::Target, _), Cells::Names(cells)) => {
                 samples.target = Some(column.targets(&cells, declared.targets));
@@ -150,16 +129,44 @@ pub(crate) fn samples(
             *column = missing();
         }
     }
-    if let [Some(w), Some(x), Some(y), Some(z)] = orientation {
-        samples.orientation_wxyz = Some([w, x, y, z]);
-    }
+    let whole = |parts: &[Vec<f64>; 4]| parts.iter().all(|part| part.len() == rows);
+    samples.orientation_wxyz = samples.orientation_wxyz.filter(whole);
     samples
 }
 
-/// Puts a column in its place; a joint that does not exist was reported with the headings.
-fn put<T>(columns: &mut [T], joint: usize, values: T) {
-    if let Some(column) = columns.get_mut(joint) {
-        *column = values;
+impl Samples {
+    /// Puts numbers in their place; a joint that does not exist was reported with the headings.
+    fn put(&mut self, quantity: Quantity, values: Vec<f64>) {
+        let observed = &mut self.observed;
+        let (of_joints, joint) = match quantity {
+            Quantity::Commanded(joint) => {
+                if let Some(column) = self.q.get_mut(joint) {
+                    *column = values;
+                }
+                return;
+            }
+            Quantity::X => return self.x_mm = values,
+            Quantity::Y => return self.y_mm = values,
+            Quantity::Orientation(part) => {
+                return self.orientation_wxyz.get_or_insert_default()[part] = values;
+            }
+            Quantity::ReadBack(joint) => (&mut self.q_read[..], joint),
+            Quantity::Direction(joint) => (&mut self.dir[..], joint),
+            Quantity::Speed(joint) => (&mut self.speed[..], joint),
+            Quantity::Torque(joint) => (&mut self.torque_nm[..], joint),
+            Quantity::JointTemperature(joint) => (&mut self.joint_temperature_c[..], joint),
+            Quantity::Z => (std::slice::from_mut(&mut self.z_mm), 0),
+            Quantity::Load => (std::slice::from_mut(&mut self.load_kg), 0),
+            Quantity::Temperature => (std::slice::from_mut(&mut self.temperature_c), 0),
+            Quantity::Time => (std::slice::from_mut(&mut self.time_s), 0),
+            Quantity::Distance => (std::slice::from_mut(&mut observed.distance_mm), 0),
+            Quantity::Azimuth => (std::slice::from_mut(&mut observed.azimuth), 0),
+            Quantity::Elevation => (std::slice::from_mut(&mut observed.elevation), 0),
+            _ => return,
+        };
+        if let Some(column) = of_joints.get_mut(joint) {
+            *column = Some(values);
+        }
     }
 }
 
@@ -261,14 +268,16 @@ impl Column<'_> {
         samples: &mut Samples,
     ) {
         let observed = &mut samples.observed;
-        let (column, into) = match quantity {
-            Quantity::Anchor => (NamedColumn::anchors(references), &mut observed.anchor),
-            Quantity::Station => (NamedColumn::stations(references), &mut observed.station),
-            Quantity::Plane => (NamedColumn::planes(references), &mut observed.plane),
-            Quantity::Socket => (NamedColumn::sockets(references), &mut observed.socket),
+        let into = match quantity {
+            Quantity::Anchor => &mut observed.anchor,
+            Quantity::Station => &mut observed.station,
+            Quantity::Plane => &mut observed.plane,
+            Quantity::Socket => &mut observed.socket,
             _ => return,
         };
-        *into = Some(column.read(cells, self.index, self.locate, self.findings));
+        let declared = references.named(quantity);
+        let (index, locate, findings) = (self.index, self.locate, self.findings);
+        *into = Some(observed::indices(declared, cells, index, locate, findings));
     }
 
     /// Held out, and excluded. A file that excludes nothing has no marks of it.

@@ -6,7 +6,7 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
-use crate::kinematics::JointKind;
+use crate::kinematics::{Joint, JointKind};
 use crate::units::rad_from_deg;
 
 /// What a column holds. Joints count from 0 here and from 1 in headings.
@@ -40,18 +40,163 @@ pub(crate) enum Quantity {
     Use,
 }
 
+/// A column of a session: what is read, written and kept as it stands here, in the order in which
+/// files have them.
+struct Declared {
+    /// Its heading: `#` stands for the number of a joint, `~` for a unit.
+    heading: &'static str,
+    takes: Takes,
+    cells: CellKind,
+    /// What it holds, for a joint where it is one's.
+    of: fn(usize) -> Quantity,
+}
+
+/// The units that a heading may end in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Takes {
+    Length,
+    Angle,
+    /// A length or an angle, as the joint slides or turns.
+    OfJoint,
+    /// Only the one that is in its name.
+    Fixed,
+}
+
+const COLUMNS: &[Declared] = &{
+    use CellKind::{Name, Number};
+    use Takes::{Angle, Fixed, Length, OfJoint};
+    const fn column(
+        heading: &'static str,
+        takes: Takes,
+        cells: CellKind,
+        of: fn(usize) -> Quantity,
+    ) -> Declared {
+        Declared {
+            heading,
+            takes,
+            cells,
+            of,
+        }
+    }
+    [
+        column("q#_~", OfJoint, Number, Quantity::Commanded),
+        column("q#_read_~", OfJoint, Number, Quantity::ReadBack),
+        column("x_~", Length, Number, |_| Quantity::X),
+        column("y_~", Length, Number, |_| Quantity::Y),
+        column("z_~", Length, Number, |_| Quantity::Z),
+        column("qw", Fixed, Number, |_| Quantity::Orientation(0)),
+        column("qx", Fixed, Number, |_| Quantity::Orientation(1)),
+        column("qy", Fixed, Number, |_| Quantity::Orientation(2)),
+        column("qz", Fixed, Number, |_| Quantity::Orientation(3)),
+        column("distance_~", Length, Number, |_| Quantity::Distance),
+        column("azimuth_~", Angle, Number, |_| Quantity::Azimuth),
+        column("elevation_~", Angle, Number, |_| Quantity::Elevation),
+        column("anchor", Fixed, Name, |_| Quantity::Anchor),
+        column("station", Fixed, Name, |_| Quantity::Station),
+        column("plane", Fixed, Name, |_| Quantity::Plane),
+        column("socket", Fixed, Name, |_| Quantity::Socket),
+        column("target", Fixed, Name, |_| Quantity::Target),
+        column("dir#", Fixed, Number, Quantity::Direction),
+        column("speed#_~_s", OfJoint, Number, Quantity::Speed),
+        column("torque#_nm", Fixed, Number, Quantity::Torque),
+        column("temperature#_c", Fixed, Number, Quantity::JointTemperature),
+        column("load_kg", Fixed, Number, |_| Quantity::Load),
+        column("temperature_c", Fixed, Number, |_| Quantity::Temperature),
+        column("time_s", Fixed, Number, |_| Quantity::Time),
+        column("setup", Fixed, Name, |_| Quantity::Setup),
+        column("use", Fixed, Name, |_| Quantity::Use),
+    ]
+};
+
+impl Declared {
+    /// The quantity and the unit of a heading that is this column's.
+    fn read(&self, heading: &str) -> Option<(Quantity, Unit)> {
+        let (name, own, unit) = match self.heading.split_once("_~") {
+            None => (heading, self.heading, Unit::Fixed),
+            Some((own, after)) => {
+                let (name, unit) = heading.strip_suffix(after)?.rsplit_once('_')?;
+                (name, own, Unit::from_suffix(unit)?)
+            }
+        };
+        let joint = match own.split_once('#') {
+            Some((before, after)) => joint_index(name.strip_prefix(before)?.strip_suffix(after)?)?,
+            None => (name == own).then_some(0)?,
+        };
+        let fits = match self.takes {
+            Takes::Length => matches!(unit, Unit::Length(_)),
+            Takes::Angle => matches!(unit, Unit::Angle(_)),
+            Takes::OfJoint | Takes::Fixed => true,
+        };
+        fits.then(|| ((self.of)(joint), unit))
+    }
+}
+
 impl Quantity {
+    /// Every column that a session of so many joints can have, in the order of files.
+    pub(crate) fn all(joints: usize) -> impl Iterator<Item = Self> {
+        COLUMNS.iter().flat_map(move |column| {
+            let joints = if column.heading.contains('#') {
+                joints
+            } else {
+                1
+            };
+            (0..joints).map(column.of)
+        })
+    }
+
+    fn declared(self) -> &'static Declared {
+        let of = |column: &&Declared| (column.of)(self.joint().unwrap_or(0)) == self;
+        COLUMNS.iter().find(of).expect("a column for each quantity")
+    }
+
+    /// The joint that it belongs to.
+    fn joint(self) -> Option<usize> {
+        match self {
+            Self::Commanded(joint)
+            | Self::ReadBack(joint)
+            | Self::Speed(joint)
+            | Self::Torque(joint)
+            | Self::JointTemperature(joint)
+            | Self::Direction(joint) => Some(joint),
+            _ => None,
+        }
+    }
+
+    /// Its heading; without a unit where that is not known or not one of a session's.
+    pub(crate) fn heading(self, unit: Option<Unit>) -> String {
+        let heading = self.declared().heading;
+        let heading = match (heading.split_once("_~"), unit.and_then(Unit::suffix)) {
+            (None, _) => heading.to_owned(),
+            (Some((name, after)), Some(unit)) => format!("{name}_{unit}{after}"),
+            (Some((name, _)), None) => name.to_owned(),
+        };
+        let number = self.joint().map_or(0, |joint| joint + 1);
+        heading.replace('#', &number.to_string())
+    }
+
+    /// The unit in which files are written: degrees for angles, mm for lengths.
+    pub(crate) fn written_in(self, joints: &[Joint]) -> Unit {
+        let turns = match self.declared().takes {
+            Takes::Length => false,
+            Takes::Angle => true,
+            Takes::OfJoint => self
+                .joint()
+                .is_some_and(|k| joints[k].kind == JointKind::Revolute),
+            Takes::Fixed => return Unit::Fixed,
+        };
+        if turns {
+            Unit::Angle(rad_from_deg(1.0))
+        } else {
+            Unit::Length(1.0)
+        }
+    }
+
     /// Whether it means something only beside what a session declares: an anchor, a station …
     pub(crate) fn needs_a_reference(self) -> bool {
+        use Quantity::{Anchor, Azimuth, Distance, Elevation, Plane, Socket, Station};
         matches!(
             self,
-            Self::Distance
-                | Self::Azimuth
-                | Self::Elevation
-                | Self::Anchor
-                | Self::Station
-                | Self::Plane
-                | Self::Socket
+            Distance | Azimuth | Elevation | Anchor | Station | Plane | Socket
         )
     }
 }
@@ -76,16 +221,26 @@ pub(crate) enum Unit {
 }
 
 impl Unit {
+    /// The units that headings end in.
+    fn all() -> [(&'static str, Self); 6] {
+        [
+            ("m", Self::Length(1000.0)),
+            ("mm", Self::Length(1.0)),
+            ("um", Self::Length(1e-3)),
+            ("in", Self::Length(25.4)),
+            ("deg", Self::Angle(rad_from_deg(1.0))),
+            ("rad", Self::Angle(1.0)),
+        ]
+    }
+
     fn from_suffix(suffix: &str) -> Option<Self> {
-        Some(match suffix {
-            "m" => Self::Length(1000.0),
-            "mm" => Self::Length(1.0),
-            "um" => Self::Length(1e-3),
-            "in" => Self::Length(25.4),
-            "deg" => Self::Angle(rad_from_deg(1.0)),
-            "rad" => Self::Angle(1.0),
-            _ => return None,
-        })
+        let found = Self::all().into_iter().find(|(own, _)| *own == suffix);
+        found.map(|(_, unit)| unit)
+    }
+
+    fn suffix(self) -> Option<&'static str> {
+        let found = Self::all().into_iter().find(|(_, unit)| *unit == self);
+        found.map(|(suffix, _)| suffix)
     }
 
     /// How many inner units (mm, rad) one of these is.
@@ -111,17 +266,7 @@ impl Heading {
     pub(crate) fn cells(&self) -> CellKind {
         match self {
             Self::Unknown { .. } => CellKind::Text,
-            Self::Known(
-                Quantity::Target
-                | Quantity::Setup
-                | Quantity::Use
-                | Quantity::Anchor
-                | Quantity::Station
-                | Quantity::Plane
-                | Quantity::Socket,
-                _,
-            ) => CellKind::Name,
-            Self::Known(..) => CellKind::Number,
+            Self::Known(quantity, _) => quantity.declared().cells,
         }
     }
 
@@ -137,70 +282,7 @@ impl Heading {
 }
 
 fn known(heading: &str) -> Option<(Quantity, Unit)> {
-    let fixed = match heading {
-        "qw" => Quantity::Orientation(0),
-        "qx" => Quantity::Orientation(1),
-        "qy" => Quantity::Orientation(2),
-        "qz" => Quantity::Orientation(3),
-        "target" => Quantity::Target,
-        "anchor" => Quantity::Anchor,
-        "station" => Quantity::Station,
-        "plane" => Quantity::Plane,
-        "socket" => Quantity::Socket,
-        "load_kg" => Quantity::Load,
-        "temperature_c" => Quantity::Temperature,
-        "time_s" => Quantity::Time,
-        "setup" => Quantity::Setup,
-        "use" => Quantity::Use,
-        _ => return known_with_unit(heading),
-    };
-    Some((fixed, Unit::Fixed))
-}
-
-fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
-    if let Some(joint) = heading.strip_prefix("dir") {
-        return Some((Quantity::Direction(joint_index(joint)?), Unit::Fixed));
-    }
-    if let Some(rest) = heading.strip_prefix("speed") {
-        let (joint, unit) = rest.strip_suffix("_s")?.split_once('_')?;
-        return Some((
-            Quantity::Speed(joint_index(joint)?),
-            Unit::from_suffix(unit)?,
-        ));
-    }
-    if let Some(rest) = heading.strip_prefix("torque") {
-        let joint = joint_index(rest.strip_suffix("_nm")?)?;
-        return Some((Quantity::Torque(joint), Unit::Fixed));
-    }
-    if let Some(rest) = heading.strip_prefix("temperature") {
-        let joint = joint_index(rest.strip_suffix("_c")?)?;
-        return Some((Quantity::JointTemperature(joint), Unit::Fixed));
-    }
-    let (name, suffix) = heading.rsplit_once('_')?;
-    let unit = Unit::from_suffix(suffix)?;
-    let quantity = match name {
-        "x" => Quantity::X,
-        "y" => Quantity::Y,
-        "z" => Quantity::Z,
-        "distance" => Quantity::Distance,
-        "azimuth" => Quantity::Azimuth,
-        "elevation" => Quantity::Elevation,
-        _ => {
-            let joint = name.strip_prefix('q')?;
-            match joint.strip_suffix("_read") {
-                Some(joint) => Quantity::ReadBack(joint_index(joint)?),
-                None => Quantity::Commanded(joint_index(joint)?),
-            }
-        }
-    };
-    let fits = match quantity {
-        Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance => {
-            matches!(unit, Unit::Length(_))
-        }
-        Quantity::Azimuth | Quantity::Elevation => matches!(unit, Unit::Angle(_)),
-        _ => true,
-    };
-    fits.then_some((quantity, unit))
+    COLUMNS.iter().find_map(|column| column.read(heading))
 }
 
 /// The joint's index from its number in a heading: `1` is the first; `01` and `0` are no numbers.
@@ -324,13 +406,7 @@ pub(crate) fn check_joint(
     place: Place,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let (Quantity::Commanded(joint)
-    | Quantity::ReadBack(joint)
-    | Quantity::Speed(joint)
-    | Quantity::Torque(joint)
-    | Quantity::JointTemperature(joint)
-    | Quantity::Direction(joint)) = quantity
-    else {
+    let Some(joint) = quantity.joint() else {
         return;
     };
     let number = joint + 1;
@@ -414,22 +490,11 @@ fn require_columns(
 
 /// Number of joints that the headings speak of.
 fn highest_joint(headings: &[Heading]) -> usize {
-    headings
-        .iter()
-        .filter_map(|heading| match heading {
-            Heading::Known(
-                Quantity::Commanded(joint)
-                | Quantity::ReadBack(joint)
-                | Quantity::Speed(joint)
-                | Quantity::Torque(joint)
-                | Quantity::JointTemperature(joint)
-                | Quantity::Direction(joint),
-                _,
-            ) => Some(joint + 1),
-            _ => None,
-        })
-        .max()
-        .unwrap_or(0)
+    let joint = |heading: &Heading| match heading {
+        Heading::Known(quantity, _) => quantity.joint().map(|joint| joint + 1),
+        Heading::Unknown { .. } => None,
+    };
+    headings.iter().filter_map(joint).max().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! [`crate::sessions::regions`].
 
 use crate::kinematics::Range;
+use crate::numeric::extent;
 use crate::sessions::{Region, Session};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -62,10 +63,7 @@ pub fn range_to_divide(session: &Session) -> Option<Range> {
     if let Some(limits) = session.robot.joints.first()?.limits {
         return Some(limits);
     }
-    let q = session.samples.q.first()?.iter().filter(|q| !q.is_nan());
-    let (from, to) = q.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-        (a.min(*v), b.max(*v))
-    });
+    let [from, to] = extent(session.samples.q.first()?.iter());
     (from < to).then_some(Range { from, to })
 }
 

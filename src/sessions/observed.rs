@@ -12,75 +12,37 @@ use crate::sessions::table::Names;
 /// Complaints about one column that are worth printing.
 const MOST_COMPLAINTS: usize = 10;
 
-/// A column of names that are declared in the session.
-pub(crate) struct NamedColumn<'a> {
-    /// What a name stands for, with its article: "an anchor".
-    pub(crate) what: &'static str,
-    /// The names that the session declares.
-    pub(crate) declared: Vec<&'a str>,
-}
-
-impl<'a> NamedColumn<'a> {
-    pub(crate) fn anchors(references: &'a References) -> Self {
-        Self {
-            what: "an anchor",
-            declared: references.anchors.iter().map(|a| &*a.name).collect(),
-        }
+/// Indices of what the cells of column `index` name, of what is declared; an empty cell names nothing.
+pub(crate) fn indices(
+    (what, declared): (&str, Vec<&str>),
+    cells: &Names,
+    index: usize,
+    locate: Locate<'_>,
+    findings: &mut Vec<Diagnostic>,
+) -> Vec<Option<u32>> {
+    let place = |name: &String| {
+        let found = declared.iter().zip(0..).find(|(own, _)| *own == name);
+        found.map(|(_, index)| index)
+    };
+    let known: Vec<Option<u32>> = cells.list.iter().map(place).collect();
+    let of = |row: usize| cells.index[row] as usize;
+    let wrong = (0..cells.index.len())
+        .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
+    let expected = match declared.len() {
+        0 => format!("{what} of the session, which declares none"),
+        _ => format!("{} of the session: {}", what, declared.join(", ")),
+    };
+    for row in wrong.take(MOST_COMPLAINTS) {
+        let name = quoted(&cells.list[of(row)]);
+        let found = format!("{name} is not declared");
+        findings.push(Diagnostic::error(locate(index, row), found, &expected));
     }
-
-    pub(crate) fn stations(references: &'a References) -> Self {
-        Self {
-            what: "a station",
-            declared: references.stations.iter().map(|s| &*s.name).collect(),
-        }
-    }
-
-    pub(crate) fn planes(references: &'a References) -> Self {
-        Self {
-            what: "a plane",
-            declared: references.planes.iter().map(|p| &*p.name).collect(),
-        }
-    }
-
-    pub(crate) fn sockets(references: &'a References) -> Self {
-        Self {
-            what: "a socket",
-            declared: references.sockets.iter().map(|s| &*s.name).collect(),
-        }
-    }
-
-    /// Indices of what the cells of column `index` name; an empty cell names nothing.
-    pub(crate) fn read(
-        &self,
-        cells: &Names,
-        index: usize,
-        locate: Locate<'_>,
-        findings: &mut Vec<Diagnostic>,
-    ) -> Vec<Option<u32>> {
-        let place = |name: &String| {
-            let found = self.declared.iter().zip(0..).find(|(own, _)| *own == name);
-            found.map(|(_, index)| index)
-        };
-        let known: Vec<Option<u32>> = cells.list.iter().map(place).collect();
-        let of = |row: usize| cells.index[row] as usize;
-        let wrong = (0..cells.index.len())
-            .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
-        let expected = match self.declared.len() {
-            0 => format!("{} of the session, which declares none", self.what),
-            _ => format!("{} of the session: {}", self.what, self.declared.join(", ")),
-        };
-        for row in wrong.take(MOST_COMPLAINTS) {
-            let name = quoted(&cells.list[of(row)]);
-            let found = format!("{name} is not declared");
-            findings.push(Diagnostic::error(locate(index, row), found, &expected));
-        }
-        // What was refused must not be missed besides.
-        let known = known.iter().zip(&cells.list);
-        let known = known.map(|(known, name)| known.or((!name.is_empty()).then_some(0)));
-        let known: Vec<Option<u32>> = known.collect();
-        let rows = 0..cells.index.len();
-        rows.map(|row| known[of(row)]).collect()
-    }
+    // What was refused must not be missed besides.
+    let known = known.iter().zip(&cells.list);
+    let known = known.map(|(known, name)| known.or((!name.is_empty()).then_some(0)));
+    let known: Vec<Option<u32>> = known.collect();
+    let rows = 0..cells.index.len();
+    rows.map(|row| known[of(row)]).collect()
 }
 
 /// Completes what only one thing can be meant by, and complains of rows that lack something.
@@ -108,7 +70,7 @@ pub(crate) fn complete(
         let lacking: Vec<usize> = (0..rows)
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
-        let names = NamedColumn::anchors(references).declared.join(", ");
+        let names = references.named(Quantity::Anchor).1.join(", ");
         let expected = format!("one of the anchors of the session in the column anchor: {names}");
         complain(
             Quantity::Distance,
@@ -150,7 +112,7 @@ pub(crate) fn complete(
             let lacking: Vec<usize> = (0..rows)
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
-            let names = NamedColumn::stations(references).declared.join(", ");
+            let names = references.named(Quantity::Station).1.join(", ");
             let expected = format!(
                 "one of the stations of the session in the column station: {names}; or the key \
                  pointing, where the tool itself points"

@@ -5,6 +5,8 @@
 
 use nalgebra::{Point3, Unit, UnitQuaternion, Vector3};
 
+use super::columns::Quantity;
+
 /// A fixed point from which distances are measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Anchor {
@@ -16,25 +18,21 @@ pub struct Anchor {
     pub offset_mm: Option<f64>,
 }
 
-/// Which way azimuths count, seen from the station's +z.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Azimuth {
-    /// From x towards y.
-    #[default]
-    Counterclockwise,
-    /// From x away from y, as theodolites count.
-    Clockwise,
+named! {
+    /// Which way azimuths count, seen from the station's +z.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Azimuth {
+        /// From x towards y.
+        #[default]
+        Counterclockwise = "counterclockwise",
+        /// From x away from y, as theodolites count.
+        Clockwise = "clockwise",
+    }
+    /// The word in files.
+    pub fn name;
 }
 
 impl Azimuth {
-    /// The word in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Counterclockwise => "counterclockwise",
-            Self::Clockwise => "clockwise",
-        }
-    }
-
     /// +1 or −1: an azimuth in the counterclockwise sense is this times the one that is shown.
     pub fn sign(self) -> f64 {
         match self {
@@ -110,6 +108,23 @@ pub struct References {
     pub pointing: Option<Pointing>,
 }
 
+impl References {
+    /// What the cells of a column of names stand for, with its article, and the names that are declared.
+    pub(crate) fn named(&self, quantity: Quantity) -> (&'static str, Vec<&str>) {
+        match quantity {
+            Quantity::Anchor => ("an anchor", names(&self.anchors, |a| &a.name)),
+            Quantity::Station => ("a station", names(&self.stations, |s| &s.name)),
+            Quantity::Plane => ("a plane", names(&self.planes, |p| &p.name)),
+            Quantity::Socket => ("a socket", names(&self.sockets, |s| &s.name)),
+            _ => ("", Vec::new()),
+        }
+    }
+}
+
+fn names<T>(all: &[T], name: fn(&T) -> &String) -> Vec<&str> {
+    all.iter().map(|one| name(one).as_str()).collect()
+}
+
 /// The columns of measurements other than points, one value for each sample. A missing number is
 /// NaN and a missing name `None`; a column that the file does not have is `None`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -138,6 +153,17 @@ impl ObservedColumns {
         let number = |c: &&Option<Vec<f64>>| c.iter().flatten().any(|v| !v.is_nan());
         let name = |c: &&Option<Vec<Option<u32>>>| c.iter().flatten().any(Option::is_some);
         !numbers.iter().any(number) && !names.iter().any(name)
+    }
+
+    /// The indices that a column of names has.
+    pub(crate) fn indices(&self, quantity: Quantity) -> Option<&Vec<Option<u32>>> {
+        match quantity {
+            Quantity::Anchor => self.anchor.as_ref(),
+            Quantity::Station => self.station.as_ref(),
+            Quantity::Plane => self.plane.as_ref(),
+            Quantity::Socket => self.socket.as_ref(),
+            _ => None,
+        }
     }
 
     /// Whether a sample has something here that can be used.

@@ -163,7 +163,7 @@ fn write_rows(session: &Session, output: &mut dyn Write, part: Part<'_>) -> io::
             if index > 0 {
                 output.write_all(b",")?;
             }
-            match column.values {
+            match &column.values {
                 Values::Numbers { values, outside } => {
                     if !values[row].is_nan() {
                         write_number(output, outside(values[row]))?;

@@ -4,9 +4,8 @@ use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 
 use crate::document::degrees;
-use crate::kinematics::JointKind;
-use crate::sessions::domain::{Session, Setups, Target};
-use crate::sessions::references::References;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::domain::{Samples, Session, Setups, Target};
 
 /// From an inner to an outer unit.
 type Conversion = fn(f64) -> f64;
@@ -18,7 +17,6 @@ pub(crate) struct Column<'a> {
 }
 
 /// The cells of a column.
-#[derive(Clone, Copy)]
 pub(crate) enum Values<'a> {
     /// NaN is an empty cell; `outside` makes outer units of inner ones.
     Numbers {
@@ -30,24 +28,13 @@ pub(crate) enum Values<'a> {
     /// Held out, and excluded.
     Use([Option<&'a [bool]>; 2]),
     Text(&'a [String]),
-    /// Indices into what the session declares; nothing is an empty cell.
-    References(&'a [Option<u32>], &'a References, NameOf),
+    /// Indices into the names that the session declares; nothing is an empty cell.
+    References(&'a [Option<u32>], Vec<&'a str>),
 }
 
-/// The name of what stands at an index.
-type NameOf = fn(&References, usize) -> &str;
-
 impl<'a> Values<'a> {
-    /// Numbers whose outer unit is the inner one.
-    fn plain(values: &'a [f64]) -> Self {
-        Self::Numbers {
-            values,
-            outside: |value| value,
-        }
-    }
-
     /// A cell that is not a number.
-    pub(crate) fn text(self, row: usize) -> &'a str {
+    pub(crate) fn text(&self, row: usize) -> &'a str {
         match self {
             Self::Numbers { .. } => "",
             Self::Targets(index, targets) => targets
@@ -64,18 +51,16 @@ impl<'a> Values<'a> {
                 [true, true] => "held-out-excluded",
             },
             Self::Text(cells) => &cells[row],
-            Self::References(index, all, name) => {
-                index[row].map_or("", |index| name(all, index as usize))
-            }
+            Self::References(index, names) => index[row].map_or("", |index| names[index as usize]),
         }
     }
 
-    fn len(self) -> usize {
+    fn len(&self) -> usize {
         match self {
             Self::Numbers { values, .. } => values.len(),
             Self::Targets(index, _) => index.len(),
             Self::Setups(setups) => setups.index.len(),
-            Self::Use(uses) => uses.into_iter().flatten().next().map_or(0, <[bool]>::len),
+            Self::Use(uses) => uses.iter().flatten().next().map_or(0, |all| all.len()),
             Self::Text(cells) => cells.len(),
             Self::References(index, ..) => index.len(),
         }
@@ -96,39 +81,31 @@ impl Serialize for Values<'_> {
     }
 }
 
-/// Columns that are being collected.
-struct Columns<'a>(Vec<Column<'a>>);
-
-impl<'a> Columns<'a> {
-    fn add(&mut self, name: String, values: Values<'a>) {
-        self.0.push(Column { name, values });
-    }
-}
-
-/// Columns of measurements other than points.
-fn observed<'a>(session: &'a Session, columns: &mut Columns<'a>) {
-    let own = &session.samples.observed;
-    let all = &session.instrument.references;
-    let plain: Conversion = |value| value;
-    let numbers: [(&str, _, Conversion); 3] = [
-        ("distance_mm", &own.distance_mm, plain),
-        ("azimuth_deg", &own.azimuth, degrees),
-        ("elevation_deg", &own.elevation, degrees),
-    ];
-    for (name, values, outside) in numbers {
-        if let Some(values) = values {
-            columns.add(name.to_owned(), Values::Numbers { values, outside });
+impl Samples {
+    /// The numbers of a column, where there are any.
+    fn numbers(&self, quantity: Quantity) -> Option<&[f64]> {
+        fn of_joint(columns: &[Option<Vec<f64>>], joint: usize) -> Option<&[f64]> {
+            columns.get(joint)?.as_deref()
         }
-    }
-    let names: [(&str, _, NameOf); 4] = [
-        ("anchor", &own.anchor, |all, i| &all.anchors[i].name),
-        ("station", &own.station, |all, i| &all.stations[i].name),
-        ("plane", &own.plane, |all, i| &all.planes[i].name),
-        ("socket", &own.socket, |all, i| &all.sockets[i].name),
-    ];
-    for (name, index, name_of) in names {
-        if let Some(index) = index {
-            columns.add(name.to_owned(), Values::References(index, all, name_of));
+        let (samples, observed) = (self, &self.observed);
+        match quantity {
+            Quantity::Commanded(joint) => samples.q.get(joint).map(Vec::as_slice),
+            Quantity::ReadBack(joint) => of_joint(&samples.q_read, joint),
+            Quantity::Direction(joint) => of_joint(&samples.dir, joint),
+            Quantity::Speed(joint) => of_joint(&samples.speed, joint),
+            Quantity::Torque(joint) => of_joint(&samples.torque_nm, joint),
+            Quantity::JointTemperature(joint) => of_joint(&samples.joint_temperature_c, joint),
+            Quantity::X => Some(&samples.x_mm),
+            Quantity::Y => Some(&samples.y_mm),
+            Quantity::Z => samples.z_mm.as_deref(),
+            Quantity::Orientation(part) => samples.orientation_wxyz.as_ref().map(|all| &*all[part]),
+            Quantity::Load => samples.load_kg.as_deref(),
+            Quantity::Temperature => samples.temperature_c.as_deref(),
+            Quantity::Time => samples.time_s.as_deref(),
+            Quantity::Distance => observed.distance_mm.as_deref(),
+            Quantity::Azimuth => observed.azimuth.as_deref(),
+            Quantity::Elevation => observed.elevation.as_deref(),
+            _ => None,
         }
     }
 }
@@ -136,97 +113,53 @@ fn observed<'a>(session: &'a Session, columns: &mut Columns<'a>) {
 /// Every column of the session, in the order of the contract.
 pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
     let samples = &session.samples;
-    let mut columns = Columns(Vec::new());
-    let plain: Conversion = |value| value;
-    let joints: Vec<(&str, Conversion)> = session
-        .robot
-        .joints
-        .iter()
-        .map(|joint| match joint.kind {
-            JointKind::Revolute => ("deg", degrees as Conversion),
-            JointKind::Prismatic => ("mm", plain),
-        })
-        .collect();
-    for (i, (values, &(unit, outside))) in samples.q.iter().zip(&joints).enumerate() {
-        columns.add(
-            format!("q{}_{unit}", i + 1),
-            Values::Numbers { values, outside },
-        );
-    }
-    for (i, (values, &(unit, outside))) in samples.q_read.iter().zip(&joints).enumerate() {
-        if let Some(values) = values {
-            columns.add(
-                format!("q{}_read_{unit}", i + 1),
-                Values::Numbers { values, outside },
-            );
-        }
-    }
     // A session of other measurements has no points at all.
     let points = [&samples.x_mm, &samples.y_mm];
     let points = points.into_iter().chain(&samples.z_mm);
     let measured = points.flatten().any(|v| !v.is_nan());
     let other = !samples.observed.is_empty() || samples.orientation_wxyz.is_some();
-    let has_points = measured || !other;
-    if has_points {
-        columns.add("x_mm".to_owned(), Values::plain(&samples.x_mm));
-        columns.add("y_mm".to_owned(), Values::plain(&samples.y_mm));
-    }
-    if let Some(z_mm) = samples.z_mm.as_ref().filter(|_| has_points) {
-        columns.add("z_mm".to_owned(), Values::plain(z_mm));
-    }
-    if let Some(parts) = &samples.orientation_wxyz {
-        for (name, values) in ["qw", "qx", "qy", "qz"].into_iter().zip(parts) {
-            columns.add(name.to_owned(), Values::plain(values));
-        }
-    }
-    observed(session, &mut columns);
-    if let Some(target) = &samples.target {
-        columns.add(
-            "target".to_owned(),
-            Values::Targets(target, &session.targets),
-        );
-    }
-    for (i, values) in samples.dir.iter().enumerate() {
-        if let Some(values) = values {
-            columns.add(format!("dir{}", i + 1), Values::plain(values));
-        }
-    }
-    for (i, (values, &(unit, outside))) in samples.speed.iter().zip(&joints).enumerate() {
-        if let Some(values) = values {
-            columns.add(
-                format!("speed{}_{unit}_s", i + 1),
-                Values::Numbers { values, outside },
-            );
-        }
-    }
-    for (of_joints, name, unit) in [
-        (&samples.torque_nm, "torque", "nm"),
-        (&samples.joint_temperature_c, "temperature", "c"),
-    ] {
-        for (i, values) in of_joints.iter().enumerate() {
-            if let Some(values) = values {
-                columns.add(format!("{name}{}_{unit}", i + 1), Values::plain(values));
-            }
-        }
-    }
-    for (name, values) in [
-        ("load_kg", &samples.load_kg),
-        ("temperature_c", &samples.temperature_c),
-        ("time_s", &samples.time_s),
-    ] {
-        if let Some(values) = values {
-            columns.add(name.to_owned(), Values::plain(values));
-        }
-    }
-    if let Some(setups) = &samples.setups {
-        columns.add("setup".to_owned(), Values::Setups(setups));
-    }
+    let no_points = other && !measured;
     let uses = [samples.held_out.as_deref(), samples.excluded.as_deref()];
-    if uses.iter().any(Option::is_some) {
-        columns.add("use".to_owned(), Values::Use(uses));
-    }
-    for column in &samples.unknown {
-        columns.add(column.name.clone(), Values::Text(&column.cells));
-    }
-    columns.0
+    let joints = &session.robot.joints;
+    let column = |quantity: Quantity| {
+        let unit = quantity.written_in(joints);
+        let values = match quantity {
+            Quantity::X | Quantity::Y | Quantity::Z if no_points => None,
+            Quantity::Target => {
+                let index = samples.target.as_ref();
+                index.map(|index| Values::Targets(index, &session.targets))
+            }
+            Quantity::Setup => samples.setups.as_ref().map(Values::Setups),
+            Quantity::Use => uses
+                .iter()
+                .any(Option::is_some)
+                .then_some(Values::Use(uses)),
+            _ => {
+                let (_, names) = session.instrument.references.named(quantity);
+                let index = samples.observed.indices(quantity);
+                let named = index.map(|index| Values::References(index, names));
+                named.or_else(|| {
+                    let values = samples.numbers(quantity)?;
+                    let outside = match unit {
+                        Unit::Angle(_) => degrees,
+                        _ => |value| value,
+                    };
+                    Some(Values::Numbers { values, outside })
+                })
+            }
+        };
+        let name = quantity.heading(Some(unit));
+        Some(Column {
+            name,
+            values: values?,
+        })
+    };
+    let unknown = samples.unknown.iter().map(|column| Column {
+        name: column.name.clone(),
+        values: Values::Text(&column.cells),
+    });
+    Quantity::all(joints.len())
+        .filter_map(column)
+        .chain(unknown)
+        .collect()
 }

@@ -9,9 +9,7 @@
 
 use nalgebra::Vector3;
 
-use crate::effects::{
-    Effect, JointValues, LinkGeometry, Setting, Term, ToolOrientation, joint_zero,
-};
+use crate::effects::{JointValues, LINK_GEOMETRY, Setting, TOOL_ORIENTATION, Term, joint_zero};
 use crate::fit::base_model;
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
@@ -80,7 +78,7 @@ struct Trial {
 fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
     let problem = Problem::new(session, values);
     let zero = joint_zero();
-    let left_out = [LinkGeometry.about().id, ToolOrientation.about().id];
+    let left_out = [LINK_GEOMETRY.about().id, TOOL_ORIENTATION.about().id];
     let mut terms = base_model::terms(session, &problem, |id| !left_out.contains(&id));
     // Targets sit on the tool as the drawing has them.
     terms.retain(|t| t.effect.about().setting != Setting::Target || t.setting == 0.0);

@@ -47,49 +47,29 @@ pub struct Scenario {
     pub seed: u64,
 }
 
-/// How one sample is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Measure {
-    /// Where the target is.
-    Point,
-    /// That, and how the tool is turned.
-    Pose,
-    /// From the anchors in turn.
-    Distance,
-    /// From the stations in turn.
-    Bearing,
-    /// Where the tool points.
-    Pointing,
-    /// The target sits in the sockets in turn; the stops are moved there.
-    Socket,
-    /// The target lies in the planes in turn; the stops are moved there.
-    Touch,
-}
-
-impl Measure {
-    /// Every one.
-    pub const ALL: [Self; 7] = [
-        Self::Point,
-        Self::Pose,
-        Self::Distance,
-        Self::Bearing,
-        Self::Pointing,
-        Self::Socket,
-        Self::Touch,
-    ];
-
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Point => "point",
-            Self::Pose => "pose",
-            Self::Distance => "distance",
-            Self::Bearing => "bearing",
-            Self::Pointing => "pointing",
-            Self::Socket => "socket",
-            Self::Touch => "touch",
-        }
+named! {
+    /// How one sample is measured.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Measure {
+        /// Where the target is.
+        Point = "point",
+        /// That, and how the tool is turned.
+        Pose = "pose",
+        /// From the anchors in turn.
+        Distance = "distance",
+        /// From the stations in turn.
+        Bearing = "bearing",
+        /// Where the tool points.
+        Pointing = "pointing",
+        /// The target sits in the sockets in turn; the stops are moved there.
+        Socket = "socket",
+        /// The target lies in the planes in turn; the stops are moved there.
+        Touch = "touch",
     }
+    /// Its name in files.
+    pub fn name;
+    /// Every one.
+    pub const ALL;
 }
 
 /// Where the robot goes.

@@ -6,7 +6,7 @@
 
 use std::path::PathBuf;
 
-use truepose::effects::{Inputs, JointValues, MeasuringFrame, Survey, Term};
+use truepose::effects::{Inputs, JointValues, MEASURING_FRAME, Survey, Term};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
 use truepose::model::{read_model, write_model};
@@ -224,7 +224,7 @@ fn a_frame_turned_by_any_angle_is_fitted_and_wound_back() {
     let session = session("six-60");
     let inputs = Inputs::new(&session, JointValues::Commanded);
     for degrees in [0.0, 120.0, 179.9, 180.0, 215.0] {
-        let mut term = Term::absent(&MeasuringFrame, 0, 0.0);
+        let mut term = Term::absent(&MEASURING_FRAME, 0, 0.0);
         term.coefficients = frame(degrees).to_vec();
         let model = Model::new(session.robot.clone(), vec![term]);
         let there = model.predict(&inputs);

@@ -88,7 +88,7 @@ fn inputs(robot: &Robot) -> Inputs<'static> {
     inputs
 }
 
-fn term(effect: &'static dyn Effect, joint: usize, share: f64, sizes: &[f64]) -> Term {
+fn term(effect: &'static Effect, joint: usize, share: f64, sizes: &[f64]) -> Term {
     let about = effect.about();
     let setting = match about.setting {
         Setting::Order { from, to } => {
@@ -159,11 +159,11 @@ fn worst_column(model: &Model, inputs: &Inputs) -> (f64, usize) {
     worst
 }
 
-fn all_effects() -> impl Iterator<Item = &'static dyn Effect> {
+fn all_effects() -> impl Iterator<Item = &'static Effect> {
     let beside = BESIDE_THE_CATALOGUE.iter().copied();
     let all = CATALOGUE.iter().copied().chain(beside);
     let all =
-        all.flat_map(|effect| std::iter::once(effect).chain(effect.other_forms().iter().copied()));
+        all.flat_map(|effect| std::iter::once(effect).chain(effect.other_forms.iter().copied()));
     all.filter(|effect| effect.about().id != UNEXPLAINED)
 }
 

@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::curve::{DIRECTIONS, Knots};
-use crate::effects::{Directions, Term};
+use crate::effects::{EACH_DIRECTION, Term};
 use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -51,7 +51,7 @@ impl<'a> Columns<'a> {
     /// Of the samples of a problem that count.
     pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model, joint: usize) -> Self {
         let rows = Rows::of(&thinned(problem));
-        let probe = Term::absent(&Directions, joint, 0.0);
+        let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
         let model = model.with_term(probe.clone());
         let before = model.terms().iter().take_while(|t| !t.same_column(&probe));
         let first: usize = before.map(|t| t.coefficients.len()).sum();

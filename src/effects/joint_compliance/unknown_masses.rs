@@ -20,15 +20,12 @@ use crate::effects::block::{Block, Turned};
 use crate::effects::inputs::Inputs;
 use crate::effects::term::JointFrame;
 use crate::effects::units::Unit;
-use crate::effects::{Effect, Placed};
+use crate::effects::{Effect, Figure, Placed};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{LANES, add_scaled, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
 use super::{NEWTON_STEPS, Torque};
-
-/// See the module: with `N` coefficients, C first where there is one more than the parts have.
-pub(super) struct UnknownMasses<const N: usize>;
 
 /// Joints whose parts count, the joint itself among them.
 const PARTS: usize = 3;
@@ -36,9 +33,15 @@ const PARTS: usize = 3;
 const OF_PARTS: usize = 2 * PARTS;
 
 /// C from a load that changes, and what the links weigh.
-pub(super) const WITH_LOAD: UnknownMasses<{ 1 + OF_PARTS }> = UnknownMasses;
+pub(super) static WITH_LOAD: Effect = Effect {
+    figures: figures::<{ 1 + OF_PARTS }>,
+    ..Effect::new(ABOUT_WITH_LOAD, act::<{ 1 + OF_PARTS }>)
+};
 /// What links and an unchanging load weigh together: C is in every moment.
-pub(super) const SAG: UnknownMasses<OF_PARTS> = UnknownMasses;
+pub(super) static SAG: Effect = Effect {
+    figures: figures::<OF_PARTS>,
+    ..Effect::new(ABOUT_SAG, act::<OF_PARTS>)
+};
 
 const QUANTITIES: &[Quantity] = &[
     Quantity::new("compliance_urad_per_nm", Unit::MICRORADIAN_PER_NM),
@@ -70,65 +73,51 @@ const ABOUT_SAG: About = About {
     ..super::ABOUT
 };
 
-impl<const N: usize> Effect for UnknownMasses<N> {
-    fn about(&self) -> &'static About {
-        if with_load(N) {
-            &ABOUT_WITH_LOAD
-        } else {
-            &ABOUT_SAG
-        }
+fn figures<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> Vec<Figure> {
+    let sag = ("sag_rms_mrad", Some(1e3 * sag_rms::<N>(me, robot, inputs)));
+    if with_load(N) {
+        return vec![sag];
     }
+    vec![("compliance_urad_per_nm", None), sag]
+}
 
-    fn figures(
-        &self,
-        me: &Placed,
-        robot: &Robot,
-        inputs: &Inputs,
-    ) -> Vec<(&'static str, Option<f64>)> {
-        let sag = ("sag_rms_mrad", Some(1e3 * sag_rms::<N>(me, robot, inputs)));
-        if with_load(N) {
-            return vec![sag];
+/// With `N` coefficients, C first where there is one more than the parts have.
+fn act<const N: usize>(me: &Placed, block: &mut Block) {
+    let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, lane));
+    block.turn(me, |start, at| {
+        let sag = &sags[at.lane];
+        let mut theta = start;
+        for _ in 0..NEWTON_STEPS {
+            let (angle, slope) = sag.whole.at(theta);
+            theta -= (theta - start - angle) / (1.0 - slope);
         }
-        vec![("compliance_urad_per_nm", None), sag]
-    }
-
-    fn act(&self, me: &Placed, block: &mut Block) {
-        let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, lane));
-        block.turn(me, |start, at| {
-            let sag = &sags[at.lane];
-            let mut theta = start;
-            for _ in 0..NEWTON_STEPS {
-                let (angle, slope) = sag.whole.at(theta);
-                theta -= (theta - start - angle) / (1.0 - slope);
-            }
-            let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
-            let by = |part: &Torque| part.at(theta).0 * gain;
-            Turned::<N> {
-                value: theta,
-                by_input: gain,
-                by_coefficient: std::array::from_fn(|k| by(&sag.by[k])),
-            }
-        });
-        if block.by_command() {
-            let joints = block.robot.joints.len();
-            for other in (0..joints).filter(|k| *k != me.joint) {
-                let slopes = std::array::from_fn(|lane| {
-                    let theta = block.value(me.joint, lane);
-                    let whole = &sags[lane].whole;
-                    let gain = 1.0 / (1.0 - whole.at(theta).1);
-                    let compliance = if with_load(N) {
-                        me.coefficients[0]
-                    } else {
-                        0.0
-                    };
-                    let load = sags[lane]
-                        .load
-                        .by_other(block, me.joint, other, lane, theta);
-                    let links = links_by_other::<N>(whole, block, me, other, lane, theta);
-                    (compliance * load + links) * gain
-                });
-                block.turn_by_command_of(me, other, &slopes);
-            }
+        let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
+        let by = |part: &Torque| part.at(theta).0 * gain;
+        Turned::<N> {
+            value: theta,
+            by_input: gain,
+            by_coefficient: std::array::from_fn(|k| by(&sag.by[k])),
+        }
+    });
+    if block.by_command() {
+        let joints = block.robot.joints.len();
+        for other in (0..joints).filter(|k| *k != me.joint) {
+            let slopes = std::array::from_fn(|lane| {
+                let theta = block.value(me.joint, lane);
+                let whole = &sags[lane].whole;
+                let gain = 1.0 / (1.0 - whole.at(theta).1);
+                let compliance = if with_load(N) {
+                    me.coefficients[0]
+                } else {
+                    0.0
+                };
+                let load = sags[lane]
+                    .load
+                    .by_other(block, me.joint, other, lane, theta);
+                let links = links_by_other::<N>(whole, block, me, other, lane, theta);
+                (compliance * load + links) * gain
+            });
+            block.turn_by_command_of(me, other, &slopes);
         }
     }
 }

@@ -6,6 +6,7 @@
 //! the session (steps of the golden ratio), so that the first of them show the whole. Every nth
 //! sample would not: where reflectors or directions alternate it is always the same of them.
 
+use crate::numeric::{extent, single};
 use std::sync::Arc;
 
 use crate::gui::core::loaded_session::Subject;
@@ -103,10 +104,7 @@ fn columns(samples: &Samples) -> [Option<&[f64]>; 3] {
 /// Smallest and largest value, where there are two.
 fn range(column: &[f64], usable: &[u32]) -> Option<[f64; 2]> {
     let values = usable.iter().map(|i| column[*i as usize]);
-    let finite = values.filter(|v| v.is_finite());
-    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-        [a.min(v), b.max(v)]
-    });
+    let [low, high] = extent(values);
     (low < high && (high - low).is_finite()).then_some([low, high])
 }
 
@@ -126,14 +124,6 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
     }
     let next = move |k: &usize| Some((k + step) % count);
     std::iter::successors((count > 0).then_some(0), next).take(count)
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "drawn in single precision; what does not fit is infinite and is not drawn"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

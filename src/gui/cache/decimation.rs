@@ -143,7 +143,7 @@ mod tests {
         let mut met = [0; 18];
         for sample in &thinned.samples {
             let degrees = subject.q(*sample as usize).to_degrees() + 90.0;
-            met[crate::gui::units::whole(degrees / 10.0).min(17)] += 1;
+            met[crate::numeric::whole(degrees / 10.0).min(17)] += 1;
         }
         assert!(met.iter().all(|n| *n > MOST / 40), "{met:?}");
     }

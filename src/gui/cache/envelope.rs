@@ -6,6 +6,7 @@
 //! frame as much as it has columns, for any number of samples. As long as the view stands still they
 //! are those of the frame before.
 
+use crate::numeric::single;
 use std::sync::{Arc, Mutex};
 
 use crate::gui::cache::over::Over;
@@ -275,11 +276,6 @@ fn widest(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
         (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].max(b[1])]),
         (one, other) => one.or(other),
     }
-}
-
-#[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

@@ -62,16 +62,8 @@ fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<Made, String> {
 
 /// The figures as a table for a spreadsheet, tabs between the columns.
 pub(crate) fn as_text(made: &Made) -> String {
-    let headings = [
-        "standard",
-        "of",
-        "symbol",
-        "figure",
-        "unit",
-        "as measured",
-        "corrected commands",
-    ];
-    let mut table = Table::new(headings);
+    let mut table =
+        Table::headed("standard | of | symbol | figure | unit | as measured | corrected commands");
     for group in &made.groups {
         for row in &group.rows {
             table.row([

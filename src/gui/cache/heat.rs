@@ -18,6 +18,8 @@
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::view::Plane;
+use crate::lanes::dot;
+use crate::numeric::{single, whole};
 
 /// Cells along the longer side of what the robot reached.
 const CELLS: f64 = 144.0;
@@ -59,8 +61,7 @@ impl Heat {
         let places = places(subject, [right, up], [low[right], low[up]], cell_mm);
         let sigma = (OF_SPACING * spacing(&places)).clamp(SIGMA[0] * CELLS, SIGMA[1] * CELLS);
         let margin = (END * sigma).ceil();
-        let size =
-            extent.map(|e| crate::gui::units::whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
+        let size = extent.map(|e| whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
         let first_mm = [low[right] - margin * cell_mm, low[up] - margin * cell_mm];
         let mut sums = vec![[0.0_f64; 5]; size[0] * size[1]];
         for sample in usable.iter().map(|sample| *sample as usize) {
@@ -72,10 +73,9 @@ impl Heat {
             }
             let before = subject.deviation_before(sample);
             let after = answer.map_or([0.0; 3], |a| a.deviation_after(sample));
-            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             let products = [dot(before, before), dot(before, after), dot(after, after)];
             if products.iter().all(|p| p.is_finite()) {
-                let cell = crate::gui::units::whole(x) + size[0] * crate::gui::units::whole(y);
+                let cell = whole(x) + size[0] * whole(y);
                 for k in 0..3 {
                     sums[cell][k] += products[k];
                 }
@@ -102,14 +102,13 @@ impl Heat {
     pub(crate) fn at(&self, p_mm: [f64; 2]) -> [f64; 4] {
         let place = |k: usize| (p_mm[k] - self.first_mm[k]) / self.cell_mm;
         let (x, y) = (place(0), place(1));
-        let whole = [x.floor(), y.floor()];
-        let inside = |k: usize| whole[k] >= 0.0 && whole[k] + 1.0 < self.size[k] as f64;
+        let corner = [x.floor(), y.floor()];
+        let inside = |k: usize| corner[k] >= 0.0 && corner[k] + 1.0 < self.size[k] as f64;
         if !inside(0) || !inside(1) {
             return [0.0; 4];
         }
-        let first =
-            crate::gui::units::whole(whole[0]) + self.size[0] * crate::gui::units::whole(whole[1]);
-        let (u, v) = (x - whole[0], y - whole[1]);
+        let first = whole(corner[0]) + self.size[0] * whole(corner[1]);
+        let (u, v) = (x - corner[0], y - corner[1]);
         let cell = |k: usize| self.cells[k].map(f64::from);
         let (a, b) = (cell(first), cell(first + 1));
         let (c, d) = (cell(first + self.size[0]), cell(first + self.size[0] + 1));
@@ -122,14 +121,14 @@ impl Heat {
 /// The cells in which something was measured, each once, counted from the nominal robot's lowest
 /// corner.
 fn places(subject: &Subject, axes: [usize; 2], low_mm: [f64; 2], cell_mm: f64) -> Vec<[f64; 2]> {
-    let side = crate::gui::units::whole(CELLS) + 1;
+    let side = whole(CELLS) + 1;
     let mut seen = vec![false; side * side];
     let mut places = Vec::new();
     for sample in &subject.overview.usable {
         let at = subject.measured(*sample as usize);
         let cell = [0, 1].map(|k| ((at[axes[k]] - low_mm[k]) / cell_mm).round());
         if cell.iter().all(|c| (0.0..side as f64).contains(c)) {
-            let [x, y] = cell.map(crate::gui::units::whole);
+            let [x, y] = cell.map(whole);
             if !std::mem::replace(&mut seen[x + side * y], true) {
                 places.push(cell);
             }
@@ -165,7 +164,7 @@ pub(crate) fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
 /// Sums, each with its weight and the largest weight in the last places, smoothed along x and then
 /// along y: the Gaussian is the product of both.
 fn smoothed(sums: &[[f64; 5]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
-    let reach = crate::gui::units::whole((END * sigma).ceil());
+    let reach = whole((END * sigma).ceil());
     let weight = |k: usize| (-0.5 * (k as f64 / sigma).powi(2)).exp();
     let weights: Vec<f64> = (0..=reach).map(weight).collect();
     let along = |cells: &[[f64; 5]], step: usize, length: usize, other: usize| {
@@ -195,13 +194,12 @@ fn smoothed(sums: &[[f64; 5]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
     both.into_iter().map(normalised).collect()
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
 fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
     if weight < 1e-9 {
         return [0.0; 4];
     }
     let opacity = 1.0 - (-2.5 * largest).exp();
-    [bb / weight, ba / weight, aa / weight, opacity].map(|v| v as f32)
+    [bb / weight, ba / weight, aa / weight, opacity].map(single)
 }
 
 #[cfg(test)]
@@ -280,7 +278,6 @@ mod tests {
         let answer = workbench.answer().expect("identified");
         let heat = Heat::of(workbench.subject(), Some(answer), Plane::Xy).expect("samples");
         let (before, after) = ([3.0, -1.0, 0.5], [0.2, 0.4, -0.1]);
-        let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
         let products = [
             dot(before, before),
             dot(before, after),

@@ -6,8 +6,9 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Question;
 use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::Subject;
-use crate::gui::core::overview::{Lengths, readable};
+use crate::gui::core::overview::readable;
 use crate::gui::jobs::Watch;
+use crate::numeric::Ascending;
 
 use super::cloud::{Cloud, Remainder};
 
@@ -26,8 +27,8 @@ pub(crate) struct Outcome {
 pub(crate) struct After {
     /// What is left, as it is uploaded.
     pub(crate) remainder: Arc<Remainder>,
-    /// Lengths of what is left.
-    pub(crate) lengths: Lengths,
+    /// Ascending of what is left.
+    pub(crate) lengths: Ascending,
     /// The magnification at which what is left can be read.
     pub(crate) readable: f64,
 }
@@ -37,7 +38,7 @@ impl After {
         let remainder = Cloud::of(subject).remainder(&answer.after_mm, &answer.suspected);
         Self {
             remainder: Arc::new(remainder),
-            lengths: Lengths::new(&answer.lengths_mm),
+            lengths: Ascending::new(&answer.lengths_mm),
             readable: readable(subject.overview.radius_mm, &answer.lengths_mm),
         }
     }

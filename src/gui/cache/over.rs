@@ -2,8 +2,8 @@
 //! effect also the joint's speed and its travel since the last reversal.
 
 use crate::gui::core::loaded_session::Subject;
-use crate::gui::language::say;
-use crate::gui::units::{AngleUnit, Units, trimmed};
+use crate::present::numbers::trimmed;
+use crate::present::units::{AngleUnit, Units};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Variable {

@@ -6,10 +6,10 @@ use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
-use crate::gui::language::say;
-use crate::gui::units::{plain_number, significant};
-use crate::kinematics::JointKind;
+use crate::numeric::extent;
 use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
+use crate::present::numbers::significant;
+use crate::present::table::{Cell, Table};
 
 /// The share of a panel that its marks have.
 const FILLED: f64 = 0.88;
@@ -33,10 +33,7 @@ impl<'a> Panels<'a> {
         let stride = stride(scene.usable().len(), FEW);
         let range = |q: &Vec<f64>| {
             let shown = scene.usable().step_by(stride);
-            let finite = shown.map(|i| q[i]).filter(|q| q.is_finite());
-            finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| {
-                [low.min(q), high.max(q)]
-            })
+            extent(shown.map(|i| q[i]))
         };
         Self {
             ranges: scene.subject.session.samples.q.iter().map(range).collect(),
@@ -161,33 +158,24 @@ impl Kind for ByJoint {
     }
 
     /// Every sample: joint values in degrees or mm.
-    fn numbers(&self, scene: &Scene) -> String {
+    fn numbers(&self, scene: &Scene) -> Table {
         let session = &scene.subject.session;
         let component = scene.component().name();
-        let heads = session.robot.joints.iter().map(|joint| match joint.kind {
-            JointKind::Revolute => format!("{}, °", joint.name),
-            JointKind::Prismatic => format!("{}, mm", joint.name),
-        });
-        let heads: Vec<String> = heads.collect();
-        let mut text = format!(
-            "sample\t{}\t{component} before, mm\t{component} after, mm\n",
-            heads.join("\t")
-        );
+        let joints = || session.robot.joints.iter();
+        let heads = joints().map(|joint| format!("{}, {}", joint.name, joint.kind.sign().trim()));
+        let others = ["before", "after"].map(|when| format!("{component} {when}, mm"));
+        let first = std::iter::once("sample".to_owned());
+        let mut table = Table::new(first.chain(heads).chain(others));
         let panels = Panels::of(scene);
         for sample in scene.usable() {
             let (before, after) = panels.values(sample);
-            let joints = session.robot.joints.iter().zip(&session.samples.q);
-            let values = joints.map(|(joint, q)| plain_number(joint.kind.outer(q[sample])));
-            let values: Vec<String> = values.collect();
-            let after = after.map_or_else(String::new, plain_number);
-            text += &format!(
-                "{}\t{}\t{}\t{after}\n",
-                sample + 1,
-                values.join("\t"),
-                plain_number(before)
-            );
+            let mut cells = vec![Cell::from(sample + 1)];
+            let values = joints().zip(&session.samples.q);
+            cells.extend(values.map(|(joint, q)| Cell::from(joint.kind.outer(q[sample]))));
+            cells.extend([before.into(), after.into()]);
+            table.rows.push(cells);
         }
-        text
+        table
     }
 }
 

@@ -5,11 +5,10 @@ use crate::compensation::SortedTable;
 use crate::gui::cache::preview::Made;
 use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
-use crate::gui::language::say;
-use crate::gui::units::{cell, plain_number};
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
 use crate::present::chart::{Axis, Chart, Item, LEAST_SPAN, Stands};
+use crate::present::table::{Table, cell};
 
 pub(crate) struct Correction;
 
@@ -52,8 +51,23 @@ impl Kind for Correction {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        scene.made.map_or_else(String::new, numbers)
+    /// Every entry.
+    fn numbers(&self, scene: &Scene) -> Table {
+        let Some((made, read)) = scene
+            .made
+            .and_then(|m| Some((m, m.export.reads_as.as_ref()?)))
+        else {
+            return Table::default();
+        };
+        let unit = read.kind.unit();
+        let along = format!("{}, {unit}", cell(&made.joint));
+        let mut table = Table::new([&along, "side", &format!("correction, {unit}")]);
+        for (side, column) in [(1.0, &read.forward), (-1.0, &read.reverse)] {
+            for (at, value) in column.places().iter().zip(column.values()) {
+                table.row([*at, side, *value]);
+            }
+        }
+        table
     }
 }
 
@@ -71,27 +85,6 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
     let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
     let more = 0.5 * (LEAST_SPAN - (high - low)).max(0.0);
     [low - more, high + more]
-}
-
-/// Every entry as a table.
-fn numbers(made: &Made) -> String {
-    let Some(table) = &made.export.reads_as else {
-        return String::new();
-    };
-    let unit = match table.kind {
-        JointKind::Revolute => "deg",
-        JointKind::Prismatic => "mm",
-    };
-    let joint = cell(&made.joint);
-    let mut text = format!("{joint}, {unit}\tside\tcorrection, {unit}\n");
-    for (side, column) in [("1", &table.forward), ("-1", &table.reverse)] {
-        for (at, value) in column.places().iter().zip(column.values()) {
-            let cells = [plain_number(*at), side.to_owned(), plain_number(*value)];
-            text += &cells.join("\t");
-            text.push('\n');
-        }
-    }
-    text
 }
 
 /// The curve; `None` where the export has no table.

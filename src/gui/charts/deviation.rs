@@ -9,11 +9,13 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
-use crate::gui::language::{say, within};
-use crate::gui::units::{plain_number, significant, whole};
+use crate::gui::language::within;
+use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
 };
+use crate::present::numbers::significant;
+use crate::present::table::{Cell, Table};
 
 /// Of so many samples near the pointer at most; more stand on one another.
 const MOST_NEAR: usize = 400;
@@ -137,25 +139,19 @@ impl Kind for Along {
     }
 
     /// Every sample: inner units, in measuring order.
-    fn numbers(&self, scene: &Scene) -> String {
+    fn numbers(&self, scene: &Scene) -> Table {
         let drawn = Drawn::of(scene, self.over(scene));
         let component = scene.component().name();
         let along = drawn.over.heading(scene.subject);
-        let mut text =
-            format!("sample\t{along}\tside\t{component} before, mm\t{component} after, mm\n");
+        let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
+        let mut table = Table::new(["sample", &along, "side", &before, &after]);
         for sample in scene.usable() {
             let dot = drawn.dot(sample);
-            let cells = [
-                (sample + 1).to_string(),
-                plain_number(drawn.over.cell(scene.subject, dot.x)),
-                plain_number(dot.side),
-                plain_number(dot.before_mm),
-                dot.after_mm.map_or_else(String::new, plain_number),
-            ];
-            text += &cells.join("\t");
-            text.push('\n');
+            let x = drawn.over.cell(scene.subject, dot.x);
+            let [x, side, before] = [x, dot.side, dot.before_mm].map(Cell::from);
+            table.row([(sample + 1).into(), x, side, before, dot.after_mm.into()]);
         }
-        text
+        table
     }
 }
 

@@ -3,11 +3,11 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
-use crate::gui::language::say;
-use crate::gui::units::{plain_number, significant};
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};
+use crate::present::numbers::significant;
+use crate::present::table::{Cell, Table};
 
 pub(crate) struct Gap;
 
@@ -60,11 +60,11 @@ impl Kind for Gap {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        let mut text = "step\tgap, mm\n".to_owned();
+    fn numbers(&self, scene: &Scene) -> Table {
+        let mut table = Table::headed("step | gap, mm");
         for step in steps(scene) {
-            text += &format!("{}\t{}\n", in_words(&step.what), plain_number(step.gap_mm));
+            table.row([Cell::from(in_words(&step.what)), step.gap_mm.into()]);
         }
-        text
+        table
     }
 }

@@ -8,8 +8,9 @@ mod words;
 
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use crate::present::chart::{Chart, Item};
+use crate::present::table::Table;
 
 pub(crate) use scene::Scene;
 
@@ -81,8 +82,8 @@ pub(crate) trait Kind: Sync {
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing>;
 
-    /// As a table for a spreadsheet: tabs between the columns.
-    fn numbers(&self, scene: &Scene) -> String;
+    /// What it shows, for a spreadsheet.
+    fn numbers(&self, scene: &Scene) -> Table;
 }
 
 /// A chart as it is shown, in the language of the window.

@@ -5,15 +5,14 @@
 //! z_i = Φ⁻¹((i − ½) / n),      the line through both quartiles has the slope σ
 //! ```
 
-use crate::gui::language::say;
 use statrs::function::erf::erf_inv;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
-use crate::gui::units::plain_number;
 use crate::present::chart::{Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands};
+use crate::present::table::{Cell, Table};
 
 /// Marks in the middle of the chart, and at each of its ends.
 const MOST: usize = 400;
@@ -79,22 +78,14 @@ impl Kind for Quantiles {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        let mut text = format!(
-            "sample\tnormal quantile\t{} after, mm\n",
-            scene.component().name()
-        );
+    fn numbers(&self, scene: &Scene) -> Table {
+        let component = scene.component().name();
+        let mut table = Table::headed(format!("sample | normal quantile | {component} after, mm"));
         let ranked: Option<&Ranked> = scene.found();
         for (sample, z, mm) in ranked.iter().flat_map(|ranked| &ranked.0) {
-            let cells = [
-                (sample + 1).to_string(),
-                plain_number(*z),
-                plain_number(*mm),
-            ];
-            text += &cells.join("\t");
-            text.push('\n');
+            table.row([Cell::from(sample + 1), (*z).into(), (*mm).into()]);
         }
-        text
+        table
     }
 }
 

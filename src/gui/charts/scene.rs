@@ -10,9 +10,9 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::search::Search;
-use crate::gui::units::Units;
 use crate::gui::view::ViewState;
 use crate::present::chart::Lengths;
+use crate::present::units::Units;
 
 /// See the module.
 #[derive(Clone, Copy)]

@@ -4,8 +4,7 @@
 //! all: every refusal names the region, says what is wrong and what to type instead.
 
 use super::boundaries::{Boundary, NARROWEST_RAD, boundaries};
-use crate::gui::language::say;
-use crate::gui::units::{AngleUnit, Units, typed_in};
+use crate::present::units::{AngleUnit, Units, typed_in};
 use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -271,10 +270,10 @@ pub(crate) fn gaps(regions: &[Region], within: (f64, f64)) -> Vec<(f64, f64)> {
 /// How an angle stands in a field: in the chosen unit, without it.
 pub(crate) fn shown(rad: f64, units: Units) -> String {
     match units.angle {
-        AngleUnit::Degree => crate::gui::units::trimmed(deg_from_rad(rad), 2),
-        AngleUnit::Radian => crate::gui::units::trimmed(rad, 4),
-        AngleUnit::Milliradian => crate::gui::units::trimmed(1000.0 * rad, 2),
-        AngleUnit::ArcSecond => crate::gui::units::trimmed(3600.0 * deg_from_rad(rad), 1),
+        AngleUnit::Degree => crate::present::numbers::trimmed(deg_from_rad(rad), 2),
+        AngleUnit::Radian => crate::present::numbers::trimmed(rad, 4),
+        AngleUnit::Milliradian => crate::present::numbers::trimmed(1000.0 * rad, 2),
+        AngleUnit::ArcSecond => crate::present::numbers::trimmed(3600.0 * deg_from_rad(rad), 1),
     }
 }
 

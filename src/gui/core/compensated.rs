@@ -1,7 +1,6 @@
 //! The targets of a table or of a robot program, corrected by a model: what became of them, and the lines
 //! that changed.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::kinematics::Pose;

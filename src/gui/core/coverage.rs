@@ -3,7 +3,7 @@
 //! out once, when a session is opened or changed.
 
 use crate::effects::{Inputs, Survey};
-use crate::gui::units::whole;
+use crate::numeric::whole;
 use crate::sessions::{Session, Sigma};
 
 /// Most equal parts of the range of joint 1 in which samples are counted.

@@ -1,12 +1,11 @@
 //! How the joint's range came to be divided, and what the adaptive division decided and why.
 
 use crate::effects::JointValues;
-use crate::gui::language::say;
 use crate::pipeline::{Method, identify};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
-use crate::gui::units::Units;
+use crate::present::units::Units;
 
 /// How the regions came about.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -145,13 +145,13 @@ impl Document {
 
     /// The same with a model that was read from a file.
     pub(crate) fn with_model(self, given: Arc<Given>) -> Self {
-        let of_model = |c: &RegionalCorrection| Region {
-            name: c.name.clone(),
-            from_rad: c.from_rad,
-            to_rad: c.to_rad,
-        };
         let regions = if self.subject.is_empty() {
-            given.calibration.regions.iter().map(of_model).collect()
+            given
+                .calibration
+                .regions
+                .iter()
+                .map(RegionalCorrection::region)
+                .collect()
         } else {
             self.regions
         };

@@ -8,7 +8,8 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::Identification;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::model::Calibration;
+use crate::lanes::{dot, minus};
+use crate::model::{Calibration, RegionalCorrection};
 use crate::pipeline::{Method, identify, identify_unless};
 use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
@@ -120,18 +121,13 @@ fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f6
     } else {
         (frame.across_1, frame.across_2)
     };
-    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let radii = reflectors_at_home(session).into_iter().map(|home| {
-        let arm = std::array::from_fn(|k| home[k] - frame.origin_mm[k]);
+        let arm = minus(home, frame.origin_mm);
         dot(arm, x).hypot(dot(arm, y))
     });
     let radii: Vec<f64> = radii.collect();
     let corrections = identification.regions.iter().map(|r| &r.correction);
-    let regions = corrections.clone().map(|c| crate::sessions::Region {
-        name: c.name.clone(),
-        from_rad: c.from_rad,
-        to_rad: c.to_rad,
-    });
+    let regions = corrections.clone().map(RegionalCorrection::region);
     let (regions, corrections): (Vec<_>, Vec<_>) = (regions.collect(), corrections.collect());
     let assignment = Assignment::new(&regions);
     let mut after = subject.before.axes_mm.clone();

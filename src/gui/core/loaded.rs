@@ -3,8 +3,8 @@
 
 use crate::compensation::Verification;
 use crate::fit::gap::Spread;
-use crate::fit::uncertainty::estimates;
-use crate::fit::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
+use crate::fit::uncertainty::{NORMAL_95, all_estimates};
+use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
 use crate::model::{Calibration, RegionalCorrection};
 use crate::pipeline::verify;
 use crate::sessions::Region;
@@ -13,10 +13,6 @@ use crate::sessions::regions::Assignment;
 use super::answer::{Answer, Loaded};
 use super::loaded_model::Given;
 use super::loaded_session::Subject;
-
-/// The factor from a standard error to half of a 95 % interval: a model keeps its covariance and
-/// not the number of samples behind it.
-const HALF_WIDTH: f64 = 1.96;
 
 /// Method of an [`Identification`] that was none.
 pub(crate) const METHOD: &str = "model";
@@ -80,7 +76,7 @@ fn identification(
         samples: subject.len(),
         model: model.clone(),
         covariance: covariance.clone(),
-        parameters: parameters(given),
+        parameters: all_estimates(&given.calibration, NORMAL_95),
         regions: regions(given, subject, verified),
         not_identifiable: Vec::new(),
         gap: Gap {
@@ -113,33 +109,9 @@ fn identification(
     }
 }
 
-fn parameters(given: &Given) -> Vec<Estimate> {
-    let Calibration {
-        model, covariance, ..
-    } = &given.calibration;
-    let fits = |c: &&nalgebra::DMatrix<f64>| c.nrows() == model.coefficient_count();
-    let covariance = covariance.as_ref().filter(fits);
-    let mut first = 0;
-    let mut all = Vec::new();
-    for term in model.terms() {
-        let size = term.coefficients.len();
-        let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
-        let kind = model.robot.joints[term.joint].kind;
-        let open = vec![false; size];
-        all.extend(estimates(term, own.as_ref(), HALF_WIDTH, &open, kind));
-        first += size;
-    }
-    all
-}
-
 fn regions(given: &Given, subject: &Subject, verified: Option<&Verification>) -> Vec<RegionResult> {
-    let region = |c: &RegionalCorrection| Region {
-        name: c.name.clone(),
-        from_rad: c.from_rad,
-        to_rad: c.to_rad,
-    };
     let corrections = &given.calibration.regions;
-    let regions: Vec<Region> = corrections.iter().map(region).collect();
+    let regions: Vec<Region> = corrections.iter().map(RegionalCorrection::region).collect();
     let assignment = Assignment::new(&regions);
     let before_mm = subject.in_plane_before();
     let rms = |region: usize, lengths_mm: &[f64]| {

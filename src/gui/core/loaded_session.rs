@@ -1,6 +1,5 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
-use crate::gui::language::say;
 use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -16,6 +15,7 @@ use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::kinematics::{JointKind, Range};
+use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Positions;
 use crate::progress::{Cancelled, Part};
 use crate::sessions::Session;
@@ -55,23 +55,26 @@ pub(crate) struct NotTestable {
     pub(crate) because: String,
 }
 
-/// A component of a deviation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Component {
-    Length,
-    /// In the direction of motion of joint 1.
-    #[default]
-    Tangential,
-    /// Away from the axis of joint 1.
-    Radial,
-    /// Along the axis of joint 1.
-    Axial,
-    /// Along x of the measuring frame.
-    X,
-    /// Along y.
-    Y,
-    /// Along z.
-    Z,
+named! {
+    /// A component of a deviation.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Component {
+        Length = say!("loaded-session-length"),
+        /// In the direction of motion of joint 1.
+        #[default]
+        Tangential = say!("loaded-session-tangential"),
+        /// Away from the axis of joint 1.
+        Radial = say!("loaded-session-radial"),
+        /// Along the axis of joint 1.
+        Axial = say!("loaded-session-axial"),
+        /// Along x of the measuring frame.
+        X = "x",
+        /// Along y.
+        Y = "y",
+        /// Along z.
+        Z = "z",
+    }
+    pub(crate) fn name;
 }
 
 impl Component {
@@ -85,18 +88,6 @@ impl Component {
         Self::Z,
         Self::Length,
     ];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Length => say!("loaded-session-length"),
-            Self::Tangential => say!("loaded-session-tangential"),
-            Self::Radial => say!("loaded-session-radial"),
-            Self::Axial => say!("loaded-session-axial"),
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-        }
-    }
 
     /// Whether it needs a measured z (for a joint that turns about z).
     pub(crate) fn out_of_plane(self) -> bool {
@@ -341,7 +332,6 @@ impl Subject {
 
     /// One component of a deviation where the nominal robot is at `p`, mm.
     pub(crate) fn component_at(&self, e: [f64; 3], p: [f64; 3], component: Component) -> f64 {
-        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let [radial, tangential] = self.directions(p);
         match component {
             Component::Length => dot(e, e).sqrt(),
@@ -356,24 +346,15 @@ impl Subject {
 
     /// Radial and tangential direction of joint 1 where the nominal robot is at `p`.
     fn directions(&self, p: [f64; 3]) -> [[f64; 3]; 2] {
-        let JointFrame {
-            origin_mm: o,
-            along: a,
-            ..
-        } = self.joint;
-        let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
-        let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
-        let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
-        let length = across.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let along = self.joint.along;
+        let arm = minus(p, self.joint.origin_mm);
+        let across = add_scaled(arm, along, -dot(arm, along));
+        let length = dot(across, across).sqrt();
         if length < 1e-9 {
             return [self.joint.across_1, self.joint.across_2];
         }
         let radial = across.map(|v| v / length);
-        let tangential = [
-            a[1] * radial[2] - a[2] * radial[1],
-            a[2] * radial[0] - a[0] * radial[2],
-            a[0] * radial[1] - a[1] * radial[0],
-        ];
+        let tangential = cross(along, radial);
         [radial, tangential]
     }
 
@@ -410,16 +391,10 @@ fn is_single_revolute(session: &Session) -> bool {
 }
 
 fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
-    let JointFrame {
-        origin_mm: o,
-        across_1: x,
-        across_2: y,
-        ..
-    } = *joint;
     let homes = reflectors_at_home(session).into_iter();
     let distances = homes.map(|home| {
-        let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
-        along(x).hypot(along(y))
+        let arm = minus(home, joint.origin_mm);
+        dot(arm, joint.across_1).hypot(dot(arm, joint.across_2))
     });
     distances.fold(0.0, f64::max)
 }
@@ -434,7 +409,7 @@ fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<Not
             1
         };
         let mut obstacles = (0..joints)
-            .filter(|joint| effect.exists_on(*joint, survey.joints[*joint].kind))
+            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
             .map(|joint| effect.obstacle(survey, joint));
         let Some(first) = obstacles.next() else {
             continue;

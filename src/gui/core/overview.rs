@@ -4,29 +4,8 @@ use crate::effects::term::travel_of;
 use crate::gui::core::scale::{MOST_ARROWS, round, stride};
 use crate::gui::core::skeleton::robot_extent;
 use crate::model::Positions;
+use crate::numeric::Ascending;
 use crate::sessions::Session;
-
-/// Lengths of deviations in ascending order: how many are within any tolerance takes no counting.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Lengths {
-    ascending_mm: Vec<f64>,
-}
-
-impl Lengths {
-    /// These lengths, mm, without those that are not known.
-    pub(crate) fn new(lengths_mm: &[f64]) -> Self {
-        let known = lengths_mm.iter().copied().filter(|l| l.is_finite());
-        let mut ascending_mm: Vec<f64> = known.collect();
-        ascending_mm.sort_unstable_by(f64::total_cmp);
-        Self { ascending_mm }
-    }
-
-    /// How many are within this tolerance, of how many.
-    pub(crate) fn within(&self, tolerance_mm: f64) -> (usize, usize) {
-        let inside = self.ascending_mm.partition_point(|l| *l <= tolerance_mm);
-        (inside, self.ascending_mm.len())
-    }
-}
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Overview {
@@ -46,8 +25,8 @@ pub(crate) struct Overview {
     pub(crate) measured_mm: [[f64; 3]; 2],
     /// Smallest and largest corner of the nominal robot at some of the poses, mm.
     pub(crate) robot_mm: [[f64; 3]; 2],
-    /// Lengths of the deviations before.
-    pub(crate) lengths: Lengths,
+    /// Ascending of the deviations before.
+    pub(crate) lengths: Ascending,
     /// The magnification at which the deviations before can be read.
     pub(crate) readable: f64,
     /// Size of the workspace, mm.
@@ -88,7 +67,7 @@ impl Overview {
             nominal_mm,
             measured_mm,
             robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
-            lengths: Lengths::new(lengths_mm),
+            lengths: Ascending::new(lengths_mm),
             readable: readable(radius_mm, lengths_mm),
             reach_mm,
             radius_mm,
@@ -109,11 +88,7 @@ fn some_poses(session: &Session, usable: &[u32]) -> impl Iterator<Item = Vec<f64
 
 /// Smallest and largest of the finite values at these samples.
 fn extent(column: &[f64], usable: &[u32]) -> [f64; 2] {
-    let values = usable.iter().map(|i| column[*i as usize]);
-    let finite = values.filter(|v| v.is_finite());
-    finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-        [a.min(v), b.max(v)]
-    })
+    crate::numeric::extent(usable.iter().map(|i| column[*i as usize]))
 }
 
 /// The part of the workspace's radius that a long deviation is drawn over.
@@ -171,15 +146,5 @@ mod tests {
         assert_eq!(readable(250.0, &exact), 20.0);
         assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
         assert_eq!(readable(250.0, &[]), 1.0);
-    }
-
-    #[test]
-    fn how_many_are_within_a_tolerance_is_what_counting_says() {
-        let lengths_mm = [0.3, 0.1, f64::NAN, 0.2, 0.2, 5.0];
-        let lengths = Lengths::new(&lengths_mm);
-        for tolerance in [0.05, 0.1, 0.2, 0.25, 10.0] {
-            let inside = lengths_mm.iter().filter(|l| **l <= tolerance).count();
-            assert_eq!(lengths.within(tolerance), (inside, 5));
-        }
     }
 }

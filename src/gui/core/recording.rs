@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::gui::language::say;
-use crate::gui::units::grouped;
+use crate::present::numbers::grouped;
 use crate::recorder::live::State;
 use crate::recorder::source::Address;
 

@@ -1,6 +1,6 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 
 /// Up to here samples are few.
 pub(crate) const FEW: usize = 1_000;

@@ -1,7 +1,6 @@
 //! A search for what is missing, as the window keeps it: the diagnosis of one session, and the
 //! model's term of each name that was found.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};

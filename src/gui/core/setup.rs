@@ -1,7 +1,6 @@
 //! Robot, reflectors and instrument as they are filled in: numbers as the file has them (mm, degrees,
 //! kg), checked as they are typed, and the session that follows from them.
 
-use crate::gui::language::say;
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Place, Severity};
@@ -203,16 +202,14 @@ impl SetupForm {
 }
 
 fn joint_form(joint: &Joint) -> JointForm {
-    let outside = |value: f64| match joint.kind {
-        JointKind::Revolute => deg_from_rad(value),
-        JointKind::Prismatic => value,
-    };
     JointForm {
         name: joint.name.clone(),
         kind: joint.kind,
         axis: joint.axis.direction.into_inner().into(),
         point_mm: joint.axis.point_mm.coords.into(),
-        limits: joint.limits.map(|l| [outside(l.from), outside(l.to)]),
+        limits: joint
+            .limits
+            .map(|l| [l.from, l.to].map(|q| joint.kind.outer(q))),
         link: joint.link.map(|l| (l.mass_kg, l.centre_mm.coords.into())),
     }
 }
@@ -240,13 +237,9 @@ fn change_joint(
         }
     }
     if form.limits != was.limits || form.kind != was.kind {
-        let inside = |value: f64| match form.kind {
-            JointKind::Revolute => rad_from_deg(value),
-            JointKind::Prismatic => value,
-        };
         joint.limits = form.limits.map(|[from, to]| Range {
-            from: inside(from),
-            to: inside(to),
+            from: form.kind.inner(from),
+            to: form.kind.inner(to),
         });
         if form.limits.is_some_and(|[from, to]| from >= to) {
             let says = say!("setup-limits-run-from-the-smaller");

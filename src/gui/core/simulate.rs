@@ -1,6 +1,5 @@
 //! New by simulation: a small form, and the session that comes out of it.
 
-use crate::gui::language::say;
 use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
@@ -98,7 +97,7 @@ impl Form {
     pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
         let turning = CATALOGUE
             .iter()
-            .filter(|effect| effect.exists_on(0, JointKind::Revolute));
+            .filter(|effect| (effect.exists_on)(0, JointKind::Revolute));
         let all = turning.map(|effect| effect.about());
         all.filter(|about| about.role == Role::Candidate)
             .map(|about| (about.id, crate::gui::language::names::title(about.id)))

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use crate::gui::language::say;
 use crate::report::{Details, Logo};
 
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -1,6 +1,5 @@
 //! What this program is.
 
-use crate::gui::language::say;
 use egui::Ui;
 
 use crate::gui::widgets;

@@ -1,7 +1,6 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
@@ -81,22 +80,22 @@ fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
 
 fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
     let (units, s) = (workbench.units(), corrected.summary);
-    widgets::fact(ui, say!("compensation-read-as"), corrected.language);
+    widgets::fact_of(ui, "compensation-read-as", corrected.language);
     let of = say!(
         "compensation-of",
         corrected = s.corrected,
         targets = s.targets
     );
-    widgets::fact(ui, say!("compensation-targets-corrected"), of);
+    widgets::fact_of(ui, "compensation-targets-corrected", of);
     if s.corrected > 0 {
         let change = |a: f64, b: f64| {
             let [a, b] = [a, b].map(|mm| units.length_number(mm));
             format!("{a} → {b} {}", units.length_name())
         };
         let rms = change(s.before_mm, s.after_mm);
-        widgets::fact(ui, say!("compensation-rms-position-error"), rms);
+        widgets::fact_of(ui, "compensation-rms-position-error", rms);
         let most = change(s.max_before_mm, s.max_after_mm);
-        widgets::fact(ui, say!("compensation-largest-position-error"), most);
+        widgets::fact_of(ui, "compensation-largest-position-error", most);
     }
 }
 

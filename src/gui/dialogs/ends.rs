@@ -1,6 +1,5 @@
 //! How sheets end: their buttons, and Enter.
 
-use crate::gui::language::say;
 use egui::{Key, Ui};
 
 use crate::gui::style::tokens::space;

@@ -3,8 +3,8 @@
 
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
+use crate::gui::language::known_words;
 use crate::gui::language::names::title_on;
-use crate::gui::language::{known_words, say};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
@@ -218,8 +218,7 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
                 }
             });
         let name = name.to_owned();
-        ui.ctx()
-            .accesskit_node_builder(list.response.id, |node| node.set_label(name));
+        widgets::label(&list.response, name);
     });
     chosen.filter(|k| *k != now)
 }

@@ -1,6 +1,6 @@
 //! Keyboard and mouse: what can be pressed, and what it does.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::actions;

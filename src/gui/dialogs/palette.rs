@@ -1,6 +1,5 @@
 //! Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
 
-use crate::gui::language::say;
 use egui::{
     Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
@@ -29,8 +28,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let field = TextEdit::singleline(&mut typed.text).hint_text(say!("palette-what-to-do"));
     let room = egui::vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(say!("palette-command")));
+    widgets::label(&field, say!("palette-command"));
     if first || !field.has_focus() {
         field.request_focus();
     }

@@ -1,6 +1,5 @@
 //! A path that is typed.
 
-use crate::gui::language::say;
 use std::path::PathBuf;
 
 use egui::{Key, TextEdit, Ui};
@@ -60,8 +59,7 @@ fn path_form(
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(say!("path-path-to-save")));
+    widgets::label(&field, say!("path-path-to-save"));
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {

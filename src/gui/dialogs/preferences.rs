@@ -1,13 +1,13 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use crate::gui::language::{LANGUAGES, say};
+use crate::gui::language::LANGUAGES;
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
 use crate::gui::style::tokens::space;
-use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The languages, each in its own name; one that cannot be drawn is written in letters that can.
 fn language(
@@ -33,10 +33,18 @@ fn language(
     let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
         .chain(languages)
         .collect();
-    widgets::form_row(ui, say!("preferences-language"), |ui| {
-        if let Some(language) = widgets::segmented(ui, &languages, next.language) {
-            next.language = language;
-        }
+    choice(
+        ui,
+        say!("preferences-language"),
+        &languages,
+        &mut next.language,
+    );
+}
+
+/// One of some values.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, name: &str, offered: &[(T, &str)], value: &mut T) {
+    widgets::form_row(ui, name, |ui| {
+        *value = widgets::segmented(ui, offered, *value).unwrap_or(*value);
     });
 }
 
@@ -51,22 +59,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (LengthUnit::Micrometre, "µm"),
         (LengthUnit::Inch, say!("preferences-inch")),
     ];
-    widgets::form_row(ui, say!("common-lengths"), |ui| {
-        if let Some(unit) = widgets::segmented(ui, &lengths, now.length) {
-            next.length = unit;
-        }
-    });
+    choice(ui, say!("common-lengths"), &lengths, &mut next.length);
     let angles = [
         (AngleUnit::Degree, say!("common-degrees")),
         (AngleUnit::Radian, "rad"),
         (AngleUnit::Milliradian, "mrad"),
         (AngleUnit::ArcSecond, "arcsec"),
     ];
-    widgets::form_row(ui, say!("preferences-angles"), |ui| {
-        if let Some(unit) = widgets::segmented(ui, &angles, now.angle) {
-            next.angle = unit;
-        }
-    });
+    choice(ui, say!("preferences-angles"), &angles, &mut next.angle);
     let decimals = [
         (None, say!("preferences-readable")),
         (Some(1), "1"),
@@ -75,35 +75,31 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (Some(4), "4"),
         (Some(5), "5"),
     ];
-    widgets::form_row(ui, say!("preferences-decimals-of-lengths"), |ui| {
-        if let Some(decimals) = widgets::segmented(ui, &decimals, now.decimals) {
-            next.decimals = decimals;
-        }
-    });
+    choice(
+        ui,
+        say!("preferences-decimals-of-lengths"),
+        &decimals,
+        &mut next.decimals,
+    );
     let signs = [(false, "1.5"), (true, "1,5")];
-    widgets::form_row(ui, say!("common-decimal-sign"), |ui| {
-        if let Some(comma) = widgets::segmented(ui, &signs, now.decimal_comma) {
-            next.decimal_comma = comma;
-        }
-    });
+    choice(
+        ui,
+        say!("common-decimal-sign"),
+        &signs,
+        &mut next.decimal_comma,
+    );
     let themes = [
         (Theme::System, say!("preferences-as-the-system")),
         (Theme::Light, say!("preferences-light")),
         (Theme::Dark, say!("preferences-dark")),
     ];
-    widgets::form_row(ui, say!("preferences-colours"), |ui| {
-        if let Some(theme) = widgets::segmented(ui, &themes, now.theme) {
-            next.theme = theme;
-        }
-    });
+    choice(ui, say!("preferences-colours"), &themes, &mut next.theme);
     widgets::form_row(ui, say!("preferences-size-of-text"), |ui| {
         let mut percent = (100.0 * now.zoom).round();
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
         let slider = ui.add(slider.update_while_editing(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| {
-            node.set_label(say!("preferences-size-of-text"));
-        });
+        widgets::label(&slider, say!("preferences-size-of-text"));
         // While it is dragged the slider would run away from under the pointer.
         let id = ui.scope_id().with("size of text");
         if slider.dragged() {

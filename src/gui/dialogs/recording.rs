@@ -3,7 +3,6 @@
 use egui::{Id, RichText, TextEdit, Ui};
 
 use crate::gui::core::recording::{Wanted, free_name};
-use crate::gui::language::say;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
@@ -67,8 +66,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let field = TextEdit::singleline(text).hint_text(hint);
             let field = ui.add(field.char_limit(1000).desired_width(f32::INFINITY));
             let name = name.to_owned();
-            ui.ctx()
-                .accesskit_node_builder(field.id, |node| node.set_label(name));
+            widgets::label(&field, name);
         });
     }
     wanted.path = path.into();

@@ -1,6 +1,5 @@
 //! What windows that are gone have left behind: what, from when, and whether to bring it back.
 
-use crate::gui::language::say;
 use std::time::{Duration, SystemTime};
 
 use egui::{RichText, ScrollArea, Ui};
@@ -22,18 +21,18 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 };
                 ui.label(RichText::new(title).font(strong(size::BODY)));
                 if let Some(ago) = left.when.and_then(ago) {
-                    widgets::fact(ui, say!("recovery-kept"), ago);
+                    widgets::fact_of(ui, "recovery-kept", ago);
                 }
                 match &left.kept {
                     Ok(kept) => {
-                        widgets::fact(
+                        widgets::fact_of(
                             ui,
-                            say!("common-samples"),
+                            "common-samples",
                             kept.session.samples.len().to_string(),
                         );
                         let file = kept.file.as_ref().and_then(|f| f.file_name());
                         let file = file.map_or(say!("common-none").into(), |f| f.to_string_lossy());
-                        widgets::fact(ui, say!("recovery-its-file"), file);
+                        widgets::fact_of(ui, "recovery-its-file", file);
                     }
                     Err(because) => {
                         widgets::wrong(ui, because);

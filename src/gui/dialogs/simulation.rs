@@ -1,6 +1,6 @@
 //! The form of a new simulation.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
 
 use crate::gui::core::simulate::{Chosen, Form, field};
@@ -145,7 +145,5 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
                 }
             }
         });
-    ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("simulation-add-an-effect-2"));
-    });
+    widgets::label(&list.response, say!("simulation-add-an-effect-2"));
 }

@@ -1,6 +1,5 @@
 //! What would be lost, before it is; and a file that changed, before it is replaced.
 
-use crate::gui::language::say;
 use std::path::Path;
 
 use egui::Ui;

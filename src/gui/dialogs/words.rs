@@ -1,6 +1,5 @@
 //! What the words mean, all of them.
 
-use crate::gui::language::say;
 use egui::{RichText, ScrollArea, Ui};
 
 use crate::gui::charts::CHARTS;

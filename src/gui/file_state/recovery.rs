@@ -6,7 +6,6 @@
 //! back when the program ends, however it ends. A file whose lock nobody holds was left behind, and
 //! the next window offers it. Two windows never touch the same file.
 
-use crate::gui::language::say;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};

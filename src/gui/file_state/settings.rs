@@ -4,7 +4,6 @@
 //! Several windows share it. Each reads the document again before it changes its own part, so that
 //! the last word counts for a preference and the recent files are those of all windows.
 
-use crate::gui::language::say;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -133,7 +132,7 @@ fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Result<(), Write
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::units::LengthUnit;
+    use crate::present::units::LengthUnit;
 
     #[test]
     fn what_is_kept_comes_back_and_two_windows_share_it() {

@@ -1,6 +1,5 @@
 //! What is said where a file was not read or written, and what to do about it.
 
-use crate::gui::language::say;
 use std::io::ErrorKind;
 use std::path::Path;
 

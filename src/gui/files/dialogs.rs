@@ -1,6 +1,6 @@
 //! The system's dialogs for files.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use std::path::{Path, PathBuf};
 
 use crate::gui::import_draft::{Beside, ROBOTS, TABLES};

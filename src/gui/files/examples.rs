@@ -1,6 +1,5 @@
 //! Opening the sessions that come with the program.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::core::examples::EXAMPLES;

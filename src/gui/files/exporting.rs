@@ -1,6 +1,5 @@
 //! Writing tables, models and lists, whole or not at all.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::{

@@ -1,6 +1,5 @@
 //! Reading a session or a model, or making a session, with everything that follows from it.
 
-use crate::gui::language::say;
 use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;

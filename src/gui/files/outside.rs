@@ -1,6 +1,5 @@
 //! Files that other programs show: the system's own program for a file, or its folder.
 
-use crate::gui::language::say;
 use std::path::Path;
 use std::process::{Command, Stdio};
 

@@ -1,6 +1,5 @@
 //! Writing the picture of a plot, whole or not at all.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::fonts::Library;

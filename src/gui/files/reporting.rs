@@ -1,7 +1,6 @@
 //! The calibration report, written in the background: of the session as a search sees it, or of the
 //! model at hand. The ending of the file's name says whether it is HTML or PDF.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
 //! Saving a session, whole or not at all.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -10,7 +10,7 @@ mod neighbours;
 mod robot;
 mod trial;
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
 //! Whose robot was measured: the open session's, an example's, one in a file, or one that is typed.
 
-use crate::gui::language::say;
 use std::path::Path;
 
 use nalgebra::{Point3, Vector3};

@@ -1,6 +1,6 @@
 //! An import that is tried: the session it makes, or why it is refused, in the sheet's words.
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

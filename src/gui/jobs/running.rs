@@ -1,6 +1,5 @@
 //! A job that is under way: how far it is, and whether anybody still wants it.
 
-use crate::gui::language::say;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};

@@ -89,8 +89,6 @@ macro_rules! say {
     };
 }
 
-pub(crate) use say;
-
 #[cfg(test)]
 mod tests {
     use super::*;

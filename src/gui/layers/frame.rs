@@ -166,7 +166,7 @@ pub(crate) fn scale_at(colouring: Colouring, palette: &Palette, part: f32) -> Co
     } else {
         part.clamp(0.0, 1.0)
     } * steps as f32;
-    let first = crate::gui::units::whole(f64::from(place)).min(steps - 1);
+    let first = crate::numeric::whole(f64::from(place)).min(steps - 1);
     let next = (first + 1) % STOPS;
     stops[first].lerp_to_gamma(stops[next], place - first as f32)
 }

@@ -202,8 +202,8 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
                 _ => f64::from(WIDTH),
             };
         let around = |a: f64, b: f64| {
-            let low = crate::gui::units::whole(a.min(b) - 6.0 * point);
-            low..crate::gui::units::whole(a.max(b) + 6.0 * point)
+            let low = crate::numeric::whole(a.min(b) - 6.0 * point);
+            low..crate::numeric::whole(a.max(b) + 6.0 * point)
         };
         for y in around(tail[1], tip[1]) {
             for x in around(tail[0], tip[0]) {
@@ -322,8 +322,8 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
             point * (120.0 + 2.0 * f64::from(at[0])),
             point * (80.0 - 2.0 * f64::from(at[1])),
         ];
-        let first = middle.map(|m| crate::gui::units::whole(m - 6.0 * size));
-        let number = crate::gui::units::whole(12.0 * size);
+        let first = middle.map(|m| crate::numeric::whole(m - 6.0 * size));
+        let number = crate::numeric::whole(12.0 * size);
         for (i, k) in (0..number).flat_map(|k| (0..number).map(move |i| (i, k))) {
             let pixel = [first[0] + i, first[1] + k];
             let [x, y] = [0, 1].map(|k| pixel[k] as f64 - middle[k]);
@@ -400,7 +400,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             let color = as_parts(scale_at(Colouring::Deviation, &palette, part));
             let surface = as_parts(palette.surface);
             let screen = transform.position_from_point(&egui_plot::PlotPoint::new(at[0], at[1]));
-            let pixel = |v: f32| crate::gui::units::whole(f64::from(2.0 * v));
+            let pixel = |v: f32| crate::numeric::whole(f64::from(2.0 * v));
             let found = picture.at(pixel(screen.x), pixel(screen.y));
             for k in 0..3 {
                 let opacity = f64::from(HEAT) * (1.0 - (-2.5_f64).exp());

@@ -4,8 +4,8 @@ use egui::{FontId, Rangef, RichText};
 use egui_plot::{Axis, AxisHints, GridMark};
 
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::trimmed;
 use crate::present::chart::{self, Ticks, ticks};
+use crate::present::numbers::trimmed;
 
 /// An axis with this label; `shown` turns a value of the plot into the one that is written.
 pub(crate) fn axis<'a>(

@@ -1,7 +1,6 @@
 //! The line between a chart's bar and the chart: what the marks are, and what has to be said. It
 //! stands beside the plot, not on it, so that it covers no sample.
 
-use crate::gui::language::say;
 use egui::{
     Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };

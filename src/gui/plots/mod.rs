@@ -12,7 +12,6 @@ pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
 pub(crate) use marks::disc;
 
-use crate::gui::language::say;
 use egui::{Response, Role, Ui, WidgetInfo};
 
 use crate::gui::view::{Plot, What};

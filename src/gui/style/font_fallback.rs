@@ -22,6 +22,8 @@ pub(crate) struct Letters {
     pub(crate) library: Arc<Library>,
     /// Faces that were found.
     pub(crate) faces: Vec<SystemFace>,
+    /// So many of them egui has had since the last frame: with these it draws.
+    pub(crate) drawn: usize,
     /// Characters that were looked for.
     asked: BTreeSet<char>,
     /// Characters that no face has.
@@ -35,6 +37,7 @@ impl Default for Letters {
         Self {
             library: Library::system(),
             faces: Vec::new(),
+            drawn: 0,
             asked: BTreeSet::new(),
             lacking: BTreeSet::new(),
             unshown: BTreeSet::new(),
@@ -60,9 +63,10 @@ impl Letters {
             .all(|c| c.is_ascii() || self.asked.contains(&c))
     }
 
-    /// Whether there is a face for all of these, beside the bundled ones.
+    /// Whether egui draws all of these with faces beside the bundled ones.
     pub(crate) fn have(&self, text: &str) -> bool {
-        self.were_asked_for(text) && !self.faces.is_empty() && !self.lack(text)
+        let drawn = self.drawn > 0 && self.drawn == self.faces.len();
+        self.were_asked_for(text) && drawn && !self.lack(text)
     }
 
     /// Takes what a search brought.
@@ -133,15 +137,17 @@ impl Alphabet {
         std::mem::take(&mut *lock(&self.shared.wanted))
     }
 
-    /// Gives egui the faces that were found since the last time.
-    pub(crate) fn install(&mut self, ctx: &Context, faces: &[SystemFace]) {
-        if faces.len() == self.installed {
-            return;
+    /// Gives egui the faces that were found since the last time; returns with how many it draws by now.
+    pub(crate) fn install(&mut self, ctx: &Context, faces: &[SystemFace]) -> usize {
+        let drawn = self.installed;
+        if faces.len() == drawn {
+            return drawn;
         }
         self.installed = faces.len();
         *lock(&self.shared.faces) = faces.iter().map(for_egui).collect();
         // It asks again from the beginning.
         ctx.set_font_providers(vec![Arc::clone(&self.shared) as Arc<dyn FontProvider>]);
+        drawn
     }
 }
 

@@ -12,7 +12,7 @@
 //! so that z never leans to the side. The view fits a sphere around everything that is drawn: the
 //! scale stays the same while the camera orbits.
 
-use crate::gui::language::say;
+use crate::lanes::dot;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Axes of a view: orthogonal unit vectors, right-handed.
@@ -24,10 +24,6 @@ pub(crate) struct Facing {
     pub(crate) up: [f64; 3],
     /// Out of the screen, towards the viewer.
     pub(crate) towards: [f64; 3],
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Facing {
@@ -65,30 +61,23 @@ impl Facing {
     }
 }
 
-/// A view that has a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Standard {
-    Isometric,
-    /// Against z, x to the right.
-    Top,
-    /// Against x, y to the right.
-    Front,
-    /// Along y, x to the right.
-    Side,
+named! {
+    /// A view that has a name.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Standard {
+        Isometric = say!("camera-isometric"),
+        /// Against z, x to the right.
+        Top = say!("camera-top"),
+        /// Against x, y to the right.
+        Front = say!("camera-front"),
+        /// Along y, x to the right.
+        Side = say!("camera-side"),
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Standard {
-    pub(crate) const ALL: [Self; 4] = [Self::Isometric, Self::Top, Self::Front, Self::Side];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Isometric => say!("camera-isometric"),
-            Self::Top => say!("camera-top"),
-            Self::Front => say!("camera-front"),
-            Self::Side => say!("camera-side"),
-        }
-    }
-
     /// Azimuth and elevation, rad.
     fn angles(self) -> [f64; 2] {
         match self {
@@ -286,7 +275,7 @@ impl Camera {
             return say!("camera-view", view = view.name());
         }
         let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
-            .map(|a| crate::gui::units::trimmed(a.to_degrees(), 0));
+            .map(|a| crate::present::numbers::trimmed(a.to_degrees(), 0));
         say!(
             "camera-seen-from-azimuth-elevation",
             azimuth = azimuth,

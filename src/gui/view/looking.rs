@@ -1,31 +1,24 @@
 //! From where the workspace is looked at, and what its colours say.
 
 use super::camera::Facing;
-use crate::gui::language::say;
 
-/// The plane that the workspace is looked at in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Plane {
-    /// From above.
-    #[default]
-    Xy,
-    /// From the side.
-    Xz,
-    /// From the front.
-    Yz,
+named! {
+    /// The plane that the workspace is looked at in.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Plane {
+        /// From above.
+        #[default]
+        Xy = "x y",
+        /// From the side.
+        Xz = "x z",
+        /// From the front.
+        Yz = "y z",
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Plane {
-    pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Xy => "x y",
-            Self::Xz => "x z",
-            Self::Yz => "y z",
-        }
-    }
-
     /// The axes that it shows: to the right, and up.
     pub(crate) fn axes(self) -> [usize; 2] {
         match self {
@@ -69,46 +62,28 @@ pub(crate) enum Aspect {
     Around,
 }
 
-/// What the colour of an error vector says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Colouring {
-    /// Before or after.
-    #[default]
-    State,
-    /// The deviation's length.
-    Deviation,
-    /// Where it points to.
-    Direction,
-    /// One standard uncertainty of what the model predicts.
-    Uncertainty,
-    Load,
-    Temperature,
-    Time,
+named! {
+    /// What the colour of an error vector says.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub(crate) enum Colouring {
+        /// Before or after.
+        #[default]
+        State = say!("looking-before-and-after"),
+        /// The deviation's length.
+        Deviation = say!("common-deviation"),
+        /// Where it points to.
+        Direction = say!("common-direction"),
+        /// One standard uncertainty of what the model predicts.
+        Uncertainty = say!("looking-uncertainty"),
+        Load = say!("common-load"),
+        Temperature = say!("common-temperature"),
+        Time = say!("common-time"),
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Colouring {
-    pub(crate) const ALL: [Self; 7] = [
-        Self::State,
-        Self::Deviation,
-        Self::Direction,
-        Self::Uncertainty,
-        Self::Load,
-        Self::Temperature,
-        Self::Time,
-    ];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::State => say!("looking-before-and-after"),
-            Self::Deviation => say!("common-deviation"),
-            Self::Direction => say!("common-direction"),
-            Self::Uncertainty => say!("looking-uncertainty"),
-            Self::Load => say!("common-load"),
-            Self::Temperature => say!("common-temperature"),
-            Self::Time => say!("common-time"),
-        }
-    }
-
     /// Whether the width of a vector says the same as its colour.
     pub(crate) fn by_width(self) -> bool {
         self.condition().is_some() || self == Self::Uncertainty

@@ -1,7 +1,6 @@
 //! What the user has to know: what went wrong stands in a banner until it is dismissed, what was
 //! done in a toast that goes away by itself.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 /// See the module.

@@ -13,7 +13,7 @@ pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
-use crate::gui::language::{Language, say};
+use crate::gui::language::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
@@ -23,41 +23,27 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::preferences::Preferences;
 
-/// The steps of the work, in order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub(crate) enum Step {
-    /// What was measured.
-    #[default]
-    Session,
-    /// Where the joint gets corrections of its own.
-    Regions,
-    /// What the robot really is.
-    Identify,
-    /// What is missing.
-    Gap,
-    /// What the controller needs.
-    Export,
+named! {
+    /// The steps of the work, in order.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+    pub(crate) enum Step {
+        /// What was measured.
+        #[default]
+        Session = say!("common-session"),
+        /// Where the joint gets corrections of its own.
+        Regions = say!("view-regions"),
+        /// What the robot really is.
+        Identify = say!("common-identify-2"),
+        /// What is missing.
+        Gap = say!("view-diagnose"),
+        /// What the controller needs.
+        Export = say!("common-export"),
+    }
+    pub(crate) fn name;
+    pub(crate) const ALL;
 }
 
 impl Step {
-    pub(crate) const ALL: [Self; 5] = [
-        Self::Session,
-        Self::Regions,
-        Self::Identify,
-        Self::Gap,
-        Self::Export,
-    ];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Session => say!("common-session"),
-            Self::Regions => say!("view-regions"),
-            Self::Identify => say!("common-identify-2"),
-            Self::Gap => say!("view-diagnose"),
-            Self::Export => say!("common-export"),
-        }
-    }
-
     /// The steps for a robot. Regions are a method for a single joint that turns.
     pub(crate) fn offered(single_revolute: bool) -> &'static [Self] {
         const WITHOUT_REGIONS: [Step; 4] = [Step::Session, Step::Identify, Step::Gap, Step::Export];

@@ -1,6 +1,5 @@
 //! What stands below the workspace: a bar in which the chart is chosen, and the chart.
 
-use crate::gui::language::say;
 use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
 use egui::{Rect, pos2};
 
@@ -183,8 +182,7 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
                 }
             }
         });
-        ui.ctx()
-            .accesskit_node_builder(list.response.id, |node| node.set_label(self.of));
+        widgets::label(&list.response, self.of);
         chosen.filter(|one| *one != self.current)
     }
 }
@@ -256,7 +254,9 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn Kind, commands: &mut Vec<C
                 Command::FitChart,
                 commands,
             );
-            copies::chart_button(ui, about.name(), || kind.numbers(&workbench.scene_of(kind)));
+            copies::chart_button(ui, about.name(), || {
+                kind.numbers(&workbench.scene_of(kind)).tabbed()
+            });
             widgets::question(ui, about.word);
         });
     });

@@ -1,6 +1,5 @@
 //! Targets and programs, in the Export step: what is corrected where the controller takes no table.
 
-use crate::gui::language::say;
 use egui::Ui;
 
 use crate::gui::widgets;

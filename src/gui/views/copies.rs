@@ -1,7 +1,6 @@
 //! Tables as text for a spreadsheet: tabs between the columns, full digits, the decimal sign that
 //! the user chose.
 
-use crate::gui::language::say;
 use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
@@ -84,15 +83,7 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
 }
 
 /// The columns of a parameter with its interval.
-const PARAMETER: [&str; 7] = [
-    "effect",
-    "joint",
-    "parameter",
-    "value",
-    "95 % from",
-    "95 % to",
-    "unit",
-];
+const PARAMETER: &str = "effect | joint | parameter | value | 95 % from | 95 % to | unit";
 
 /// The cells of a parameter with its interval.
 fn estimate(one: &Estimate) -> Vec<Cell> {
@@ -116,23 +107,17 @@ fn ends(interval: Option<[f64; 2]>) -> [Cell; 2] {
 
 /// Every parameter with its interval.
 pub(super) fn parameters(estimates: &[Estimate]) -> String {
-    let mut table = Table::new(PARAMETER);
+    let mut table = Table::headed(PARAMETER);
     table.rows = estimates.iter().map(estimate).collect();
     table.tabbed()
 }
 
 /// What was found, parameter by parameter, each with the evidence of its name.
 pub(super) fn found(d: &Diagnosis) -> String {
-    let evidence = [
-        "noise alone, 1 of",
-        "odds over the next candidate",
-        "share",
-        "RMS error before, mm",
-        "RMS error after, mm",
-        "held-out gap before, mm",
-        "held-out gap after, mm",
-    ];
-    let mut table = Table::new(PARAMETER.into_iter().chain(evidence));
+    let mut table = Table::headed(format!(
+        "{PARAMETER} | noise alone, 1 of | odds over the next candidate | share | RMS error before, mm \
+         | RMS error after, mm | held-out gap before, mm | held-out gap after, mm"
+    ));
     for found in &d.found {
         for one in &found.parameters {
             let mut cells = estimate(one);
@@ -151,13 +136,7 @@ pub(super) fn found(d: &Diagnosis) -> String {
 
 /// How large each effect could be without having been seen; an empty size was not to be seen at all.
 pub(super) fn limits(d: &Diagnosis) -> String {
-    let mut table = Table::new([
-        "effect",
-        "joint",
-        "parameter",
-        "detection limit (95 %)",
-        "unit",
-    ]);
+    let mut table = Table::headed("effect | joint | parameter | detection limit (95 %) | unit");
     for limit in &d.not_found {
         for (name, size) in &limit.sizes {
             let (name, unit) = parameter(name);
@@ -182,16 +161,8 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
         .collect();
     heads.extend(joints().map(|(j, _)| format!("from, joint {}", j + 1)));
     heads.extend(joints().map(|(j, joint)| format!("speed{}, {}/s", j + 1, joint.kind.unit())));
-    let others = [
-        "load, kg",
-        "temperature, °C",
-        "reflector",
-        "x, mm",
-        "y, mm",
-        "z, mm",
-        "why",
-    ];
-    heads.extend(others.map(str::to_owned));
+    let others = "load, kg | temperature, °C | reflector | x, mm | y, mm | z, mm | why";
+    heads.extend(others.split(" | ").map(str::to_owned));
     let mut table = Table::new(heads);
     for pose in poses {
         let outer = |(j, value): (usize, &f64)| Cell::from(robot.joints[j].kind.outer(*value));
@@ -220,15 +191,8 @@ pub(super) fn samples(workbench: &Workbench) -> String {
     let mut heads = vec!["sample".to_owned()];
     let joints = session.robot.joints.iter().enumerate();
     heads.extend(joints.map(|(j, joint)| format!("q{}, {}", j + 1, joint.kind.unit())));
-    let others = [
-        "reflector",
-        "x, mm",
-        "y, mm",
-        "z, mm",
-        "before, mm",
-        "after, mm",
-    ];
-    heads.extend(others.map(str::to_owned));
+    let others = "reflector | x, mm | y, mm | z, mm | before, mm | after, mm";
+    heads.extend(others.split(" | ").map(str::to_owned));
     let mut table = Table::new(heads);
     let samples = &session.samples;
     for sample in 0..subject.len() {
@@ -253,20 +217,10 @@ pub(super) fn samples(workbench: &Workbench) -> String {
 
 /// Every region's correction with its intervals.
 pub(super) fn regions(results: &[RegionResult]) -> String {
-    let mut table = Table::new([
-        "region",
-        "from, deg",
-        "to, deg",
-        "samples",
-        "dtheta, rad",
-        "95 % from",
-        "95 % to",
-        "dl1, mm",
-        "95 % from",
-        "95 % to",
-        "gap before, mm",
-        "gap after, mm",
-    ]);
+    let mut table = Table::headed(
+        "region | from, deg | to, deg | samples | dtheta, rad | 95 % from \
+ | 95 % to | dl1, mm | 95 % from | 95 % to | gap before, mm | gap after, mm",
+    );
     for result in results {
         let c = &result.correction;
         let [theta_from, theta_to] = ends(result.theta_ci95);

@@ -1,19 +1,20 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::gui::language::{say, text};
-use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
+use crate::gui::language::text;
+use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
 use crate::gui::core::coverage::Known;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::trimmed;
 use crate::gui::view::Step;
+use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
+use crate::present::numbers::trimmed;
 use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.
@@ -41,10 +42,6 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
-}
-
 /// How far off the nominal robot is.
 fn gap(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
@@ -62,23 +59,19 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
                 .color(palette.before),
         );
         if let Some(gap) = subject.gap_before {
-            widgets::fact(
-                ui,
-                say!("coverage-largest-deviation"),
-                units.length(gap.max_mm),
-            );
+            widgets::fact_of(ui, "coverage-largest-deviation", units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = subject.overview.lengths.within(tolerance_mm);
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("common-within-tolerance"),
+                "common-within-tolerance",
                 say!("coverage-of", inside = inside, all = all),
             );
         }
         if let Some(floor_mm) = subject.known.floor_mm {
             let floor = say!("coverage-instrument", floor = units.length(floor_mm));
-            widgets::fact(ui, say!("common-noise-floor"), floor);
+            widgets::fact_of(ui, "common-noise-floor", floor);
         }
         if workbench.document().identified {
             return;
@@ -105,16 +98,16 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         title(ui, say!("coverage-what-the-samples-cover"));
         strip(ui, known);
         if let Some([from, to]) = known.measured {
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("coverage-measured-range"),
+                "coverage-measured-range",
                 format!("{} … {}", at(from), at(to)),
             );
         }
         if let Some([from, to]) = known.hole {
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("coverage-widest-hole"),
+                "coverage-widest-hole",
                 format!("{} … {}", at(from), at(to)),
             );
         }
@@ -129,16 +122,16 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
             widgets::fact(ui, &came_from, sides(joint));
             widgets::fact(ui, &speed, speeds(joint));
         }
-        widgets::fact(ui, say!("common-load"), range(known.load_kg, "kg", 2));
-        widgets::fact(
+        widgets::fact_of(ui, "common-load", range(known.load_kg, "kg", 2));
+        widgets::fact_of(
             ui,
-            say!("common-temperature"),
+            "common-temperature",
             range(known.temperature_c, "°C", 1),
         );
         let time = survey
             .duration_s
             .map_or_else(|| say!("coverage-not-recorded").to_owned(), duration);
-        widgets::fact(ui, say!("coverage-took"), time);
+        widgets::fact_of(ui, "coverage-took", time);
     });
 }
 
@@ -204,33 +197,27 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let name = |id: &str| crate::gui::language::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         title(ui, say!("coverage-testable-effects"));
-        widgets::fact(
+        widgets::fact_of(
             ui,
-            say!("common-testable-effects"),
+            "common-testable-effects",
             say!("common-of", yes = yes, no = yes + no),
         );
-        folded(ui, &say!("coverage-can-be-tested", yes = yes), |ui| {
+        let can = say!("coverage-can-be-tested", yes = yes);
+        widgets::folded(ui, &can, size::NOTE, |ui| {
             let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
         if no == 0 {
             return;
         }
-        folded(ui, &say!("coverage-cannot-and-why", no = no), |ui| {
+        let cannot = say!("coverage-cannot-and-why", no = no);
+        widgets::folded(ui, &cannot, size::NOTE, |ui| {
             for one in &subject.not_testable {
                 ui.label(name(one.effect));
                 widgets::hint(ui, &one.because);
             }
         });
     });
-}
-
-fn folded(ui: &mut Ui, text: &str, contents: impl FnOnce(&mut Ui)) {
-    let muted = Palette::of(ui).muted;
-    let title = RichText::new(text).size(size::NOTE).color(muted);
-    CollapsingHeader::new(title)
-        .id_salt(text)
-        .show(ui, contents);
 }
 
 /// What a search does, before there is one.

@@ -1,6 +1,5 @@
 //! An open file that is not what it was: said above the plots until somebody decides.
 
-use crate::gui::language::say;
 use std::path::Path;
 
 use egui::{Align, Frame, Label, Layout, Margin, RichText, Ui};

@@ -1,6 +1,5 @@
 //! Files that are dropped on the window.
 
-use crate::gui::language::say;
 use egui::{Align2, Id, LayerId, Order, Ui};
 
 use crate::gui::style::tokens::{Palette, size, strong};

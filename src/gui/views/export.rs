@@ -1,6 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::gui::language::{names, say};
+use crate::gui::language::names;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::export::{EXPORTERS, find};
@@ -8,12 +8,12 @@ use crate::gui::cache::preview::Made;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::with_minus_signs;
 use crate::gui::view::{About, Sheet, Step, What};
+use crate::gui::views::names::title;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
-use crate::kinematics::JointKind;
+use crate::present::numbers::with_minus_signs;
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
@@ -136,7 +136,7 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                widgets::fact(ui, say!("export-entries"), entries.to_string());
+                widgets::fact_of(ui, "export-entries", entries.to_string());
             }
             widgets::section(ui, say!("export-also"));
             let what = if made.export.reads_as.is_some() {
@@ -173,10 +173,7 @@ fn joint_and_step(
             commands.push(Command::EndDrag);
         }
     }
-    let unit = match joints[choice.joint].kind {
-        JointKind::Revolute => "°",
-        JointKind::Prismatic => " mm",
-    };
+    let unit = joints[choice.joint].kind.sign();
     let mut own = choice.step.is_some();
     if ui.checkbox(&mut own, say!("export-custom-step")).changed() {
         next.step = own.then_some(FIRST_STEP);
@@ -227,9 +224,6 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let title = |ui: &mut Ui, text: &str| {
-        ui.label(RichText::new(text).font(strong(size::BODY)));
-    };
     widgets::card(ui, |ui| {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
@@ -256,18 +250,14 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             widgets::hint(ui, says);
         }
         if let Some(before) = workbench.subject().gap_before {
-            widgets::fact(ui, say!("export-without-it"), units.length(before.rms_mm));
+            widgets::fact_of(ui, "export-without-it", units.length(before.rms_mm));
         }
         if let Some(answer) = workbench.answer().filter(|_| measured) {
             let after = answer.identification.gap.after.rms_mm;
-            widgets::fact(
-                ui,
-                say!("export-model-and-measurement"),
-                units.length(after),
-            );
+            widgets::fact_of(ui, "export-model-and-measurement", units.length(after));
         }
         if made.gap.is_some() {
-            widgets::fact(ui, say!("common-not-correctable-by-joint-commands"), stays);
+            widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
             if made
                 .gap
                 .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)

@@ -1,6 +1,6 @@
 //! Step 4: search for what is missing.
 
-use crate::gui::language::{names, say, text, within};
+use crate::gui::language::{names, text, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;
@@ -37,23 +37,19 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let units = workbench.units();
     widgets::section(ui, say!("common-rms-error"));
-    widgets::fact(
+    widgets::fact_of(
         ui,
-        say!("diagnose-nominal-robot"),
+        "diagnose-nominal-robot",
         units.length(diagnosis.gap.start_mm),
     );
-    widgets::fact(
+    widgets::fact_of(
         ui,
-        say!("common-identified"),
+        "common-identified",
         units.length(diagnosis.gap.identified_mm),
     );
     let end = units.length(diagnosis.gap.end_mm);
-    widgets::fact(ui, say!("diagnose-with-found-effects"), end);
-    widgets::fact(
-        ui,
-        say!("common-noise-floor"),
-        units.length(diagnosis.floor.mm),
-    );
+    widgets::fact_of(ui, "diagnose-with-found-effects", end);
+    widgets::fact_of(ui, "common-noise-floor", units.length(diagnosis.floor.mm));
     if widgets::secondary(ui, say!("diagnose-run-diagnosis-again")).clicked() {
         commands.push(Command::Search);
     }
@@ -66,16 +62,16 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     widgets::section(ui, say!("diagnose-rms-error-so-far"));
     if let Some(gap) = subject.gap_before {
-        widgets::fact(ui, say!("diagnose-nominal-robot"), units.length(gap.rms_mm));
+        widgets::fact_of(ui, "diagnose-nominal-robot", units.length(gap.rms_mm));
     }
     let answer = workbench.answer();
     let left = answer.map(|a| a.identification.gap.after.rms_mm);
     if let Some(left) = left {
-        widgets::fact(ui, say!("common-identified"), units.length(left));
+        widgets::fact_of(ui, "common-identified", units.length(left));
     }
     let floor = subject.known.floor_mm;
     if let Some(floor) = floor {
-        widgets::fact(ui, say!("common-noise-floor"), units.length(floor));
+        widgets::fact_of(ui, "common-noise-floor", units.length(floor));
     }
     let says = match (left, floor) {
         (None, _) => say!("diagnose-the-diagnosis-identifies-by-itself"),
@@ -94,9 +90,9 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     }
     widgets::section(ui, say!("diagnose-what-it-can-find"));
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    widgets::fact(
+    widgets::fact_of(
         ui,
-        say!("common-testable-effects"),
+        "common-testable-effects",
         say!("common-of", yes = yes, no = yes + no),
     );
     if no > 0 {

@@ -1,6 +1,5 @@
 //! What the sides of the window are pulled by.
 
-use crate::gui::language::say;
 use egui::{Rect, Ui};
 
 use crate::gui::preferences::{Preferences, Sizes};

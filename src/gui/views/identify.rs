@@ -1,6 +1,5 @@
 //! Step 3: how the robot is identified.
 
-use crate::gui::language::say;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;
@@ -73,7 +72,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Method::Regional => {
             widgets::hint(ui, say!("identify-the-source-papers-method"));
             let n = document.regions.len();
-            widgets::fact(ui, say!("common-regions"), n.to_string());
+            widgets::fact_of(ui, "common-regions", n.to_string());
             if ui.link(say!("identify-change-the-regions")).clicked() {
                 commands.push(Command::GoTo(Step::Regions));
             }

@@ -1,32 +1,27 @@
 //! A model that was read from a file: where it came from, and what it does on the session.
 
-use crate::gui::language::say;
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use crate::compensation::Verification;
 use crate::gui::core::answer::{Answer, Loaded};
-use crate::gui::style::tokens::{size, strong};
-use crate::gui::units::{Units, trimmed};
+use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
-use crate::units::deg_from_rad;
+use crate::present::numbers::trimmed;
+use crate::present::units::Units;
 
 /// What there is to say about the model itself.
 pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
         title(ui, say!("model-model-from-a-file"));
-        widgets::fact(ui, say!("model-file"), &loaded.file);
-        widgets::fact(ui, say!("common-robot"), &calibration.model.robot.name);
-        widgets::fact(ui, say!("model-identified"), &calibration.session);
+        widgets::fact_of(ui, "model-file", &loaded.file);
+        widgets::fact_of(ui, "common-robot", &calibration.model.robot.name);
+        widgets::fact_of(ui, "model-identified", &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
-            let (from, to, unit) = match joint.kind {
-                JointKind::Revolute => (deg_from_rad(range.from), deg_from_rad(range.to), "°"),
-                JointKind::Prismatic => (range.from, range.to, " mm"),
-            };
-            let measured = format!("{}{unit} … {}{unit}", trimmed(from, 2), trimmed(to, 2));
+            let says = |q| format!("{}{}", trimmed(joint.kind.outer(q), 2), joint.kind.sign());
+            let measured = format!("{} … {}", says(range.from), says(range.to));
             let name = match joints.len() {
                 1 => say!("common-measured").to_owned(),
                 _ => say!("model-measured", joint = joint.name),
@@ -64,24 +59,20 @@ pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         title(ui, say!("model-held-against-this-session"));
-        widgets::fact(ui, say!("common-samples"), verification.samples.to_string());
+        widgets::fact_of(ui, "common-samples", verification.samples.to_string());
         let model = units.length(verification.model.rms_mm);
-        widgets::fact(ui, say!("model-measured-and-model"), model);
+        widgets::fact_of(ui, "model-measured-and-model", model);
         if let Some(compensated) = verification.compensated {
             let unit = units.length_name();
             let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
-            widgets::fact(ui, say!("model-with-corrected-commands"), gap);
+            widgets::fact_of(ui, "model-with-corrected-commands", gap);
             let largest = format!("{} {unit}", number(compensated.gap.max_mm));
-            widgets::fact(ui, say!("model-largest-then"), largest);
+            widgets::fact_of(ui, "model-largest-then", largest);
             let stays = format!(
                 "{} {unit}",
                 number(compensated.cannot_be_removed_by_joints_mm)
             );
-            widgets::fact(ui, say!("common-not-correctable-by-joint-commands"), stays);
+            widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
         }
     });
-}
-
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
 }

@@ -1,6 +1,5 @@
 //! How panels name effects and parameters, and the few cards that several of them show.
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};

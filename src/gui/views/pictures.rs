@@ -1,7 +1,6 @@
 //! Plots as SVG files: the drawings of the report, of the samples as they are shown now, and the
 //! charts as they are on the screen.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::cache::identified::Outcome;

@@ -1,6 +1,5 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
@@ -12,11 +11,12 @@ use crate::gui::core::loaded;
 use crate::gui::language::names::title_on;
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, grouped, trimmed, with_minus_signs};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names::parameter;
+use crate::present::numbers::{grouped, trimmed, with_minus_signs};
+use crate::present::units::Units;
 use crate::units::deg_from_rad;
 
 use super::names::{implausible, not_identifiable, title};
@@ -150,17 +150,17 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             )
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        widgets::fact(ui, say!("results-largest"), from_to(&found.gap, largest));
+        widgets::fact_of(ui, "results-largest", from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            widgets::fact(ui, say!("common-held-out"), from_to(held_out, rms));
+            widgets::fact_of(ui, "common-held-out", from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("common-within-tolerance"),
+                "common-within-tolerance",
                 say!("results-of", before = before, after = after, all = all),
             );
             let share = after as f32 / all.max(1) as f32;

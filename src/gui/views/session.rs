@@ -1,6 +1,5 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
-use crate::gui::language::say;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
@@ -8,11 +7,11 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::grouped;
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress, or_none};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Workbench, of_field};
+use crate::present::numbers::grouped;
 
 use super::setup;
 use crate::kinematics::JointKind;
@@ -87,27 +86,19 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let session = &subject.session;
     let units = workbench.units();
-    widgets::fact(ui, say!("common-robot"), &session.robot.name);
+    widgets::fact_of(ui, "common-robot", &session.robot.name);
     if let [joint] = session.robot.joints.as_slice() {
         let (from, to) = subject.travel();
         let range = match joint.kind {
             JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
             JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
         };
-        widgets::fact(ui, say!("common-joint"), format!("{}, {range}", joint.name));
+        widgets::fact_of(ui, "common-joint", format!("{}, {range}", joint.name));
     } else {
-        widgets::fact(
-            ui,
-            say!("common-joints"),
-            session.robot.joints.len().to_string(),
-        );
+        widgets::fact_of(ui, "common-joints", session.robot.joints.len().to_string());
     }
     if subject.is_empty() {
-        widgets::fact(
-            ui,
-            say!("common-samples"),
-            say!("session-none-this-is-a-model"),
-        );
+        widgets::fact_of(ui, "common-samples", say!("session-none-this-is-a-model"));
         return;
     }
     let mut samples = grouped(subject.len());
@@ -119,37 +110,29 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
-    widgets::fact(ui, say!("common-samples"), samples);
+    widgets::fact_of(ui, "common-samples", samples);
     if let Some(kinds) = &subject.overview.kinds {
-        widgets::fact(ui, say!("common-measured"), kinds);
+        widgets::fact_of(ui, "common-measured", kinds);
     }
     if session.targets.len() > 1 {
-        widgets::fact(
-            ui,
-            say!("session-reflectors"),
-            session.targets.len().to_string(),
-        );
+        widgets::fact_of(ui, "session-reflectors", session.targets.len().to_string());
     }
     if !session.instrument.name.is_empty() {
-        widgets::fact(ui, say!("common-instrument-2"), &session.instrument.name);
+        widgets::fact_of(ui, "common-instrument-2", &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
         None => say!("session-not-given").to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    widgets::fact(ui, say!("session-noise-one"), sigma);
+    widgets::fact_of(ui, "session-noise-one", sigma);
     if session.samples.z_mm.is_none() {
-        widgets::fact(
-            ui,
-            say!("session-coordinates"),
-            say!("session-x-and-y-z-was"),
-        );
+        widgets::fact_of(ui, "session-coordinates", say!("session-x-and-y-z-was"));
     }
     if session.compensated_by.is_some() {
-        widgets::fact(
+        widgets::fact_of(
             ui,
-            say!("session-compensated"),
+            "session-compensated",
             say!("session-yes-this-shows-what"),
         );
     }
@@ -179,17 +162,8 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
         &format!("mm{}", or_none()),
         field,
     );
-    if tolerance != now {
-        let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
-        commands.push(if response.dragged() {
-            Command::Drag(edit)
-        } else {
-            Command::Edit(edit)
-        });
-    }
-    if response.drag_stopped() {
-        commands.push(Command::EndDrag);
-    }
+    let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
+    commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
 }
 
 /// The file goes on growing: follow it.
@@ -279,9 +253,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add(field);
-        ui.ctx().accesskit_node_builder(field.id, |node| {
-            node.set_label(say!("session-path-of-a-session-or"));
-        });
+        widgets::label(&field, say!("session-path-of-a-session-or"));
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
         let button = ui.add_enabled(!path.is_empty(), egui::Button::new(open));

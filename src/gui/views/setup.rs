@@ -1,27 +1,54 @@
 //! Robot, reflectors and instrument, to be edited: checked as they are typed, with the message at
 //! the field, and in the plots at once.
 
-use crate::gui::language::say;
-use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
+use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;
 use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::tokens::{size, space};
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
 
-/// What happened to the fields.
-#[derive(Default)]
-struct Touched {
+/// The fields: what is wrong with them, and what happened to them.
+struct Fields {
+    problems: Vec<Problem>,
+    /// The number of the joint or of the reflector whose fields they are.
+    n: usize,
     dragged: bool,
     released: bool,
 }
 
-impl Touched {
-    fn by(&mut self, response: &Response) {
-        self.dragged |= response.dragged();
-        self.released |= response.drag_stopped();
+impl Fields {
+    fn message(&self, ui: &mut Ui, field: Field) {
+        for (_, says) in self.problems.iter().filter(|(f, _)| *f == field) {
+            widgets::wrong(ui, says);
+        }
+    }
+
+    /// So many numbers in a row; `key` is that of their name.
+    fn numbers(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        unit: &str,
+        parts: &[&str],
+        values: &mut [f64],
+        speed: f64,
+    ) {
+        let label = say!(key, n = self.n);
+        let gap = 6.0;
+        let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            for (part, value) in parts.iter().zip(values) {
+                let name = format!("{label} {part}");
+                let field = DragValue::new(value).speed(speed).max_decimals(6);
+                let response = widgets::cell_number(ui, name.trim_end(), unit, width, field);
+                self.dragged |= response.dragged();
+                self.released |= response.drag_stopped();
+            }
+        });
     }
 }
 
@@ -37,38 +64,42 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         None => Vec::new(),
     };
     let mut form = now.clone();
-    let mut touched = Touched::default();
+    let mut fields = Fields {
+        problems,
+        n: 1,
+        dragged: false,
+        released: false,
+    };
+    let is_open = |fields: &Fields, wrong: &dyn Fn(Field) -> bool| {
+        fields.problems.iter().any(|(field, _)| wrong(*field))
+    };
     widgets::section(ui, say!("setup-robot-and-instrument"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for k in 0..form.joints.len() {
         let title = say!("setup-joint", k = k + 1, joints = now.joints[k].name);
         let wrong = |f: Field| matches!(f, Field::JointName(j) | Field::Axis(j) | Field::Limits(j) | Field::Mass(j) if j == k);
-        let open = problems
-            .iter()
-            .any(|(f, _)| wrong(*f) || *f == Field::Joints);
+        let open = is_open(&fields, &|f| wrong(f) || f == Field::Joints);
         folded(ui, &title, (say!("common-joint"), k), open, |ui| {
-            joint(ui, &mut form.joints[k], k, &problems, &mut touched);
+            joint(ui, &mut form.joints[k], k, &mut fields);
         });
     }
-    let open = problems.iter().any(|(f, _)| *f == Field::Tool);
+    let open = is_open(&fields, &|f| f == Field::Tool);
     folded(ui, say!("setup-tool-and-gravity"), "tool", open, |ui| {
-        tool(ui, &mut form, &problems, &mut touched);
+        tool(ui, &mut form, &mut fields);
     });
-    let open = problems.iter().any(|(f, _)| matches!(f, Field::Target(_)));
+    let open = is_open(&fields, &|f| matches!(f, Field::Target(_)));
     folded(ui, say!("setup-reflectors"), "targets", open, |ui| {
         let free = now.last_target_is_free(session);
-        targets(ui, &mut form, free, &problems, &mut touched);
+        targets(ui, &mut form, free, &mut fields);
     });
     if !workbench.subject().is_empty() {
-        let open = problems.iter().any(|(f, _)| *f == Field::Sigma);
+        let open = is_open(&fields, &|f| f == Field::Sigma);
         folded(ui, say!("common-instrument"), "instrument", open, |ui| {
-            instrument(ui, &mut form, &problems, &mut touched);
+            instrument(ui, &mut form, &mut fields);
         });
     }
     if workbench.view().setup.is_some() {
-        if let Some((_, says)) = problems.iter().find(|(f, _)| *f == Field::Joints) {
-            widgets::wrong(ui, says);
-        }
+        fields.message(ui, Field::Joints);
         widgets::hint(ui, say!("setup-not-taken-over-while-something"));
         if ui.link(say!("setup-back-to-what-was-there")).clicked() {
             commands.push(Command::Draft(None));
@@ -78,11 +109,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if form != now {
         commands.push(match form.session(session) {
             Err(_) => Command::Draft(Some(Box::new(form))),
-            Ok(_) if touched.dragged => Command::Drag(Edit::Setup(Box::new(form))),
+            Ok(_) if fields.dragged => Command::Drag(Edit::Setup(Box::new(form))),
             Ok(_) => Command::Edit(Edit::Setup(Box::new(form))),
         });
     }
-    if touched.released {
+    if fields.released {
         commands.push(Command::EndDrag);
     }
 }
@@ -107,25 +138,13 @@ fn folded(
     });
 }
 
-fn message(ui: &mut Ui, problems: &[Problem], field: Field) {
-    for (_, says) in problems.iter().filter(|(f, _)| *f == field) {
-        widgets::wrong(ui, says);
-    }
-}
-
-fn caption(ui: &mut Ui, text: &str) {
-    let muted = Palette::of(ui).muted;
-    ui.label(RichText::new(text).size(size::SMALL).color(muted));
-}
-
 fn text(ui: &mut Ui, label: &str, text: &mut String) {
     let id = ui.scope_id().with(("text", label));
     // A name is taken over when it is complete: one step back takes the whole of it back.
     let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
     let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
     let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(label.to_owned()));
+    widgets::label(&field, label.to_owned());
     if field.has_focus() {
         ui.data_mut(|d| d.insert_temp(id, typed));
     } else {
@@ -136,43 +155,13 @@ fn text(ui: &mut Ui, label: &str, text: &mut String) {
     }
 }
 
-/// So many numbers in a row.
-fn numbers(
-    ui: &mut Ui,
-    (label, unit): (&str, &str),
-    parts: &[&str],
-    values: &mut [f64],
-    speed: f64,
-    touched: &mut Touched,
-) {
-    let gap = 6.0;
-    let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        for (part, value) in parts.iter().zip(values) {
-            let name = if part.is_empty() {
-                label.to_owned()
-            } else {
-                format!("{label} {part}")
-            };
-            let field = DragValue::new(value).speed(speed).max_decimals(6);
-            touched.by(&widgets::cell_number(ui, &name, unit, width, field));
-        }
-    });
-}
-
 const XYZ: [&str; 3] = ["x", "y", "z"];
 
-fn joint(
-    ui: &mut Ui,
-    joint: &mut JointForm,
-    k: usize,
-    problems: &[Problem],
-    touched: &mut Touched,
-) {
+fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     let n = k + 1;
+    fields.n = n;
     text(ui, &say!("setup-name-of-joint", n = n), &mut joint.name);
-    message(ui, problems, Field::JointName(k));
+    fields.message(ui, Field::JointName(k));
     let kinds = [
         (JointKind::Revolute, say!("setup-turns")),
         (JointKind::Prismatic, say!("setup-slides")),
@@ -181,31 +170,14 @@ fn joint(
         joint.kind = kind;
     }
     ui.horizontal(|ui| {
-        caption(ui, say!("setup-axis-direction-at-home"));
+        widgets::caption(ui, say!("setup-axis-direction-at-home"));
         widgets::question(ui, help::AXIS);
     });
-    numbers(
-        ui,
-        (&say!("setup-axis", n = n), ""),
-        &XYZ,
-        &mut joint.axis,
-        0.01,
-        touched,
-    );
-    message(ui, problems, Field::Axis(k));
-    caption(ui, say!("setup-a-point-on-it-mm"));
-    numbers(
-        ui,
-        (&say!("setup-point", n = n), "mm"),
-        &XYZ,
-        &mut joint.point_mm,
-        0.1,
-        touched,
-    );
-    let unit = match joint.kind {
-        JointKind::Revolute => "°",
-        JointKind::Prismatic => "mm",
-    };
+    fields.numbers(ui, "setup-axis", "", &XYZ, &mut joint.axis, 0.01);
+    fields.message(ui, Field::Axis(k));
+    widgets::caption(ui, say!("setup-a-point-on-it-mm"));
+    fields.numbers(ui, "setup-point", "mm", &XYZ, &mut joint.point_mm, 0.1);
+    let unit = joint.kind.sign().trim();
     let mut limited = joint.limits.is_some();
     if ui
         .checkbox(
@@ -217,15 +189,15 @@ fn joint(
         joint.limits = limited.then_some([-90.0, 90.0]);
     }
     if let Some(limits) = &mut joint.limits {
-        numbers(
+        fields.numbers(
             ui,
-            (&say!("setup-limit", n = n), unit),
+            "setup-limit",
+            unit,
             &[say!("common-from"), say!("common-to")],
             limits,
             0.5,
-            touched,
         );
-        message(ui, problems, Field::Limits(k));
+        fields.message(ui, Field::Limits(k));
     }
     let mut heavy = joint.link.is_some();
     if ui
@@ -236,51 +208,30 @@ fn joint(
     }
     if let Some((mass, centre_mm)) = &mut joint.link {
         let mass = std::slice::from_mut(mass);
-        numbers(
-            ui,
-            (&say!("setup-mass", n = n), "kg"),
-            &[""],
-            mass,
-            0.05,
-            touched,
-        );
-        message(ui, problems, Field::Mass(k));
-        caption(ui, say!("setup-its-centre-at-home-mm"));
-        numbers(
-            ui,
-            (&say!("setup-centre", n = n), "mm"),
-            &XYZ,
-            centre_mm,
-            0.5,
-            touched,
-        );
+        fields.numbers(ui, "setup-mass", "kg", &[""], mass, 0.05);
+        fields.message(ui, Field::Mass(k));
+        widgets::caption(ui, say!("setup-its-centre-at-home-mm"));
+        fields.numbers(ui, "setup-centre", "mm", &XYZ, centre_mm, 0.5);
     }
 }
 
-fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
+fn tool(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
     ui.horizontal(|ui| {
-        caption(ui, say!("setup-tool-at-home-mm"));
+        widgets::caption(ui, say!("setup-tool-at-home-mm"));
         widgets::question(ui, help::TOOL);
     });
-    numbers(
-        ui,
-        (say!("common-tool"), "mm"),
-        &XYZ,
-        &mut form.tool_mm,
-        0.1,
-        touched,
-    );
-    caption(ui, say!("setup-orientation-quaternion-w-x-y"));
+    fields.numbers(ui, "common-tool", "mm", &XYZ, &mut form.tool_mm, 0.1);
+    widgets::caption(ui, say!("setup-orientation-quaternion-w-x-y"));
     let wxyz = ["w", "x", "y", "z"];
-    numbers(
+    fields.numbers(
         ui,
-        (say!("setup-orientation"), ""),
+        "setup-orientation",
+        "",
         &wxyz,
         &mut form.tool_wxyz,
         0.005,
-        touched,
     );
-    message(ui, problems, Field::Tool);
+    fields.message(ui, Field::Tool);
     let mut known = form.gravity.is_some();
     if ui
         .checkbox(&mut known, say!("setup-gravity-is-known-m-s"))
@@ -289,44 +240,31 @@ fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut T
         form.gravity = known.then_some([0.0, 0.0, -9.81]);
     }
     if let Some(gravity) = &mut form.gravity {
-        numbers(
-            ui,
-            (say!("setup-gravity"), ""),
-            &XYZ,
-            gravity,
-            0.01,
-            touched,
-        );
+        fields.numbers(ui, "setup-gravity", "", &XYZ, gravity, 0.01);
     }
 }
 
-fn targets(
-    ui: &mut Ui,
-    form: &mut SetupForm,
-    last_is_free: bool,
-    problems: &[Problem],
-    touched: &mut Touched,
-) {
-    caption(ui, say!("setup-in-the-tool-frame-mm"));
+fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut Fields) {
+    widgets::caption(ui, say!("setup-in-the-tool-frame-mm"));
     let mut gone = false;
     let count = form.targets.len();
     for (k, target) in form.targets.iter_mut().enumerate() {
         let n = k + 1;
+        fields.n = n;
         text(
             ui,
             &say!("setup-name-of-reflector", n = n),
             &mut target.name,
         );
-        let label = say!("setup-reflector", n = n);
-        numbers(
+        fields.numbers(
             ui,
-            (&label, "mm"),
+            "setup-reflector",
+            "mm",
             &XYZ,
             &mut target.position_mm,
             0.1,
-            touched,
         );
-        message(ui, problems, Field::Target(k));
+        fields.message(ui, Field::Target(k));
         if n == count && last_is_free {
             gone = ui.link(say!("setup-remove-this-reflector")).clicked();
         }
@@ -341,14 +279,14 @@ fn targets(
     }
 }
 
-fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
+fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
     text(
         ui,
         say!("setup-name-of-the-instrument"),
         &mut form.instrument,
     );
     ui.horizontal(|ui| {
-        caption(ui, say!("setup-noise-one-mm"));
+        widgets::caption(ui, say!("setup-noise-one-mm"));
         widgets::question(ui, help::NOISE);
     });
     let kind = match form.sigma {
@@ -377,18 +315,11 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: 
         SigmaForm::Unknown => {}
         SigmaForm::One(sigma) => {
             let sigma = std::slice::from_mut(sigma);
-            numbers(
-                ui,
-                (say!("setup-noise"), "mm"),
-                &[""],
-                sigma,
-                0.001,
-                touched,
-            );
+            fields.numbers(ui, "setup-noise", "mm", &[""], sigma, 0.001);
         }
         SigmaForm::Three(sigma) => {
-            numbers(ui, (say!("setup-noise"), "mm"), &XYZ, sigma, 0.001, touched);
+            fields.numbers(ui, "setup-noise", "mm", &XYZ, sigma, 0.001);
         }
     }
-    message(ui, problems, Field::Sigma);
+    fields.message(ui, Field::Sigma);
 }

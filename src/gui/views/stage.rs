@@ -1,7 +1,6 @@
 //! The middle: what the user has to know, the workspace, and the chart below it. Where there is no
 //! room for both, one of them, and a switch between them.
 
-use crate::gui::language::say;
 use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea, Ui};
 
 use crate::gui::preferences::Preferences;

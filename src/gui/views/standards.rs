@@ -1,6 +1,5 @@
 //! Accuracy and repeatability as the standards state them, before and after.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{Made, as_text};

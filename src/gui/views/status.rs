@@ -1,15 +1,14 @@
 //! The bar at the bottom: where the work stands, and what runs in the background.
 
-use crate::gui::language::say;
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
 use crate::diagnosis::FloorFrom;
 use crate::fonts;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::grouped;
 use crate::recorder::live::State;
 
 /// Where the work stands, in one line.

@@ -1,6 +1,5 @@
 //! What was done: it stands over the plots for a while and takes no room from them.
 
-use crate::gui::language::say;
 use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, Ui};
 use egui::{WidgetInfo, vec2};
 

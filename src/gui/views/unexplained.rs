@@ -1,17 +1,16 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::effects::Term;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{significant, trimmed};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::present::numbers::{significant, trimmed};
 use crate::units::deg_from_rad;
 
 use super::names::{curve_link, titles};
@@ -26,13 +25,13 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
     widgets::card(ui, |ui| {
         let text = RichText::new(say!("unexplained-unexplained")).font(strong(size::HEADING));
         ui.label(text.color(warning));
-        widgets::fact(
+        widgets::fact_of(
             ui,
-            say!("unexplained-what-is-left"),
+            "unexplained-what-is-left",
             workbench.units().length(left.rms_mm),
         );
         if let Some(place) = &left.place {
-            widgets::fact(ui, say!("unexplained-where"), place.says());
+            widgets::fact_of(ui, "unexplained-where", place.says());
         }
         widgets::hint(ui, &left.says);
         if !left.resembles.is_empty() {
@@ -64,11 +63,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mm = |mm: f64| significant(units.length_value(mm), 3);
     let [before, after] = found.held_out_mm;
     let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
-    widgets::fact(
-        ui,
-        say!("unexplained-cross-validated-rms-error-corrected"),
-        gap,
-    );
+    widgets::fact_of(ui, "unexplained-cross-validated-rms-error-corrected", gap);
     range(
         ui,
         workbench.subject().session.robot.joints[found.term.joint].kind,
@@ -103,7 +98,7 @@ fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
     };
     let knots = curve.knots();
     let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
-    widgets::fact(ui, say!("common-measured"), between.join(" … "));
+    widgets::fact_of(ui, "common-measured", between.join(" … "));
     let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
     let [motion, radial, axial] = curve.largest();
     let parts = [

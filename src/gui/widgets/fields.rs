@@ -1,13 +1,12 @@
 //! Fields for numbers, with their names.
 
-use crate::gui::language::say;
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use egui::{Align, DragValue, Layout, Response, RichText, Tooltip, Ui, vec2};
 
 use crate::gui::style::tokens::{Palette, space};
-use crate::gui::units::typed_in;
+use crate::present::units::typed_in;
 
 /// What was typed into a field and refused, and why.
 #[derive(Clone, Default)]
@@ -122,7 +121,6 @@ pub(crate) fn cell_number(
 ) -> Response {
     let response = typing(ui, [width, 24.0], unit, field);
     let name = name.to_owned();
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    super::label(&response, name);
     response
 }

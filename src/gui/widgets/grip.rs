@@ -1,7 +1,6 @@
 //! The grip between two panels: dragged, or moved by the arrow keys; a double click gives the usual
 //! size back.
 
-use crate::gui::language::say;
 use egui::{CursorIcon, EventFilter, Id, Key, Rect, Role, Sense, Ui, WidgetInfo, accesskit, vec2};
 
 use crate::gui::style::tokens::Palette;

@@ -1,6 +1,5 @@
 //! Buttons that show a sign instead of a word; their words are said to who cannot see it.
 
-use crate::gui::language::say;
 use egui::{
     Color32, CornerRadius, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };

@@ -13,8 +13,8 @@ pub(crate) use grip::{Gripped, grip};
 pub(crate) use icons::{copy_button, history_button, save_button, side_button, sign};
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
-    caption, cell_right, cut, dense, explained, explained_effect, fact, facts, fine, heading, hint,
-    hint_about, question, section, title, wrong,
+    caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
+    folded, heading, hint, hint_about, label, question, section, title, wrong,
 };
 
 use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};

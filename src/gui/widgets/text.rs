@@ -1,11 +1,12 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
-use crate::gui::language::{say, within};
+use crate::gui::language::{text, within};
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{
-    Align, Color32, FontId, Layout, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2,
+    Align, CollapsingHeader, Color32, FontId, Layout, Response, RichText, Role, Sense, Stroke, Ui,
+    WidgetInfo, vec2,
 };
 
 use crate::gui::help::{self, Word};
@@ -81,6 +82,25 @@ pub(crate) fn hint_about(ui: &mut Ui, text: impl Into<String>, word: Word) {
 pub(crate) fn wrong(ui: &mut Ui, text: &str) {
     let color = Palette::of(ui).outside;
     sentence(ui, RichText::new(text).size(size::NOTE).color(color));
+}
+
+/// As [`fact`], of a name by its key.
+pub(crate) fn fact_of(ui: &mut Ui, key: &'static str, value: impl Into<String>) {
+    fact(ui, text(key), value);
+}
+
+/// Names a control for those who do not see it.
+pub(crate) fn label(response: &Response, name: impl Into<Box<str>>) {
+    let name = name.into();
+    let ctx = &response.ctx;
+    ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
+}
+
+/// What folds away below a small title.
+pub(crate) fn folded(ui: &mut Ui, text: &str, size: f32, contents: impl FnOnce(&mut Ui)) {
+    let title = RichText::new(text).size(size).color(Palette::of(ui).muted);
+    let header = CollapsingHeader::new(title).id_salt(text);
+    header.show(ui, contents);
 }
 
 /// A name and what it is: on one line, or below each other where that is too narrow.

@@ -1,6 +1,5 @@
 //! What the background has worked out about the document, and what is asked of it next.
 
-use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
 //! What is done in the background, and what becomes of it.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,9 +11,9 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
-use crate::gui::jobs::{Jobs, Kind, Running};
-use crate::gui::units::grouped;
+use crate::gui::jobs::{Jobs, Kind, Running, Watch};
 use crate::gui::view::{Message, Sheet, What};
+use crate::present::numbers::grouped;
 
 use super::{Command, Workbench};
 
@@ -199,6 +198,18 @@ impl Workbench {
             }
             Err(message) => self.take_written(message),
         }
+    }
+
+    /// Writes a file in the background.
+    pub(super) fn write<T: Send + 'static>(
+        &mut self,
+        path: PathBuf,
+        work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
+        then: fn(&mut Self, T),
+    ) {
+        let says = say!("message-writing", path = path.display());
+        let work = move |watch: &Watch| work(&path, watch);
+        self.jobs.start(Kind::Writes, says, work, then);
     }
 
     pub(super) fn take_exported(&mut self, exported: Result<PathBuf, Message>) {

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use egui::Response;
+
 use crate::gui::core::boundary_entry::End;
 use crate::gui::core::compensated::Wanted;
 use crate::gui::core::edit::Edit;
@@ -16,6 +18,19 @@ use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
     Camera, Canvas, Colouring, Part, Plane, Sheet, Side, Standard, Step, Then, What,
 };
+
+/// What a field sends that can be dragged: what it changes, and at the end of a drag that it was let
+/// go.
+pub(crate) fn of_field(response: &Response, edit: Option<Edit>) -> impl Iterator<Item = Command> {
+    let (dragged, released) = (response.dragged(), response.drag_stopped());
+    let change = if dragged {
+        Command::Drag
+    } else {
+        Command::Edit
+    };
+    let end = released.then_some(Command::EndDrag);
+    edit.map(change).into_iter().chain(end)
+}
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]

@@ -1,6 +1,5 @@
 //! Files of targets: chosen, corrected by the model that is shown, saved.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -71,9 +70,9 @@ impl Workbench {
         };
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let says = say!("message-writing", path = path.display());
-        let work = move |_: &Watch| files::write_targets(&compensated, &path, replace, &inputs);
-        self.jobs
-            .start(Kind::Writes, says, work, Self::take_written);
+        let work = move |path: &Path, _: &Watch| {
+            files::write_targets(&compensated, path, replace, &inputs)
+        };
+        self.write(path, work, Self::take_written);
     }
 }

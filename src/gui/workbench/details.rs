@@ -8,7 +8,6 @@ use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::{self, Machine, Of};
 use crate::gui::file_state::settings;
 use crate::gui::files;
-use crate::gui::language::say;
 use crate::present::decision::rests_on;
 
 use super::Workbench;

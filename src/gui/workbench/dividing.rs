@@ -1,6 +1,5 @@
 //! Regions: divided where the samples ask for it, and their boundaries while they are typed.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::gui::core::boundary_entry::{End, Typed};

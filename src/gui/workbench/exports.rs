@@ -1,6 +1,5 @@
 //! Tables, models and measuring lists: what they are called, and how they are written.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 
 use crate::export::find;
@@ -8,7 +7,7 @@ use crate::gui::cache::preview::Wanted;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;
-use crate::gui::jobs::{Kind, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::{About, What};
 use crate::pipeline::measuring_list;
 
@@ -63,10 +62,8 @@ impl Workbench {
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
-            let says = say!("message-writing", path = path.display());
-            let work = move |_: &Watch| files::write_list(list, &path, replace);
-            self.jobs
-                .start(Kind::Writes, says, work, Self::take_written);
+            let work = move |path: &Path, _: &Watch| files::write_list(list, path, replace);
+            self.write(path, work, Self::take_written);
             return;
         }
         // From what is shown, but under the name that was chosen.
@@ -77,16 +74,14 @@ impl Workbench {
             );
         };
         let choice = self.document().export;
-        let says = say!("message-writing", path = path.display());
-        let work = move |_: &Watch| {
+        let work = move |path: &Path, _: &Watch| {
             let wanted = Wanted {
                 outcome,
                 choice,
                 name: None,
             };
-            files::export(&wanted, what, &path, replace)
+            files::export(&wanted, what, path, replace)
         };
-        self.jobs
-            .start(Kind::Writes, says, work, Self::take_exported);
+        self.write(path, work, Self::take_exported);
     }
 }

@@ -3,7 +3,6 @@
 //! The watcher reads what is new; a task puts it behind the samples that are there and brings the
 //! answer along, so that the window goes from one session with its answer to the next.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::diagnostic::Rejected;

@@ -15,6 +15,11 @@ impl Workbench {
         &self.letters
     }
 
+    /// So many of the faces that were found egui draws with.
+    pub(crate) fn draws_with(&mut self, faces: usize) {
+        self.letters.drawn = faces;
+    }
+
     /// Looks for letters in this library from now on.
     pub(crate) fn read_letters_from(&mut self, library: Arc<Library>) {
         self.letters.library = library;

@@ -1,6 +1,5 @@
 //! A foreign file: what is said about it, what is seen then, and the session that it becomes.
 
-use crate::gui::language::say;
 use std::path::PathBuf;
 use std::sync::Arc;
 

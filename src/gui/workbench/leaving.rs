@@ -1,6 +1,5 @@
 //! What would be lost, what is asked before it is, and how it is saved.
 
-use crate::gui::language::say;
 use std::path::Path;
 use std::sync::Arc;
 

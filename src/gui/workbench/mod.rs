@@ -31,11 +31,11 @@ mod under_way;
 #[cfg(test)]
 mod walk;
 
-use crate::gui::language::{say, text};
+use crate::gui::language::text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub(crate) use command::Command;
+pub(crate) use command::{Command, of_field};
 
 use state::{Asked, Desk};
 
@@ -55,11 +55,11 @@ use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::preferences::Preferences;
 use crate::gui::style::font_fallback::Letters;
-use crate::gui::units::Units;
 use crate::gui::view::{
     Aspect, Camera, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState,
 };
 use crate::present::drawing::Drawing;
+use crate::present::units::Units;
 use crate::sessions::Samples;
 
 /// A plot that is drawn in the background: the drawing and what it shows, or why there is none.

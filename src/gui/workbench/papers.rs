@@ -1,13 +1,12 @@
 //! Reports, pictures and the standards' figures: what is written about a session.
 
-use crate::gui::language::say;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::cache::figures::Figures;
 use crate::gui::files;
 use crate::gui::files::reporting::{self, Source};
-use crate::gui::jobs::{Kind, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::{About, Plot, Step};
 use crate::report::exported::sidecar_of;
 use crate::sessions::samples_path;
@@ -65,10 +64,9 @@ impl Workbench {
             tables: self.exported.clone(),
             inputs: self.inputs(),
         };
-        let says = say!("message-writing", path = path.display());
-        let work = move |watch: &Watch| reporting::write(&wanted, &path, replace, watch);
-        self.jobs
-            .start(Kind::Writes, says, work, Self::take_written);
+        let work =
+            move |path: &Path, watch: &Watch| reporting::write(&wanted, path, replace, watch);
+        self.write(path, work, Self::take_written);
     }
 
     fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
@@ -77,10 +75,10 @@ impl Workbench {
 
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
         let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
-        let says = say!("message-writing", path = path.display());
-        let work = move |watch: &Watch| files::write_picture(draw, &path, replace, &inputs, watch);
-        self.jobs
-            .start(Kind::Writes, says, work, Self::take_written);
+        let work = move |path: &Path, watch: &Watch| {
+            files::write_picture(draw, path, replace, &inputs, watch)
+        };
+        self.write(path, work, Self::take_written);
     }
 
     /// The standards' figures of what is shown; while newer ones are worked out, the ones before.

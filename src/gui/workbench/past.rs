@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::gui::core::past::Past;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
-use crate::gui::language::say;
 use crate::gui::view::{Message, Sheet};
 use crate::pipeline;
 use crate::progress::ReadError;

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use crate::gui::core::recording::{Heard, Wanted};
 use crate::gui::file_state::recording::{Recording, UnderWay};
-use crate::gui::language::say;
 use crate::gui::view::{Message, Then};
 use crate::pipeline;
 use crate::sessions::{Replacing, Samples, Session, save_document};

@@ -1,6 +1,5 @@
 //! What is not saved, kept against a crash: when it is written, and how it comes back.
 
-use crate::gui::language::say;
 use std::path::Path;
 use std::sync::Arc;
 

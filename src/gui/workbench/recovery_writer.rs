@@ -1,6 +1,5 @@
 //! Files: where an opening stands on the disk, what changed there, and what outlives the window.
 
-use crate::gui::language::say;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

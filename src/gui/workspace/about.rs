@@ -1,10 +1,9 @@
 //! What is said about a sample: all of it, or what matters most.
 
 use crate::gui::core::loaded_session::Component;
-use crate::gui::language::say;
-use crate::gui::units::trimmed;
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
+use crate::present::numbers::trimmed;
 
 /// One line of what is said about a sample: what, and how much.
 pub(crate) type Line = (String, String);

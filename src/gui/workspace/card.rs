@@ -1,7 +1,6 @@
 //! The card beside the sample under the pointer: what matters of it, and everything once it is
 //! chosen.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use egui::{

@@ -1,7 +1,6 @@
 //! Region boundaries that the hand moves: real widgets on top of the plot. They can be dragged,
 //! focused with the tabulator and moved with the arrow keys; a screen reader sees sliders.
 
-use crate::gui::language::say;
 use egui::accesskit::{Action, ActionData};
 use egui::{
     CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
@@ -12,8 +11,9 @@ use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::region_sums::Held;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{Units, grouped, trimmed};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::{grouped, trimmed};
+use crate::present::units::Units;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::free_space;

@@ -1,7 +1,6 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
 //! pointer.
 
-use crate::gui::language::say;
 use egui::Pos2;
 use egui_plot::{PlotPoint, PlotTransform};
 
@@ -63,7 +62,7 @@ pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 
         .clamp(1.0, 400.0);
     let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
     let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
-    (0..crate::gui::units::whole(pieces))
+    (0..crate::numeric::whole(pieces))
         .map(|k| {
             let (a, b) = (at(k as f64), at(k as f64 + 1.0));
             [
@@ -116,7 +115,7 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
     let most = scene.samples.min(most);
     let at_most = |apart: f64| {
         if apart < most as f64 {
-            crate::gui::units::whole(apart)
+            crate::numeric::whole(apart)
         } else {
             most
         }

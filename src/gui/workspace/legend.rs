@@ -1,7 +1,6 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use crate::gui::language::say;
 use egui::{
     Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
     Stroke, Ui, pos2, vec2,
@@ -11,9 +10,9 @@ use egui_plot::PlotTransform;
 use crate::gui::layers::{OUTLINE, scale_at};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::trimmed;
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
+use crate::present::numbers::trimmed;
 
 use super::layout;
 use super::model::Scene;

@@ -1,7 +1,6 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
 //! camera's line of sight.
 
-use crate::gui::language::say;
 use nalgebra::Point3;
 
 use crate::gui::cache::cloud::Cloud;

@@ -1,6 +1,5 @@
 //! The workspace plot in egui.
 
-use crate::gui::language::say;
 use egui::{Role, Ui, WidgetInfo};
 use egui_plot::Axis;
 

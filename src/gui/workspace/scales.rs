@@ -1,7 +1,6 @@
 //! The legend of colours. What colour says is said a second time: a deviation by the vector's
 //! length, a direction by its direction, a condition by its width.
 
-use crate::gui::language::say;
 use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -9,9 +8,9 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{WEDGE, scale_at};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::{significant, trimmed};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
+use crate::present::numbers::{significant, trimmed};
 
 use super::model::Scene;
 

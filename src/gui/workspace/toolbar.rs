@@ -1,15 +1,15 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
-use crate::gui::language::{say, stretch};
+use crate::gui::language::stretch;
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::units::{significant, trimmed};
 use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::{significant, trimmed};
 
 use super::model::{magnification as magnification_of, offers, readable};
 

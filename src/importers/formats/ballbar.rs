@@ -9,7 +9,7 @@ use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
-use crate::importers::headings::{Role, understand, words_and_unit};
+use crate::importers::headings::{Role, Words, is_among, understand, words_and_unit};
 use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::importers::units::Word;
@@ -52,24 +52,9 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Words for a distance in a heading, and for what is one only together with a nominal length.
-const DISTANCE: [&str; 15] = [
-    "distance",
-    "dist",
-    "abstand",
-    "distanz",
-    "länge",
-    "laenge",
-    "length",
-    "radius",
-    "range",
-    "seillänge",
-    "seilweg",
-    "ballbar",
-    "reading",
-    "messwert",
-    "weg",
-];
-const DEVIATION: [&str; 3] = ["deviation", "abweichung", "extension"];
+const DISTANCE: Words = "distance dist abstand distanz länge laenge length radius range seillänge seilweg ballbar \
+                        reading messwert weg";
+const DEVIATION: Words = "deviation abweichung extension";
 
 /// Reads the distances.
 fn read(case: &mut Case<'_>) -> Option<Columns> {
@@ -144,14 +129,14 @@ fn role(heading: &str) -> (Role, bool) {
     let plain = heading.trim().trim_matches('"').to_lowercase();
     let (words, unit) = words_and_unit(&plain);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let one_of = |list: &[&str]| matches!(words[..], [word] | [word, _] if list.contains(&word));
-    let is_deviation = one_of(&DEVIATION);
+    let one_of = |list| matches!(words[..], [word] | [word, _] if is_among(word, list));
+    let is_deviation = one_of(DEVIATION);
     let unit = match unit {
         None => Some(None),
         Some(Word::Unit(unit @ Unit::Length(_))) => Some(Some(unit)),
         Some(_) => None,
     };
-    if let (Some(unit), true) = (unit, is_deviation || one_of(&DISTANCE)) {
+    if let (Some(unit), true) = (unit, is_deviation || one_of(DISTANCE)) {
         return (Role::Known(Quantity::Distance, unit), is_deviation);
     }
     let role = match words[..] {

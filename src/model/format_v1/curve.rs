@@ -10,7 +10,7 @@ use crate::document::kinds::{NUMBER, count};
 use crate::document::object::{At, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::curve::{Curve, CurveError, Knots};
-use crate::effects::{Parameter, Term, Unexplained};
+use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
 use crate::sessions::format_v1::robot::outer;
 use crate::units::rad_from_deg;
@@ -154,7 +154,7 @@ pub(super) fn unexplained(
     }
     Some(Term {
         curve: Some(Arc::new(curve)),
-        ..Term::absent(&Unexplained, joint - 1, 0.0)
+        ..Term::absent(&SMOOTH, joint - 1, 0.0)
     })
 }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::kinematics::JointKind;
 use crate::kinematics::configuration::Statement;
 
 use super::super::axes::{Axes, Slot};
@@ -241,10 +240,7 @@ impl Positions<'_, '_, '_> {
         };
         let of_axis = |slot: Slot| {
             let joint = self.axes.joint(slot).unwrap_or_default();
-            let unit = match self.axes.kind(joint) {
-                JointKind::Revolute => "deg",
-                JointKind::Prismatic => "mm",
-            };
+            let unit = self.axes.kind(joint).unit();
             match slot {
                 Slot::Own(k) => number(&format!("j{}", k + 1), unit),
                 Slot::External(k) => number(&format!("e{}", k + 1), unit),

@@ -3,6 +3,7 @@
 //! along the axes of the measuring frame the one with the largest area is drawn.
 
 use super::{FULL_WIDTH, Stage, Stages, room, thinned};
+use crate::numeric::extent;
 use crate::present::chart::panel::{Panel, SMALL};
 use crate::present::chart::{Axis, among};
 use crate::present::drawing::{Anchor, Drawing, Item, Label, MUTED, Shape, Stroke};
@@ -20,10 +21,7 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
     let axes = widest_view(stages);
     let extent = |axis: usize| {
         let values = column(stages, axis);
-        let finite = values.iter().filter(|v| v.is_finite());
-        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(*v), b.max(*v)]
-        })
+        extent(values.iter())
     };
     let (x, y) = (room(extent(axes[0])), room(extent(axes[1])));
     let size = (x[1] - x[0]).max(y[1] - y[0]);
@@ -97,10 +95,7 @@ fn column(stages: &Stages, axis: usize) -> &[f64] {
 
 fn widest_view(stages: &Stages) -> [usize; 2] {
     let extent = |axis: usize| {
-        let finite = column(stages, axis).iter().filter(|v| v.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(*v), b.max(*v))
-        });
+        let [low, high] = extent(column(stages, axis).iter());
         (high - low).max(1e-6)
     };
     let mut best = [0, 1];

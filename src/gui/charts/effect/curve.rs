@@ -16,6 +16,7 @@ use crate::gui::cache::over::{Over, Variable};
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::stride;
 use crate::gui::core::search::{Search, terms};
+use crate::lanes::minus;
 use crate::model::{Model, Positions};
 
 /// Samples that are looked at to find out which component an effect has.
@@ -133,10 +134,6 @@ pub(crate) fn strongest(
     let largest = sizes.iter().map(|s| s.0).fold(0.0, f64::max);
     let found = sizes.iter().find(|s| s.0 >= largest * (1.0 - 1e-9));
     found.map(|s| s.1)
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
 }
 
 impl EffectCurve {

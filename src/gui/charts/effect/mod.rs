@@ -2,7 +2,6 @@
 
 mod curve;
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
@@ -11,11 +10,11 @@ use crate::gui::cache::work::Work;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::gui::units::plain_number;
 use crate::gui::view::Step;
 use crate::present::chart::{
     Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands, in_a_sentence,
 };
+use crate::present::table::{Cell, Table};
 
 use curve::{EffectCurve, Spot};
 
@@ -73,8 +72,23 @@ impl Kind for Effect {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        numbers(scene)
+    /// Every sample, along the chart.
+    fn numbers(&self, scene: &Scene) -> Table {
+        let Ok(curve) = curve(scene) else {
+            return Table::default();
+        };
+        let (subject, component) = (scene.subject, scene.component().name());
+        let (along, what) = (curve.over.heading(subject), name(curve));
+        let [without, of] =
+            ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
+        let mut table = Table::new(["sample", &along, "side", &without, &of]);
+        for spot in &curve.spots {
+            let x = curve.over.cell(subject, spot.x);
+            let numbers = [x, spot.side, spot.residual_mm, spot.effect_mm];
+            let sample = Cell::from(spot.sample + 1);
+            table.row([sample].into_iter().chain(numbers.map(Cell::from)));
+        }
+        table
     }
 }
 
@@ -231,30 +245,4 @@ fn says(scene: &Scene, curve: &EffectCurve) -> String {
         before = before,
         after = after
     )
-}
-
-/// Every sample as a table, along the chart.
-fn numbers(scene: &Scene) -> String {
-    let component = scene.component().name();
-    let Ok(curve) = curve(scene) else {
-        return String::new();
-    };
-    let subject = scene.subject;
-    let along = curve.over.heading(subject);
-    let what = name(curve);
-    let mut text = format!(
-        "sample\t{along}\tside\t{component} without {what}, mm\t{component} of {what}, mm\n"
-    );
-    for spot in &curve.spots {
-        let cells = [
-            (spot.sample + 1).to_string(),
-            plain_number(curve.over.cell(subject, spot.x)),
-            plain_number(spot.side),
-            plain_number(spot.residual_mm),
-            plain_number(spot.effect_mm),
-        ];
-        text += &cells.join("\t");
-        text.push('\n');
-    }
-    text
 }

@@ -1,6 +1,5 @@
 //! What each change makes of a document.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::diagnosis::Mend;

@@ -1,13 +1,12 @@
 //! Changes of the regions.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use crate::document::degrees;
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::{boundaries, boundary_entry};
-use crate::gui::units::Units;
+use crate::present::units::Units;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
 use crate::units::rad_from_deg;

@@ -1,6 +1,5 @@
 //! The columns: what each is taken for, how that is known, its heading, and the first rows.
 
-use crate::gui::language::say;
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::{Foreign, Said};

@@ -1,6 +1,5 @@
 //! Files beside the measured one: commands, points that are known in the base frame, reflectors.
 
-use crate::gui::language::say;
 use egui::{DragValue, Grid, RichText, Ui};
 
 use crate::gui::import_draft::{Beside, Foreign, Said};

@@ -1,7 +1,6 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
-use crate::gui::language::say;
 use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};

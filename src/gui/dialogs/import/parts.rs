@@ -1,6 +1,5 @@
 //! What the parts of the import sheet are made of.
 
-use crate::gui::language::say;
 use egui::{RichText, TextEdit, Ui};
 use std::path::{Path, PathBuf};
 

@@ -1,12 +1,11 @@
 //! What the import would bring, or why it is refused.
 
-use crate::gui::language::say;
 use egui::Ui;
 
 use crate::diagnostic::Severity;
 use crate::gui::import_draft::{Foreign, Trial};
-use crate::gui::units::grouped;
 use crate::gui::widgets;
+use crate::present::numbers::grouped;
 
 /// Lines that are shown.
 const MOST: usize = 8;

@@ -1,6 +1,5 @@
 //! Whose robot was measured.
 
-use crate::gui::language::say;
 use egui::{DragValue, TextEdit, Ui};
 
 use crate::gui::core::examples::EXAMPLES;

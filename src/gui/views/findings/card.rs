@@ -1,6 +1,5 @@
 //! A name that was found: its values, its evidence, what to check, and whether it is in the model.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
@@ -10,11 +9,12 @@ use crate::gui::core::search::term_of;
 use crate::gui::help;
 use crate::gui::language::names::title_of;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::{Units, significant};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names::{figure, parameter};
+use crate::present::numbers::significant;
+use crate::present::units::Units;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -61,10 +61,10 @@ pub(super) fn show(
     let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
-        Some(gap) => widgets::fact(ui, say!("found-cross-validated-rms-error"), from_to(gap)),
-        None => widgets::fact(ui, say!("common-rms-error"), from_to(found.gap_mm)),
+        Some(gap) => widgets::fact_of(ui, "found-cross-validated-rms-error", from_to(gap)),
+        None => widgets::fact_of(ui, "common-rms-error", from_to(found.gap_mm)),
     }
-    widgets::fact(ui, say!("common-noise-floor"), units.length(d.floor.mm));
+    widgets::fact_of(ui, "common-noise-floor", units.length(d.floor.mm));
     ui.label(RichText::new(say!("found-what-to-check")).font(strong(size::SMALL)));
     widgets::hint(ui, found.check);
     let Some(term) = term_of(d, found) else {

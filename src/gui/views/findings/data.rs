@@ -1,6 +1,5 @@
 //! What is wrong with the data itself, and how to mend it.
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Mend};

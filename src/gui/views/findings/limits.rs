@@ -1,15 +1,14 @@
 //! What would have been seen, and what could not be.
 
-use crate::gui::language::say;
-use egui::{CollapsingHeader, RichText, Ui};
+use egui::Ui;
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::language::names::title_on;
-use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::grouped;
+use crate::gui::style::tokens::size;
 use crate::gui::views::copies;
 use crate::gui::widgets;
 use crate::present::names::detection_limit;
+use crate::present::numbers::grouped;
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {
@@ -17,7 +16,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     }
     let number = say!("effects", count = grouped(d.not_found.len()));
     let text = say!("limits-detection-limits-95", number = number);
-    folded(ui, text, |ui| {
+    widgets::folded(ui, &text, size::SMALL, |ui| {
         for limit in &d.not_found {
             let joint = limit.joint.map(|j| j + 1);
             ui.label(title_on(limit.effect, joint, d.model.robot.joints.len()));
@@ -35,19 +34,11 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
         "limits-not-testable",
         not_testable = say!("effects", count = grouped(d.not_testable.len()))
     );
-    folded(ui, text, |ui| {
+    widgets::folded(ui, &text, size::SMALL, |ui| {
         for one in &d.not_testable {
             let joint = one.joint.map(|j| j + 1);
             ui.label(title_on(one.effect, joint, d.model.robot.joints.len()));
             widgets::hint(ui, &one.because);
         }
     });
-}
-
-fn folded(ui: &mut Ui, text: String, contents: impl FnOnce(&mut Ui)) {
-    let muted = Palette::of(ui).muted;
-    let title = RichText::new(text.clone()).size(size::SMALL).color(muted);
-    CollapsingHeader::new(title)
-        .id_salt(text)
-        .show(ui, contents);
 }

@@ -6,15 +6,14 @@ mod data;
 mod limits;
 mod next;
 
-use crate::gui::language::say;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::{grouped, significant};
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
+use crate::present::numbers::{grouped, significant};
 
 use crate::gui::language::names::title_of;
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
@@ -143,17 +142,17 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
             mm(d.gap.end_mm),
             units.length_name()
         );
-        widgets::fact(ui, say!("common-rms-error"), gaps);
+        widgets::fact_of(ui, "common-rms-error", gaps);
         if let Some(unseen) = &d.held_out.gaps {
             let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
-            widgets::fact(
+            widgets::fact_of(
                 ui,
-                say!("common-held-out"),
+                "common-held-out",
                 format!("{gaps} {}", units.length_name()),
             );
         }
         let floor = format!("{}, {from}", units.length(d.floor.mm));
-        widgets::fact(ui, say!("common-noise-floor"), floor);
+        widgets::fact_of(ui, "common-noise-floor", floor);
         noise(ui, workbench, d);
         widgets::hint(ui, say!("diagnosis-held-out", how = d.held_out.how));
     });
@@ -163,16 +162,8 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
 fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let units = workbench.units();
     if let Some(noise) = &d.unexplained.noise {
-        widgets::fact(
-            ui,
-            say!("diagnosis-noise-stated"),
-            units.length(noise.stated_mm),
-        );
-        widgets::fact(
-            ui,
-            say!("diagnosis-noise-as-found"),
-            units.length(noise.found_mm),
-        );
+        widgets::fact_of(ui, "diagnosis-noise-stated", units.length(noise.stated_mm));
+        widgets::fact_of(ui, "diagnosis-noise-as-found", units.length(noise.found_mm));
     }
     if let Some(slow) = &d.noise.slow {
         let says = say!("diagnosis-slow-noise", slow = slow.says());

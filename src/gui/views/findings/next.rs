@@ -1,6 +1,5 @@
 //! What to measure next.
 
-use crate::gui::language::say;
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::NextPose;

@@ -1,6 +1,5 @@
 //! Files: open, save, follow.
 
-use crate::gui::language::say;
 use egui::{Button, RichText, Ui};
 
 use crate::gui::actions::{self, OPEN_EXAMPLE, OPEN_LATEST};

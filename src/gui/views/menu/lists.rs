@@ -1,6 +1,5 @@
 //! The other menus: edit, view, help.
 
-use crate::gui::language::say;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{Button, Context, Ui};
 

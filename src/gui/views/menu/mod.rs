@@ -4,7 +4,6 @@ mod file;
 mod items;
 mod lists;
 
-use crate::gui::language::say;
 use egui::{Align, FontId, Label, Layout, MenuBar, RichText, Ui};
 
 use crate::gui::core::loaded_session::Origin;

@@ -1,13 +1,13 @@
 //! The range as a strip: which part belongs to which region, and where the samples are.
 
-use crate::gui::language::say;
 use egui::{Align2, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::units::grouped;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::numeric::single;
+use crate::present::numbers::grouped;
 
 const HEIGHT: f32 = 40.0;
 const SAMPLES: f32 = 14.0;
@@ -27,8 +27,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT + 16.0), Sense::hover());
     let band = Rect::from_min_size(rect.min, vec2(rect.width(), HEIGHT));
-    #[allow(clippy::cast_possible_truncation, reason = "a place on the screen")]
-    let x = |rad: f64| band.left() + band.width() * ((rad - low) / (high - low)) as f32;
+    let x = |rad: f64| band.left() + band.width() * single((rad - low) / (high - low));
     let painter = ui.painter_at(rect);
     painter.rect_filled(band, 4.0, palette.inset);
     for (k, region) in regions.iter().enumerate() {

@@ -4,7 +4,6 @@ mod bar;
 mod row;
 mod rows;
 
-use crate::gui::language::say;
 use egui::{Align, DragValue, Layout, Ui};
 
 use crate::gui::core::angles::Count;
@@ -13,12 +12,12 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::space;
-use crate::gui::units::grouped;
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::Progress;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Workbench, of_field};
 use crate::gui::{help, widgets};
+use crate::present::numbers::grouped;
 
 /// Regions that are offered when there are none: the paper's number.
 const OFFERED: usize = 6;
@@ -124,17 +123,8 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let response =
             widgets::cell_number(ui, say!("regions-number-of-regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("regions-divide")).clicked();
-        if number != before || divide {
-            let edit = Edit::Divide(number);
-            commands.push(if response.dragged() {
-                Command::Drag(edit)
-            } else {
-                Command::Edit(edit)
-            });
-        }
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
-        }
+        let edit = (number != before || divide).then_some(Edit::Divide(number));
+        commands.extend(of_field(&response, edit));
     });
 }
 

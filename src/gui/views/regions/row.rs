@@ -1,10 +1,10 @@
 //! What can be done with a region: a menu at the end of its row, and keys while that has the focus.
 
-use crate::gui::language::say;
 use egui::{Button, Id, Key, Modifiers, Ui};
 
 use crate::gui::core::boundary_entry;
 use crate::gui::core::edit::Edit;
+use crate::gui::widgets;
 use crate::gui::workbench::Command;
 use crate::sessions::Region;
 
@@ -106,8 +106,7 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec
     });
     let response = menu.inner.response;
     let says = say!("regions-change-region", name = regions[k].name);
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(says));
+    widgets::label(&response, says);
     let focused = response.has_focus();
     response.on_hover_text(say!("regions-with-the-focus-here-s"));
     for deed in deeds(regions, k) {

@@ -1,15 +1,15 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
-use crate::gui::language::say;
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::gui::core::angles::Count;
 use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::units::{Units, grouped};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::grouped;
+use crate::present::units::Units;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 
@@ -135,9 +135,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
-    ui.ctx().accesskit_node_builder(field.id, |node| {
-        node.set_label(say!("regions-name-of-region", name = name));
-    });
+    widgets::label(&field, say!("regions-name-of-region", name = name));
     let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
     if field.has_focus() {
@@ -337,8 +335,7 @@ fn samples(
             region = region.name
         ),
     };
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(says.clone()));
+    widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
         commands.push(Command::Mark(samples_of(workbench, k)));
     }

@@ -3,15 +3,14 @@
 
 mod order;
 
-use crate::gui::language::say;
 use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::trimmed;
 use crate::gui::views::copies;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::workspace::sample_menu;
+use crate::present::numbers::trimmed;
 
 use order::{By, Rows, Sorting};
 

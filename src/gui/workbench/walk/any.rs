@@ -21,12 +21,12 @@ use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::language::Language;
 use crate::gui::preferences::{Preferences, Sizes, Theme};
-use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
     About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
+use crate::present::units::{AngleUnit, LengthUnit};
 use crate::progress::{Progress, unwatched};
 use crate::units::rad_from_deg;
 

@@ -12,9 +12,9 @@
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::{FEW, round_down, stride};
-use crate::gui::language::say;
-use crate::gui::units::{Units, trimmed};
 use crate::gui::workbench::Workbench;
+use crate::present::numbers::trimmed;
+use crate::present::units::Units;
 
 /// The largest deviation is at most so many divisions long.
 pub(crate) const MOST_DIVISIONS: f64 = 5.0;

@@ -1,6 +1,5 @@
 //! The polar view in egui: the rings, what they stand for, and what the pointer does.
 
-use crate::gui::language::say;
 use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::PlotTransform;
@@ -8,8 +7,9 @@ use egui_plot::PlotTransform;
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::plots::{Drawing, gestures, marks};
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::{Units, trimmed};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::trimmed;
+use crate::present::units::Units;
 
 use super::super::layout::nearest;
 use super::super::model::dial;
@@ -166,7 +166,7 @@ fn ground(
     let thin = Stroke::new(1.0, palette.line);
     let [inside, outside] = polar.divisions;
     for (most, way) in [(inside, -1.0), (outside, 1.0)] {
-        for k in 1..=crate::gui::units::whole(most) {
+        for k in 1..=crate::numeric::whole(most) {
             shapes.push(Shape::line(ring(NOMINAL + way * k as f64), thin));
         }
     }

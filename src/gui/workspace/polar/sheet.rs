@@ -1,14 +1,13 @@
 //! The polar view as a drawing for a file.
 
-use crate::gui::language::say;
 use std::f64::consts::TAU;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
-use crate::gui::units::trimmed;
 use crate::present::drawing::{
     AFTER, Anchor, BEFORE, Drawing, INK, Item, Label, MUTED, RULE, Shape, Stroke,
 };
+use crate::present::numbers::trimmed;
 
 use super::layout::{self, Bearing, NOMINAL, SPOKES};
 use super::model::{Polar, Spot, absent};
@@ -73,7 +72,7 @@ fn ground(
     let thin = Stroke::new(0.4, RULE);
     let [inside, outside] = polar.divisions;
     for (most, way) in [(inside, -1.0), (outside, 1.0)] {
-        let rings = (1..=crate::gui::units::whole(most)).map(|k| ring(NOMINAL + way * k as f64));
+        let rings = (1..=crate::numeric::whole(most)).map(|k| ring(NOMINAL + way * k as f64));
         drawing.items.push(Item::Lines(rings.collect(), thin));
     }
     for k in 0..SPOKES {

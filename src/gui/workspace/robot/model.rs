@@ -4,7 +4,6 @@
 //! vectors are. What its joints between do the tool alone cannot tell: the displacement grows
 //! evenly along the chain from where the first axis lets go of it, which for a column is exact.
 
-use crate::gui::language::say;
 use nalgebra::{Point3, Vector3};
 
 use crate::gui::core::scale::round_down;

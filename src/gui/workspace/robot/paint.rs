@@ -1,13 +1,12 @@
 //! The robot in egui. The nominal one is a tube, the real one a line with a filled tool: form says
 //! what colour says.
 
-use crate::gui::language::say;
 use egui::{Color32, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::trimmed;
+use crate::present::numbers::trimmed;
 
 use super::super::free_space;
 use super::model::{Drawn, Sign};

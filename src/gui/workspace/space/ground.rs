@@ -28,7 +28,7 @@ pub(super) fn lines(ball: &Ball) -> Vec<[[f64; 3]; 2]> {
     for along in 0..2 {
         let [from, to] = ends[along];
         let [first, last] = ends[1 - along];
-        let count = crate::gui::units::whole((last - first) / square + 0.5);
+        let count = crate::numeric::whole((last - first) / square + 0.5);
         for n in 0..=count {
             let across = first + n as f64 * square;
             let at = |t: f64| {

@@ -1,14 +1,13 @@
 //! Sliders that pose the robot by hand.
 
-use crate::gui::language::say;
 use egui::{RichText, ScrollArea, Slider, Ui};
 
 use crate::gui::core::scale::stride;
 use crate::gui::style::tokens::size;
-use crate::gui::units::Units;
 use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
+use crate::present::units::Units;
 
 /// Smallest and largest value of a joint's slider, rad or mm: its limits; where it has none, what
 /// was measured; where nothing was, a turn to either side or 500 mm.

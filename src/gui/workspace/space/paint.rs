@@ -1,6 +1,5 @@
 //! The view in space in egui, and what the pointer does in it.
 
-use crate::gui::language::say;
 use std::sync::Arc;
 
 use egui::{Align2, FontId, Panel, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
@@ -11,9 +10,9 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{CloudLayer, Frame, SpaceLayer};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::trimmed;
 use crate::gui::view::{Ball, Canvas, Facing};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::trimmed;
 
 use super::super::drawn::{arrows, emphasis, path, points, ring};
 use super::super::model::{Scene, ball};

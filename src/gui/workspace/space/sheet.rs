@@ -1,16 +1,15 @@
 //! The view in space as a drawing for a file: as it is seen, on paper.
 
-use crate::gui::language::say;
 use egui::{Pos2, Rect, pos2, vec2};
 
 use crate::gui::layers::scale_at;
 use crate::gui::style::tokens::LIGHT;
-use crate::gui::units::trimmed;
 use crate::gui::view::{Canvas, Colouring};
 use crate::gui::workbench::Workbench;
 use crate::present::drawing::{
     AFTER, Anchor, BEFORE, Colour, Drawing, INK, Item, Label, MUTED, RULE, Shape, Stroke,
 };
+use crate::present::numbers::trimmed;
 
 use super::super::model::Scene;
 use super::super::robot::Drawn;

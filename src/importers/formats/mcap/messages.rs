@@ -10,14 +10,18 @@ use super::cdr::{Cdr, Wrong};
 /// Joints or transforms of one message are fewer.
 const MOST: usize = 4096;
 
-/// A type of message, whatever package and version its name says it is from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Type {
-    JointState,
-    PoseStamped,
-    PointStamped,
-    TransformStamped,
-    TfMessage,
+named! {
+    /// A type of message, whatever package and version its name says it is from.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(super) enum Type {
+        JointState = "sensor_msgs/JointState",
+        PoseStamped = "geometry_msgs/PoseStamped",
+        PointStamped = "geometry_msgs/PointStamped",
+        TransformStamped = "geometry_msgs/TransformStamped",
+        TfMessage = "tf2_msgs/TFMessage",
+    }
+    /// Its name in ROS.
+    pub(super) fn name;
 }
 
 impl Type {
@@ -32,17 +36,6 @@ impl Type {
             "TFMessage" => Self::TfMessage,
             _ => return None,
         })
-    }
-
-    /// Its name in ROS.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::JointState => "sensor_msgs/JointState",
-            Self::PoseStamped => "geometry_msgs/PoseStamped",
-            Self::PointStamped => "geometry_msgs/PointStamped",
-            Self::TransformStamped => "geometry_msgs/TransformStamped",
-            Self::TfMessage => "tf2_msgs/TFMessage",
-        }
     }
 }
 

@@ -1,19 +1,17 @@
 //! How large the deviation is at each whole number of cycles per turn.
 
-mod spectrum;
-mod sums;
-
 use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::gui::language::{say, text};
-use crate::gui::units::{plain_number, whole};
+use crate::gui::language::text;
+use crate::numeric::whole;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
-
-use spectrum::{Amplitude, LINE, Order, Spectrum};
+use crate::present::numbers::trimmed;
+use crate::present::spectrum::{Amplitude, Order, Spectrum};
+use crate::present::table::{Cell, Table};
 
 /// Part of the height that is left for names.
 const ROOM: f64 = 0.30;
@@ -67,8 +65,24 @@ impl Kind for Orders {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        numbers(scene)
+    /// Every order.
+    fn numbers(&self, scene: &Scene) -> Table {
+        let mut table = Table::headed(
+            "order | before, mm | noise before, mm | after, mm | noise after, mm | usual cause",
+        );
+        let spectrum = spectrum(scene);
+        for order in spectrum.iter().flat_map(|spectrum| &spectrum.orders) {
+            let cause = spectrum.as_ref().ok().and_then(|s| cause(s, order.order));
+            table.row([
+                order.order.into(),
+                order.before.mm.into(),
+                order.before.line_mm.into(),
+                order.after.map(|a| a.mm).into(),
+                order.after.and_then(|a| a.line_mm).into(),
+                Cell::from(cause),
+            ]);
+        }
+        table
     }
 }
 
@@ -115,7 +129,7 @@ impl Bars for Drawn<'_> {
         let order = self.spectrum.orders.get(slot)?;
         let units = self.scene.units;
         let mut lines = Vec::new();
-        let cause = self.spectrum.cause(order.order);
+        let cause = cause(self.spectrum, order.order);
         lines.extend(cause.map(|cause| (say!("orders-usual-cause").to_owned(), cause.to_owned())));
         for (name, amplitude) in [
             (say!("common-before"), Some(order.before)),
@@ -244,7 +258,7 @@ fn names(
 ) {
     let mut row = 0;
     for (slot, order) in spectrum.orders.iter().enumerate() {
-        let Some(cause) = spectrum.cause(order.order) else {
+        let Some(cause) = cause(spectrum, order.order) else {
             continue;
         };
         let mut bars = shown(order, only_after).into_iter().flatten();
@@ -269,12 +283,12 @@ fn names(
 fn note(spectrum: &Spectrum) -> String {
     let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
     let line = if has_line {
-        text(LINE).to_owned()
+        text("orders-noise-stays-below-the-line").to_owned()
     } else {
         say!("orders-too-few-samples-to-say").to_owned()
     };
     let mut notes = vec![line];
-    notes.extend(spectrum.limits());
+    notes.extend(limits(spectrum));
     notes.join(" · ")
 }
 
@@ -289,7 +303,7 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
             .collect();
         out.sort_by(|a, b| b.1.total_cmp(&a.1));
         let words = out.iter().take(4).map(|(order, mm)| {
-            let cause = spectrum.cause(*order);
+            let cause = cause(spectrum, *order);
             let cause = cause.map_or_else(String::new, |c| format!(" ({c})"));
             say!(
                 "orders-order-2",
@@ -317,26 +331,60 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
     format!("{says}; {}", note(spectrum))
 }
 
-/// Every order as a table.
-fn numbers(scene: &Scene) -> String {
-    let mut text = "order\tbefore, mm\tnoise before, mm\tafter, mm\tnoise after, mm\t\
-                    usual cause\n"
-        .to_owned();
-    let Ok(spectrum) = spectrum(scene) else {
-        return text;
-    };
-    let cell = |mm: Option<f64>| mm.map_or_else(String::new, plain_number);
-    for order in &spectrum.orders {
-        let cells = [
-            order.order.to_string(),
-            plain_number(order.before.mm),
-            cell(order.before.line_mm),
-            cell(order.after.map(|a| a.mm)),
-            cell(order.after.and_then(|a| a.line_mm)),
-            spectrum.cause(order.order).unwrap_or_default().to_owned(),
-        ];
-        text += &cells.join("\t");
-        text.push('\n');
+/// A range of less than this part of a turn is said to be less than a turn.
+const A_TURN: f64 = 0.97;
+
+/// What has to be said about the range; nothing where it is a whole turn.
+fn limits(spectrum: &Spectrum) -> Option<String> {
+    if spectrum.turns >= A_TURN || spectrum.orders.is_empty() {
+        return None;
     }
-    text
+    let range = trimmed(360.0 * spectrum.turns, 0);
+    let apart = trimmed((1.0 / spectrum.turns).ceil(), 0);
+    let mut says = say!(
+        "orders-range-orders-nearer-than-cannot",
+        range = range,
+        apart = apart
+    );
+    match spectrum.unseen {
+        0 => {}
+        1 => says += say!("orders-and-order-1-cannot-be"),
+        n => says += &say!("orders-and-orders-up-to-cannot", n = n),
+    }
+    Some(says)
+}
+
+/// What usually causes an order.
+fn cause(spectrum: &Spectrum, order: usize) -> Option<&'static str> {
+    match order {
+        1 => Some(say!("orders-eccentricity")),
+        2 => Some(say!("orders-two-cycle")),
+        _ if spectrum.gears.contains(&order) => Some(say!("orders-gear")),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_part_of_a_turn_cannot_show_is_said() {
+        let of = |turns: f64, gears: &[usize]| {
+            let angles: Vec<f64> = (0..200)
+                .map(|k| turns * std::f64::consts::TAU * f64::from(k) / 199.0)
+                .collect();
+            Spectrum::new(&angles, &vec![1.0; 200], None, gears)
+        };
+        let most = of(0.83, &[37]);
+        assert_eq!(cause(&most, 37), Some("gear"));
+        let says = limits(&most).expect("it is less than a turn");
+        assert!(says.contains("nearer than 2"), "{says}");
+        let says = limits(&of(0.247, &[])).expect("it is less than a turn");
+        assert!(
+            says.contains("nearer than 5") && says.contains("order 1 cannot"),
+            "{says}"
+        );
+        assert_eq!(limits(&of(1.0, &[])), None);
+    }
 }

@@ -1,18 +1,16 @@
 //! How many samples deviate by how much.
 
-mod bins;
-
 use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::gui::language::{say, text};
-use crate::gui::units::{plain_number, significant};
+use crate::gui::language::text;
+use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
 use crate::present::drawing::Anchor;
+use crate::present::numbers::significant;
+use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
-
-use bins::{Bins, Counted, Distribution, NoiseCurve, RULE};
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
@@ -62,8 +60,22 @@ impl Kind for Histogram {
         })
     }
 
-    fn numbers(&self, scene: &Scene) -> String {
-        numbers(scene)
+    fn numbers(&self, scene: &Scene) -> Table {
+        let mut table = Table::headed("from, mm | to, mm | before | after | noise alone");
+        let Ok(found) = distribution(scene) else {
+            return table;
+        };
+        let counted = found.shown(scene.only_after());
+        let noise = noise(scene);
+        let samples = found.sizes_before.within(0.0).1;
+        for bin in 0..counted.bins.count {
+            let [from, to] = counted.bins.ends(bin);
+            let of = |counts: &Option<Vec<usize>>| counts.as_ref().map(|c| c[bin]).into();
+            let alone = noise.map(|n| (n.below(to) - n.below(from)) * samples as f64);
+            let [before, after] = [&counted.before, &counted.after].map(of);
+            table.row([Cell::from(from), to.into(), before, after, alone.into()]);
+        }
+        table
     }
 }
 
@@ -284,7 +296,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         "histogram-wide",
         width = width,
         unit = units.length_name(),
-        rule = text(RULE)
+        rule = text("histogram-bars-as-wide-as")
     ));
     notes.join(" · ")
 }
@@ -317,34 +329,4 @@ fn says(scene: &Scene, found: &Distribution) -> String {
         }
     }
     format!("{says}; {}", note(scene, found, counted))
-}
-
-/// Every bar as a table.
-fn numbers(scene: &Scene) -> String {
-    let mut text = "from, mm\tto, mm\tbefore\tafter\tnoise alone\n".to_owned();
-    let Ok(found) = distribution(scene) else {
-        return text;
-    };
-    let counted = found.shown(scene.only_after());
-    let noise = noise(scene);
-    let samples = found.sizes_before.within(0.0).1;
-    for bin in 0..counted.bins.count {
-        let [from, to] = counted.bins.ends(bin);
-        let of = |counts: &Option<Vec<usize>>| {
-            counts
-                .as_ref()
-                .map_or_else(String::new, |c| c[bin].to_string())
-        };
-        let alone = noise.map(|n| (n.below(to) - n.below(from)) * samples as f64);
-        let cells = [
-            plain_number(from),
-            plain_number(to),
-            of(&counted.before),
-            of(&counted.after),
-            alone.map_or_else(String::new, plain_number),
-        ];
-        text += &cells.join("\t");
-        text.push('\n');
-    }
-    text
 }

@@ -12,30 +12,28 @@
 
 use statrs::function::erf::erf;
 
-use crate::gui::core::overview::Lengths;
-use crate::gui::units::whole;
+use crate::numeric::Ascending;
+use crate::numeric::whole;
 use crate::present::chart::LEAST_SPAN;
 
 const FEWEST: f64 = 6.0;
 const MOST: f64 = 60.0;
 /// Bins end so many quartile ranges beyond the quartiles.
 const FAR: f64 = 10.0;
-/// The rule, in words.
-pub(super) const RULE: &str = "histogram-bars-as-wide-as";
 
 /// Equal bins side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bins {
+pub(crate) struct Bins {
     /// Where the first begins, mm.
-    pub(super) from_mm: f64,
-    pub(super) width_mm: f64,
+    pub(crate) from_mm: f64,
+    pub(crate) width_mm: f64,
     /// How many.
-    pub(super) count: usize,
+    pub(crate) count: usize,
 }
 
 impl Bins {
     /// The bin that a value is in; those beyond the ends are in the first or the last.
-    pub(super) fn of(&self, mm: f64) -> Option<usize> {
+    pub(crate) fn of(&self, mm: f64) -> Option<usize> {
         if !mm.is_finite() {
             return None;
         }
@@ -44,12 +42,12 @@ impl Bins {
     }
 
     /// Where a bin begins and ends, mm.
-    pub(super) fn ends(&self, bin: usize) -> [f64; 2] {
+    pub(crate) fn ends(&self, bin: usize) -> [f64; 2] {
         [0, 1].map(|k| self.from_mm + self.width_mm * (bin + k) as f64)
     }
 
     /// Where the first begins and the last ends, mm.
-    pub(super) fn span(&self) -> [f64; 2] {
+    pub(crate) fn span(&self) -> [f64; 2] {
         [self.ends(0)[0], self.ends(self.count - 1)[1]]
     }
 
@@ -64,34 +62,34 @@ impl Bins {
 
 /// One picture: bins that suit it, and how many samples are in each.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Counted {
-    pub(super) bins: Bins,
+pub(crate) struct Counted {
+    pub(crate) bins: Bins,
     /// Of the nominal robot's deviations; `None` where they are left out.
-    pub(super) before: Option<Vec<usize>>,
+    pub(crate) before: Option<Vec<usize>>,
     /// Of what is left.
-    pub(super) after: Option<Vec<usize>>,
+    pub(crate) after: Option<Vec<usize>>,
     /// How many values lie beyond the ends.
-    pub(super) beyond: usize,
+    pub(crate) beyond: usize,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Distribution {
+pub(crate) struct Distribution {
     /// Before and after, as far as there is one.
-    pub(super) both: Counted,
+    pub(crate) both: Counted,
     /// What is left alone.
-    pub(super) only_after: Option<Counted>,
+    pub(crate) only_after: Option<Counted>,
     /// Sizes before, in ascending order.
-    pub(super) sizes_before: Lengths,
-    pub(super) sizes_after: Option<Lengths>,
+    pub(crate) sizes_before: Ascending,
+    pub(crate) sizes_after: Option<Ascending>,
 }
 
 impl Distribution {
     /// Of values before, and after where they are known; `None` where there is none. A length
     /// begins at zero.
-    pub(super) fn new(before: &[f64], after: Option<&[f64]>, length: bool) -> Option<Self> {
+    pub(crate) fn new(before: &[f64], after: Option<&[f64]>, length: bool) -> Option<Self> {
         let sizes = |values: &[f64]| {
             let sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
-            Lengths::new(&sizes)
+            Ascending::new(&sizes)
         };
         Some(Self {
             both: counted(Some(before), after, length)?,
@@ -102,7 +100,7 @@ impl Distribution {
     }
 
     /// The picture that is looked at.
-    pub(super) fn shown(&self, only_after: bool) -> &Counted {
+    pub(crate) fn shown(&self, only_after: bool) -> &Counted {
         let alone = self.only_after.as_ref().filter(|_| only_after);
         alone.unwrap_or(&self.both)
     }
@@ -182,17 +180,17 @@ fn counted(before: Option<&[f64]>, after: Option<&[f64]>, length: bool) -> Optio
 
 /// How noise alone is spread.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct NoiseCurve {
+pub(crate) struct NoiseCurve {
     /// One standard deviation of a coordinate, mm.
-    pub(super) sigma_mm: f64,
+    pub(crate) sigma_mm: f64,
     /// Of how many coordinates the length is; 1: of a component.
-    pub(super) axes: usize,
+    pub(crate) axes: usize,
 }
 
 impl NoiseCurve {
     /// The part of all samples that noise alone brings below `mm`: normal for a component,
     /// Rayleigh or Maxwell for a length in two or three coordinates.
-    pub(super) fn below(self, mm: f64) -> f64 {
+    pub(crate) fn below(self, mm: f64) -> f64 {
         let z = mm / self.sigma_mm;
         match self.axes {
             1 => 0.5 * (1.0 + erf(z / std::f64::consts::SQRT_2)),
@@ -206,7 +204,7 @@ impl NoiseCurve {
     }
 
     /// How many of `samples` a bin of this width about `mm` would hold.
-    pub(super) fn count(self, mm: f64, width_mm: f64, samples: usize) -> f64 {
+    pub(crate) fn count(self, mm: f64, width_mm: f64, samples: usize) -> f64 {
         let part = self.below(mm + 0.5 * width_mm) - self.below(mm - 0.5 * width_mm);
         part * samples as f64
     }

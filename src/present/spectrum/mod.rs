@@ -19,72 +19,70 @@
 //! (the F test of two columns against ν degrees of freedom). The noise line is the amplitude with
 //! just that gain.
 
-use crate::gui::language::say;
+mod sums;
+
 use std::f64::consts::TAU;
 
+use crate::numeric::whole;
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix2, Vector2};
 
-use super::sums::Sums;
+use sums::Sums;
 
 /// Orders from 1 to here are shown, as far as the samples tell them apart.
 const HIGHEST: usize = 24;
 /// Noise alone gives no bar above the line in this share of sessions.
 const QUIET: f64 = 0.99;
-/// The line, in words.
-pub(super) const LINE: &str = "orders-noise-stays-below-the-line";
 /// On each side of an order that is known (a gear's).
 const AROUND: usize = 2;
 /// Orders beyond this would take too long.
 const MOST: usize = 400;
 /// An order of which the samples show less than this share (of half of them) is not shown.
 const SEEN: f64 = 0.02;
-/// A range of less than this part of a turn is said to be less than a turn.
-const A_TURN: f64 = 0.97;
 
 /// The size of one order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Amplitude {
+pub(crate) struct Amplitude {
     /// How large it is, mm.
-    pub(super) mm: f64,
+    pub(crate) mm: f64,
     /// How large noise alone makes it; `None` where there are too few samples to say.
-    pub(super) line_mm: Option<f64>,
+    pub(crate) line_mm: Option<f64>,
 }
 
 impl Amplitude {
     /// Whether it is more than noise.
-    pub(super) fn stands_out(self) -> bool {
+    pub(crate) fn stands_out(self) -> bool {
         self.line_mm.is_some_and(|line| self.mm > line)
     }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Order {
+pub(crate) struct Order {
     /// Cycles per turn.
-    pub(super) order: usize,
+    pub(crate) order: usize,
     /// Of the nominal robot's deviation.
-    pub(super) before: Amplitude,
+    pub(crate) before: Amplitude,
     /// Of what is left.
-    pub(super) after: Option<Amplitude>,
+    pub(crate) after: Option<Amplitude>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spectrum {
+pub(crate) struct Spectrum {
     /// The orders, ascending; those that the range does not show are left out.
-    pub(super) orders: Vec<Order>,
+    pub(crate) orders: Vec<Order>,
     /// Orders up to this one cannot be seen in the range; 0: all can.
-    pub(super) unseen: usize,
+    pub(crate) unseen: usize,
     /// Which part of a turn the samples cover.
-    pub(super) turns: f64,
+    pub(crate) turns: f64,
     /// Orders of gears that are known.
-    pub(super) gears: Vec<usize>,
+    pub(crate) gears: Vec<usize>,
     /// Number of samples.
-    pub(super) samples: usize,
+    pub(crate) samples: usize,
 }
 
 impl Spectrum {
     /// Of values before, and after where they are known, at these angles (rad). `gears` are
     /// orders that have to be looked at with their neighbours.
-    pub(super) fn new(
+    pub(crate) fn new(
         angles_rad: &[f64],
         before: &[f64],
         after: Option<&[f64]>,
@@ -126,36 +124,6 @@ impl Spectrum {
             samples: angles_rad.len(),
         }
     }
-
-    /// What has to be said about the range; nothing where it is a whole turn.
-    pub(super) fn limits(&self) -> Option<String> {
-        if self.turns >= A_TURN || self.orders.is_empty() {
-            return None;
-        }
-        let range = crate::gui::units::trimmed(360.0 * self.turns, 0);
-        let apart = crate::gui::units::trimmed((1.0 / self.turns).ceil(), 0);
-        let mut says = say!(
-            "orders-range-orders-nearer-than-cannot",
-            range = range,
-            apart = apart
-        );
-        match self.unseen {
-            0 => {}
-            1 => says += say!("orders-and-order-1-cannot-be"),
-            n => says += &say!("orders-and-orders-up-to-cannot", n = n),
-        }
-        Some(says)
-    }
-
-    /// What usually causes an order.
-    pub(super) fn cause(&self, order: usize) -> Option<&'static str> {
-        match order {
-            1 => Some(say!("orders-eccentricity")),
-            2 => Some(say!("orders-two-cycle")),
-            _ if self.gears.contains(&order) => Some(say!("orders-gear")),
-            _ => None,
-        }
-    }
 }
 
 /// Which part of a turn angles cover, and the highest order that their number can show.
@@ -172,7 +140,7 @@ fn reach(angles_rad: &[f64]) -> (f64, usize) {
     }
     let finest = 0.5 * TAU * (sorted.len() - 1) as f64 / range;
     // A turn and its end are the same angle.
-    (range / TAU, crate::gui::units::whole(finest - 1e-6))
+    (range / TAU, whole(finest - 1e-6))
 }
 
 /// Products of cosine and sine of an order, a constant taken off.
@@ -376,9 +344,6 @@ mod tests {
         assert!(of(1).stands_out() && of(37).stands_out());
         assert!(!of(2).stands_out() && of(2).mm < 0.02, "{:?}", of(2));
         assert!(spectrum.orders.iter().any(|o| o.order == 35));
-        assert_eq!(spectrum.cause(37), Some("gear"));
-        let says = spectrum.limits().expect("it is less than a turn");
-        assert!(says.contains("nearer than 2"), "{says}");
     }
 
     #[test]
@@ -411,11 +376,6 @@ mod tests {
         let quarter = few(&angles);
         assert_eq!(quarter.unseen, 1);
         assert!(quarter.orders.iter().all(|o| o.order > 1));
-        let says = quarter.limits().expect("it is less than a turn");
-        assert!(
-            says.contains("nearer than 5") && says.contains("order 1 cannot"),
-            "{says}"
-        );
         // Equal values have no order at all, and no line can be drawn from nothing.
         assert!(quarter.orders.iter().all(|o| o.before.mm == 0.0));
     }

@@ -1,0 +1,59 @@
+//! Enums whose values have names: each value stands once, with its name beside it.
+//!
+//! ```text
+//! named! {
+//!     pub enum Plane { Top = "top", Side = "side", }
+//!     pub fn name;
+//!     pub const ALL;          // if it is asked for
+//! }
+//! ```
+
+/// An enum, a function with the name of each value, and if it is asked for every value in order.
+macro_rules! named {
+    (
+        $(#[$about:meta])*
+        $vis:vis enum $Name:ident {
+            $($(#[$of_value:meta])* $Value:ident = $name:expr,)*
+        }
+        $(#[$of_fn:meta])*
+        $fn_vis:vis fn $fn_name:ident;
+    ) => {
+        $(#[$about])*
+        $vis enum $Name {
+            $($(#[$of_value])* $Value,)*
+        }
+
+        impl $Name {
+            $(#[$of_fn])*
+            $fn_vis fn $fn_name(self) -> &'static str {
+                match self {
+                    $(Self::$Value => $name,)*
+                }
+            }
+        }
+    };
+    (
+        $(#[$about:meta])*
+        $vis:vis enum $Name:ident {
+            $($(#[$of_value:meta])* $Value:ident = $name:expr,)*
+        }
+        $(#[$of_fn:meta])*
+        $fn_vis:vis fn $fn_name:ident;
+        $(#[$of_all:meta])*
+        $all_vis:vis const ALL;
+    ) => {
+        named! {
+            $(#[$about])*
+            $vis enum $Name {
+                $($(#[$of_value])* $Value = $name,)*
+            }
+            $(#[$of_fn])*
+            $fn_vis fn $fn_name;
+        }
+
+        impl $Name {
+            $(#[$of_all])*
+            $all_vis const ALL: [Self; [$(stringify!($Value)),*].len()] = [$(Self::$Value),*];
+        }
+    };
+}
