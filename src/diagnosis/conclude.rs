@@ -15,7 +15,7 @@ use crate::sessions::Session;
 
 use super::aliases;
 use super::candidates::NotTestable;
-use super::final_set::{stands_above, worth};
+use super::final_set::{is_above, stands_above, worth};
 use super::floor::floor;
 use super::limits;
 use super::prepare::Prepared;
@@ -111,10 +111,9 @@ pub(crate) fn answer(
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
     let mut rivals = aliases::open_rivals(regression, with_shapes);
-    rivals.retain(|r| {
-        let below = r.fit.ln_evidence <= with_shapes.ln_evidence;
-        below || stands_above(prepared, &r.fit, with_shapes)
-    });
+    // What is likelier and carries itself has taken the place already; what does not is no rival.
+    rivals
+        .retain(|r| !is_above(&r.fit, with_shapes) || stands_above(prepared, &r.fit, with_shapes));
     let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
     rivals.extend(others);
     let equivalent: Vec<_> = rivals.iter().collect();

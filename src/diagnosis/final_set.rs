@@ -56,12 +56,16 @@ pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<
     }
 }
 
+/// Whether a rival is likelier than a fit by more than rounding.
+pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
+    rival.ln_evidence > fit.ln_evidence + 1e-3
+}
+
 /// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
 /// doubt what does.
 pub(crate) fn stands_above(prepared: &Prepared, rival: &Fit, fit: &Fit) -> bool {
-    let above = |rival: &Fit| rival.ln_evidence > fit.ln_evidence + 1e-3;
     let tested = || tested(prepared, rival.clone(), &|_| true);
-    above(rival) && tested().is_ok_and(|rival| above(&rival))
+    is_above(rival, fit) && tested().is_ok_and(|rival| is_above(&rival, fit))
 }
 
 /// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
@@ -75,7 +79,7 @@ pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
         let Some(rival) = rivals.find(fits) else {
             break;
         };
-        if rival.fit.ln_evidence <= found.fit.ln_evidence + 1e-3 {
+        if !is_above(&rival.fit, &found.fit) {
             break;
         }
         found.fit = rival.fit;
@@ -129,7 +133,7 @@ fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
         Next::than(prepared, term, &worth)?.fit
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
-    (best.ln_evidence > fit.ln_evidence + 1e-3).then_some(best)
+    is_above(&best, fit).then_some(best)
 }
 
 /// What a term is worth beside the others of a fit.

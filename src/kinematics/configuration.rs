@@ -202,6 +202,43 @@ mod tests {
     }
 
     #[test]
+    fn the_wrist_is_found_from_any_points_of_its_axes_at_any_angle() {
+        let wrist = Point3::new(302.0, 0.0, 630.0);
+        // The fifth axis at a right angle to the fourth, and at 60°.
+        for fifth in [[0.0, 1.0, 0.0], [0.5, 0.75_f64.sqrt(), 0.0]] {
+            let mut robot = arm();
+            for (joint, direction, off) in [
+                (3, [1.0, 0.0, 0.0], 40.0),
+                (4, fifth, -70.0),
+                (5, [1.0, 0.0, 0.0], 25.0),
+            ] {
+                let direction = Vector3::from(direction);
+                let point = wrist + direction * off;
+                robot.joints[joint].axis = Axis::through(direction, point).unwrap();
+            }
+            let sides = Sides::of(&robot).unwrap();
+            assert!((sides.wrist_mm - wrist).norm() < 1e-9, "{}", sides.wrist_mm);
+            // An axis that misses the others by a hundredth of the reach makes no such wrist.
+            robot.joints[5].axis.point_mm.z += 0.01 * sides.reach_mm;
+            assert!(Sides::of(&robot).is_none());
+        }
+    }
+
+    #[test]
+    fn no_side_is_said_of_what_stands_on_the_first_axis() {
+        let mut robot = arm();
+        let behind = |robot: &Robot, q2: f64| {
+            let sides = Sides::of(robot).unwrap();
+            sides.is_behind(robot, &[0.0, q2, 0.0, 0.0, 0.0, 0.0])
+        };
+        assert_eq!(behind(&robot, 0.0), Some(false));
+        assert_eq!(behind(&robot, -2.0), Some(true));
+        // The arm's first axis through its wrist.
+        robot.joints[0].axis.point_mm.x = 302.0;
+        assert_eq!(behind(&robot, 0.0), None);
+    }
+
+    #[test]
     fn quadrants_and_signs_forgive_rounding_at_their_borders() {
         let robot = arm();
         let at = |q4: f64| [0.0, 0.0, 0.0, q4, 0.0, 0.0];

@@ -396,6 +396,19 @@ mod tests {
     }
 
     #[test]
+    fn a_value_stands_on_its_limit_and_not_beyond() {
+        let robot = arm(170.0);
+        let inverse = Inverse::new(&robot, vec![3]);
+        let at = |q4_deg: f64| vec![0.0, 0.0, 0.0, q4_deg.to_radians(), 0.0, 0.0];
+        let turns = |q4_deg| inverse.turns(&at(q4_deg)).len();
+        assert_eq!([turns(170.0), turns(170.01), turns(-170.0)], [1, 0, 1]);
+        // A whole turn away it is within them again.
+        let back = inverse.turns(&at(200.0));
+        assert_eq!(back.len(), 1);
+        assert!((back[0][3].to_degrees() + 160.0).abs() < 1e-9);
+    }
+
+    #[test]
     fn out_of_reach_there_is_none() {
         let robot = arm(180.0);
         let inverse = Inverse::new(&robot, (0..6).collect());

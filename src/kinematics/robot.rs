@@ -321,6 +321,45 @@ mod tests {
     }
 
     #[test]
+    fn at_another_home_the_same_values_stand_for_the_same_poses() {
+        let axis = |v, p| Axis::through(Vector3::from(v), Point3::from(p)).unwrap();
+        let mut turning = Joint::new(
+            "a",
+            JointKind::Revolute,
+            axis([0.0, 0.6, 0.8], [10.0, 0.0, 5.0]),
+        );
+        turning.limits = Some(Range {
+            from: -1.0,
+            to: 2.0,
+        });
+        let mut slide = Joint::new("b", JointKind::Prismatic, axis([1.0, 0.0, 0.2], [0.0; 3]));
+        slide.limits = Some(Range {
+            from: 0.0,
+            to: 80.0,
+        });
+        let robot = Robot {
+            name: "r".to_owned(),
+            joints: vec![turning, slide],
+            base_from_tool: Pose::translation(100.0, 20.0, 3.0),
+            gravity_m_s2: None,
+            source: RobotSource::Axes,
+        };
+        let at = [0.4, 30.0];
+        let other = robot.rehomed(&at);
+        let limits = other.joints.iter().map(|j| j.limits.unwrap());
+        let limits: Vec<[f64; 2]> = limits.map(|l| [l.from, l.to]).collect();
+        assert_eq!(limits, [[-1.4, 1.6], [-30.0, 50.0]]);
+        for q in [[0.4, 30.0], [-0.7, 12.0], [1.9, 0.0]] {
+            let (one, same) = (
+                robot.base_from_tool(&q),
+                other.base_from_tool(&[q[0] - at[0], q[1] - at[1]]),
+            );
+            let apart = (one.to_homogeneous() - same.to_homogeneous()).norm();
+            assert!(apart < 1e-12, "{q:?}: {apart}");
+        }
+    }
+
+    #[test]
     fn an_axis_without_length_or_with_a_nan_is_refused() {
         let refused = |v| Axis::through(v, Point3::origin()).unwrap_err();
         assert_eq!(refused(Vector3::zeros()), KinematicsError::ZeroAxis);
