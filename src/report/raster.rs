@@ -1,14 +1,14 @@
 //! A drawing as a PNG file: the same sheet as [`super::svg`] writes, as pixels on white paper.
 //!
 //! Every item becomes closed outlines that are filled by the non-zero winding rule. A row of pixels is
-//! cut into [`CUTS`] lines; on each, a pixel is covered as far as the filled spans reach into it, and
+//! cut into `CUTS` lines; on each, a pixel is covered as far as the filled spans reach into it, and
 //!
 //! ```text
 //! pixel = cover · colour + (1 − cover) · pixel
 //! ```
 //!
 //! Lines have butt ends and round joints. Text is drawn from the outlines of the faces that the PDF
-//! uses ([`super::fonts`]), so no font has to be installed where the picture is looked at.
+//! uses (`fonts`), so no font has to be installed where the picture is looked at.
 
 use png::{BitDepth, ColorType, Encoder, PixelDimensions, Unit};
 use ttf_parser::{GlyphId, OutlineBuilder};
