@@ -10,17 +10,11 @@ use serde_json::Value;
 use crate::Outcome;
 use crate::places::{Change, FIRST, switched};
 
-/// A test binary, and where its tests want to be run.
-#[derive(Debug, Clone)]
-pub struct Binary {
-    pub path: PathBuf,
-}
-
 /// How often the compiler is asked.
 const MOST_ROUNDS: usize = 30;
 
 /// The test binaries; changes that do not compile are taken out.
-pub fn all(copy: &Path, changes: &mut Vec<Change>) -> Outcome<Vec<Binary>> {
+pub fn all(copy: &Path, changes: &mut Vec<Change>) -> Outcome<Vec<PathBuf>> {
     let mut originals = BTreeMap::new();
     for change in changes.iter() {
         let path = copy.join(&change.file);
@@ -78,7 +72,7 @@ fn put(path: &Path, text: &str) -> Outcome<()> {
 #[derive(Default)]
 struct Built {
     refused: Vec<(PathBuf, usize)>,
-    binaries: Vec<Binary>,
+    binaries: Vec<PathBuf>,
 }
 
 fn cargo(copy: &Path, arguments: &[&str]) -> Outcome<Built> {
@@ -118,9 +112,7 @@ fn cargo(copy: &Path, arguments: &[&str]) -> Outcome<Built> {
         }
         if message["reason"] == "compiler-artifact" && message["profile"]["test"] == true {
             let path = message["executable"].as_str();
-            built
-                .binaries
-                .extend(path.map(|path| Binary { path: path.into() }));
+            built.binaries.extend(path.map(PathBuf::from));
         }
     }
     if !output.status.success() && built.refused.is_empty() {

@@ -7,7 +7,6 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use crate::Outcome;
-use crate::compile::Binary;
 use crate::places::Change;
 
 /// One test, what it passes and how long it takes.
@@ -32,17 +31,17 @@ const AT_ONCE: Duration = Duration::from_secs(2);
 
 /// Every test alone, or those with one of the wanted parts in their names; as many at once as there are
 /// processors.
-pub fn trace(copy: &Path, binaries: &[Binary], wanted: &[String]) -> Outcome<Vec<Test>> {
+pub fn trace(copy: &Path, binaries: &[PathBuf], wanted: &[String]) -> Outcome<Vec<Test>> {
     let mut names = Vec::new();
     for binary in binaries {
-        let listed = Command::new(&binary.path)
+        let listed = Command::new(binary)
             .args(["--list", "--format", "terse"])
             .current_dir(copy)
             .output()
-            .map_err(|e| format!("{}: {e}", binary.path.display()))?;
+            .map_err(|e| format!("{}: {e}", binary.display()))?;
         let text = String::from_utf8_lossy(&listed.stdout).into_owned();
         let tests = text.lines().filter_map(|l| l.strip_suffix(": test"));
-        names.extend(tests.map(|name| (binary.path.clone(), name.to_owned())));
+        names.extend(tests.map(|name| (binary.clone(), name.to_owned())));
     }
     names.retain(|(_, name)| {
         wanted.is_empty() || wanted.iter().any(|part| name.contains(part.as_str()))

@@ -36,7 +36,7 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             .iter()
             .map(|t| t.coefficients.len() + settings(t))
             .sum();
-        let over_joint = |s: &super::regression::Placed| s.shape.variable == Variable::Joint(joint);
+        let over_joint = |s: &super::placed::Placed| s.shape.variable == Variable::Joint(joint);
         let shapes = fit.shapes.iter().filter(|s| over_joint(s)).count();
         if columns < FEWEST_COLUMNS && shapes == 0 || made_up.is_empty() {
             continue;

@@ -27,6 +27,7 @@ pub(crate) mod candidates;
 pub(crate) mod familywise;
 pub(crate) mod limits;
 mod memo;
+mod placed;
 pub(crate) mod smooth;
 
 mod base_misfit;

@@ -21,12 +21,13 @@ use super::aliases::Rival;
 use super::candidates::{Candidate, Table, What};
 use super::familywise::Familywise;
 use super::memo::Memo;
+use super::placed::Placed;
 use super::projected::{Grams, Projected};
 use super::significance::Significance;
 use crate::fit::noise::{Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, small_cholesky, small_gain};
-use crate::model::shapes::{Profile, Shape};
+use crate::model::shapes::Shape;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.
@@ -39,17 +40,6 @@ const PRICE_OF_A_SETTING: f64 = 1.5;
 
 fn price_of(shape: &Shape) -> f64 {
     PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
-}
-
-/// A shape in a fit.
-#[derive(Debug, Clone)]
-pub(crate) struct Placed {
-    pub(crate) shape: Shape,
-    pub(crate) white: DMatrix<f64>,
-    pub(crate) raw: DMatrix<f64>,
-    pub(crate) coefficients: DVector<f64>,
-    /// What the shape's columns pay too much, as a logarithm: a smooth curve is worth fewer of them.
-    pub(crate) credit: f64,
 }
 
 /// A model fitted to the rows.
@@ -85,7 +75,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
     /// Number of rows beside those of the samples.
-    beside: usize,
+    pub(super) beside: usize,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
     scores: Memo<Vec<Score>>,
@@ -485,42 +475,6 @@ impl<'a> Regression<'a> {
         Some(Gain { all, rank, parts })
     }
 
-    /// A shape ready to be fitted.
-    pub(crate) fn placed(&self, shape: Shape) -> Placed {
-        let mut raw = self.table.space.columns(&shape);
-        let mut white = lengthened(self.noise.whitened(&self.rows, &raw), self.beside);
-        let several = self.base.robot.joints.len() > 1;
-        if several && matches!(shape.profile, Profile::Curve { .. }) {
-            self.take_out_the_geometry(&mut raw, &mut white);
-        }
-        Placed {
-            coefficients: DVector::zeros(raw.ncols()),
-            credit: 0.0,
-            shape,
-            white,
-            raw,
-        }
-    }
-
-    /// Leaves of columns what the base cannot do. A free curve over one of several joints does most of
-    /// what an axis that stands elsewhere does; fitted beside each other as they are, both run off against
-    /// each other, by metres.
-    fn take_out_the_geometry(&self, raw: &mut DMatrix<f64>, white: &mut DMatrix<f64>) {
-        let (residual, own_raw) = self.raw(&self.base);
-        let (_, own_white) = self.whitened(&self.base, &residual, &own_raw);
-        let basis = Basis::new(&own_white);
-        for k in 0..white.ncols() {
-            let before = white.column(k).norm();
-            let same = basis.solve(&white.column(k).into_owned());
-            white.column_mut(k).gemv(-1.0, &own_white, &same, 1.0);
-            raw.column_mut(k).gemv(-1.0, &own_raw, &same, 1.0);
-            if white.column(k).norm() < 1e-6 * before {
-                white.column_mut(k).fill(0.0);
-                raw.column_mut(k).fill(0.0);
-            }
-        }
-    }
-
     /// The fit with a candidate more.
     pub(crate) fn with(&self, fit: &Fit, what: &What) -> Fit {
         let mut shapes = fit.shapes.clone();
@@ -583,7 +537,7 @@ fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
 }
 
 /// A matrix with so many rows of zeros more.
-fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
+pub(super) fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
     if more == 0 {
         return columns;
     }

@@ -6,7 +6,7 @@ use crate::effects::Survey;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-use super::regression::Placed;
+use super::placed::Placed;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Shape, Variable};

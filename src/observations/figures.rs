@@ -97,7 +97,7 @@ const SETTLED: f64 = 0.02;
 const CLEARLY: f64 = 3.0;
 
 /// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
-/// whose σ nobody states. `rank` is the number of coefficients that the rows carry. Returns whether
+/// whose σ is not stated. `rank` is the number of coefficients that the rows carry. Returns whether
 /// anything that matters has changed.
 ///
 /// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
@@ -123,7 +123,7 @@ pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
         };
         let found = found * layer.sigma[kind];
         let now = match KINDS[kind].sigma(&layer.session.instrument) {
-            // What nobody states is never taken for better than rounding.
+            // What is not stated is never taken for better than rounding.
             None => (found / freedom.sqrt()).max(1e-3 * KINDS[kind].about().usual_sigma),
             Some(stated) if rows < all => no_larger(stated, found, rows, rank),
             Some(_) => continue,

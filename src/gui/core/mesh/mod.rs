@@ -1,8 +1,8 @@
 //! Meshes of links: STL (binary and text) and OBJ, as triangles.
 //!
 //! Readers take any bytes and answer with triangles of finite corners, or with what is wrong and where;
-//! no input makes them panic. What the file says is not quoted: it may be no mesh at all, but a file
-//! that somebody wants to see.
+//! no input makes them panic. What the file says is not quoted: a robot description
+//! may name any file, also one that is private and no mesh.
 
 mod obj;
 mod parts;

@@ -46,7 +46,7 @@ fn lines() -> Vec<String> {
     (0..LINES).map(line).collect()
 }
 
-/// Sends them to whoever connects, over two connections.
+/// Sends them to the window when it connects, over two connections.
 fn serve(server: &TcpListener) -> std::io::Result<()> {
     for half in lines().chunks(LINES / 2) {
         let (mut stream, _) = server.accept()?;
