@@ -125,13 +125,16 @@ impl Search<'_, '_> {
         scores.retain(|s| self.may_join(fit, s, allow));
         by_odds(&mut scores);
         let unseen = self.unseen(fit);
-        // Nearly equal candidates: the first few are looked at closely.
-        for score in scores.iter().take(4) {
-            if !self.matters(score.gain, fit) {
-                continue;
-            }
+        let mattering = scores.iter().filter(|s| self.matters(s.gain, fit));
+        let fitted = mattering.map(|score| {
             let what = self.refined(fit, score.candidate);
-            let next = self.regression.with(fit, &what);
+            (score, self.regression.with(fit, &what))
+        });
+        // What its own values rule out (a compliance that is not clear of zero beside what has not been
+        // found yet) is no reason against the others.
+        let possible = fitted.filter(|(_, next)| next.ln_evidence.is_finite());
+        // Nearly equal candidates: the first few are looked at closely.
+        for (score, next) in possible.take(4) {
             if self.regression.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }

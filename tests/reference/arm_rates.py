@@ -122,10 +122,11 @@ class Session:
                 theta[:, j - 1] += a * np.exp(-0.5 * ((q - e["at"]) / e["width"]) ** 2)
             elif kind == "joint-compliance":
                 sags.append(e)
+        driven = theta.copy()
         for e in sags:
             for _ in range(3):
                 sag = e["size"] * self.weight_torque(e["joint"] - 1, theta)
-                theta[:, e["joint"] - 1] = self.q[:, e["joint"] - 1] + sag
+                theta[:, e["joint"] - 1] = driven[:, e["joint"] - 1] + sag
         return theta
 
     def points(self, effects):
