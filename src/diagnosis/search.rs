@@ -453,3 +453,54 @@ pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
         .sum();
     (sum / axes.len().max(1) as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnosis::Options;
+    use crate::diagnosis::prepare::Prepared;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// A sag against gravity is the likeliest candidate by far, and impossible; the eccentric encoder beside
+    /// it is found all the same.
+    #[test]
+    fn a_candidate_that_its_own_values_rule_out_does_not_end_the_search() {
+        let stops = (0..120).map(|k| {
+            // Spread over both ranges (Kronecker's sequence).
+            let turn = |by: f64| 300.0 * (f64::from(k) * by).fract() - 150.0;
+            format!(
+                r#"{{"q_deg":[{},{}]}}"#,
+                turn(0.754_877_666),
+                turn(0.569_840_291)
+            )
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"upside down","robot":{{"name":"r",
+            "gravity_m_s2":[0,0,-9.81],"joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,1,0],"point_mm":[0,0,0],"limits":[-170,170]}},
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,100],"limits":[-170,170]}}],
+            "tool":{{"position_mm":[400,100,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},
+            "poses":{{"list":[{}]}},"conditions":{{"load_kg":[0,3,6]}},
+            "effects":[{{"effect":"joint-compliance","joint":1,"parameters":{{"compliance_urad_per_nm":40}}}},
+            {{"effect":"encoder-eccentricity","joint":2,"parameters":{{"amplitude_deg":0.03,"phase_deg":40}}}}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":4}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let mut session = simulate(&scenario, 1, unwatched).unwrap().0;
+        let gravity = session.robot.gravity_m_s2.map(|g| -g);
+        session.robot.gravity_m_s2 = gravity;
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let found = prepared.search(&|_| true).unwrap();
+        let names = prepared.regression.added(&found.fit);
+        let names: Vec<String> = names.iter().map(|t| t.name_on(&session.robot)).collect();
+        assert!(
+            names.contains(&"encoder-eccentricity 2".to_owned()),
+            "{names:?}"
+        );
+        assert!(
+            !names.iter().any(|n| n.starts_with("joint-compliance")),
+            "{names:?}"
+        );
+    }
+}
