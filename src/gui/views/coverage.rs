@@ -140,7 +140,7 @@ fn of_joints(
     of_joint: impl Fn(usize) -> String,
 ) {
     if values.windows(2).all(|pair| pair[0] == pair[1]) {
-        for value in values.first() {
+        if let Some(value) = values.first() {
             widgets::fact_of(ui, of_all, value);
         }
         return;
