@@ -275,7 +275,7 @@ mod tests {
         for x in 10..=46 {
             // Along the diagonal that both share.
             let pixel = halves.pixel(x, 8 + (x - 8) * 6 / 10).unwrap();
-            assert_eq!((pixel.red(), pixel.alpha()), (0, 255), "{x}");
+            assert!(pixel.red() < 8, "{x}: {pixel:?}");
         }
         let all = black(&halves);
         assert!(

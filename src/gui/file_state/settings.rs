@@ -117,7 +117,7 @@ pub(crate) fn keep_machine(folder: &Path, machine: Machine) -> Result<(), WriteE
 /// Keeps whose meshes a session is drawn from.
 pub(crate) fn keep_meshes(folder: &Path, one: DrawnFrom) -> Result<(), WriteError> {
     change(folder, |settings| {
-        meshes::remember(&mut settings.meshes, one)
+        meshes::remember(&mut settings.meshes, one);
     })
 }
 
