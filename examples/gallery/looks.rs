@@ -86,6 +86,8 @@ impl Look {
     fn at_all_sizes(&self, window: &mut Window, step: &str) -> anyhow::Result<()> {
         for (width, height, pixels, size) in SIZES {
             window.set_pixels_per_point(pixels);
+            // The first frame with another scale has the same pixels, whatever size was asked for.
+            window.run_steps(1);
             window.set_size(vec2(width, height));
             window.remove_cursor();
             window.run_steps(12);

@@ -19,6 +19,8 @@ pub fn window_in(language: Language, theme: Theme, path: Option<PathBuf>) -> Win
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
         .with_theme(theme)
+        // The first frame is drawn before a font of the machine is found.
+        .allow_missing_glyphs()
         .wgpu()
         .build_eframe(|cc| {
             let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);

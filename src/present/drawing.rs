@@ -24,6 +24,9 @@ pub const TOLERANCE: Colour = Colour(0x2e, 0x7d, 0x32);
 /// Paper.
 pub const WHITE: Colour = Colour(0xff, 0xff, 0xff);
 
+/// Width of the line around an area in its own colour, points.
+pub const OVERLAP: f64 = 0.3;
+
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
@@ -145,6 +148,9 @@ pub enum Item {
     Lines(Vec<Vec<[f64; 2]>>, Stroke),
     /// A filled rectangle: corner, width, height.
     Box([f64; 2], [f64; 2], Colour),
+    /// Filled convex polygons, the first at the bottom. Each reaches [`OVERLAP`] over its edges, so that
+    /// no paper shows between neighbours.
+    Areas(Vec<(Vec<[f64; 2]>, Colour)>),
     /// Marks of one kind: centres, half width; filled, or an outline on white.
     Marks {
         /// Form.
@@ -205,6 +211,7 @@ impl Drawing {
             match &mut item {
                 Item::Lines(lines, _) => lines.iter_mut().flatten().for_each(move_point),
                 Item::Box(corner, _, _) => move_point(corner),
+                Item::Areas(areas) => areas.iter_mut().flat_map(|a| &mut a.0).for_each(move_point),
                 Item::Marks { at, .. } => at.iter_mut().for_each(move_point),
                 Item::Text(label) => move_point(&mut label.at),
             }

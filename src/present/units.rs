@@ -119,6 +119,8 @@ impl Units {
         interval: Option<[f64; 2]>,
         unit: &'static str,
     ) -> (String, String, &'static str) {
+        // "not determined" is no number, and has no unit.
+        let named = interval.is_some();
         let (factor, unit) = match unit {
             "mm" => (self.length_value(1.0), self.length_name()),
             "°" => (
@@ -129,7 +131,7 @@ impl Units {
         };
         let interval = interval.map(|ends| ends.map(|end| factor * end));
         let [value, half, _] = with_interval(factor * value, interval);
-        (value, half, unit)
+        (value, half, if named { unit } else { "" })
     }
 
     /// A parameter with half of its interval, and the name of its unit; a whole number has no

@@ -11,7 +11,7 @@ use ttf_parser::{GlyphId, OutlineBuilder};
 use super::fonts::Fonts;
 use super::pdf::PdfError;
 use crate::fonts::{Library, Purpose, is_worth_a_font};
-use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke, WHITE};
+use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke, WHITE};
 
 /// Pixels of a point: 288 to the inch, about twice what a plot has on the screen.
 pub const PIXELS: f64 = 4.0;
@@ -63,6 +63,12 @@ fn draw(sheet: &mut Pixmap, item: &Item, fonts: &Fonts) {
         Item::Box([x, y], [w, h], colour) => {
             let corners = [[*x, *y], [x + w, *y], [x + w, y + h], [*x, y + h]];
             fill(sheet, path(&corners, true), *colour, in_points());
+        }
+        Item::Areas(areas) => {
+            for (corners, colour) in areas {
+                fill(sheet, path(corners, true), *colour, in_points());
+                trace(sheet, path(corners, true), Stroke::new(OVERLAP, *colour));
+            }
         }
         Item::Marks {
             shape,
@@ -261,6 +267,21 @@ mod tests {
         let dashed = Stroke::new(1.0, BLACK).dashed(2.0, 1.0);
         let all = black(&drawn(vec![Item::Lines(vec![corner], dashed)]));
         assert!((all - 16.0 * 2.0 / 3.0).abs() < 0.8, "{all}");
+        // Neighbours leave no seam of paper, whatever way their edges run.
+        let square = [[2.0, 2.0], [12.0, 2.0], [12.0, 8.0], [2.0, 8.0]];
+        let halves = [[0, 1, 2], [0, 2, 3]];
+        let halves = halves.map(|three| (three.map(|k| square[k]).to_vec(), BLACK));
+        let halves = drawn(vec![Item::Areas(halves.to_vec())]);
+        for x in 10..=46 {
+            // Along the diagonal that both share.
+            let pixel = halves.pixel(x, 8 + (x - 8) * 6 / 10).unwrap();
+            assert!(pixel.red() < 8, "{x}: {pixel:?}");
+        }
+        let all = black(&halves);
+        assert!(
+            all > 60.0 && all < (10.0 + OVERLAP) * (6.0 + OVERLAP),
+            "{all}"
+        );
         let marks = |filled| Item::Marks {
             shape: Shape::Square,
             at: vec![[10.0, 5.0]],

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::html::escape;
-use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
+use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
 
 /// A file of its own: with the name of its language, and a font that most machines have.
 pub fn svg_file(drawing: &Drawing, title: &str) -> String {
@@ -37,6 +37,7 @@ pub fn svg(drawing: &Drawing, title: &str) -> String {
                     hex(*colour)
                 );
             }
+            Item::Areas(areas) => areas_of(areas, &mut out),
             Item::Marks {
                 shape,
                 at,
@@ -77,10 +78,7 @@ pub fn svg(drawing: &Drawing, title: &str) -> String {
 fn lines_of(lines: &[Vec<[f64; 2]>], stroke: Stroke, out: &mut String) {
     let mut path = String::new();
     for line in lines {
-        for (k, [x, y]) in line.iter().enumerate() {
-            let command = if k == 0 { 'M' } else { 'L' };
-            let _ = write!(path, "{command}{} {}", number(*x), number(*y));
-        }
+        trace(line, &mut path);
     }
     let dash = if stroke.dash[0] > 0.0 {
         format!(
@@ -97,6 +95,36 @@ fn lines_of(lines: &[Vec<[f64; 2]>], stroke: Stroke, out: &mut String) {
         hex(stroke.colour),
         number(stroke.width)
     );
+}
+
+/// Neighbours of one colour share a path: a mesh has thousands of areas.
+fn areas_of(areas: &[(Vec<[f64; 2]>, Colour)], out: &mut String) {
+    let width = number(OVERLAP);
+    let _ = writeln!(
+        out,
+        "<g stroke-width=\"{width}\" stroke-linejoin=\"round\">"
+    );
+    for same in areas.chunk_by(|a, b| a.1 == b.1) {
+        let mut path = String::new();
+        for (corners, _) in same {
+            trace(corners, &mut path);
+            path.push('Z');
+        }
+        let colour = hex(same[0].1);
+        let _ = writeln!(
+            out,
+            "<path d=\"{path}\" fill=\"{colour}\" stroke=\"{colour}\"/>"
+        );
+    }
+    out.push_str("</g>\n");
+}
+
+/// From point to point.
+fn trace(points: &[[f64; 2]], path: &mut String) {
+    for (k, [x, y]) in points.iter().enumerate() {
+        let command = if k == 0 { 'M' } else { 'L' };
+        let _ = write!(path, "{command}{} {}", number(*x), number(*y));
+    }
 }
 
 fn text(label: &Label, out: &mut String) {
@@ -141,4 +169,27 @@ pub(super) fn number(value: f64) -> String {
     } else {
         text.to_owned()
     }
+}
+
+#[cfg(test)]
+#[test]
+fn areas_of_one_colour_share_a_path_and_overlap_their_neighbours() {
+    let corners = |x: f64| vec![[x, 0.0], [x + 1.0, 0.0], [x, 1.5]];
+    let [grey, ink] = [Colour(128, 128, 128), Colour(0, 0, 0)];
+    let mut drawing = Drawing::new(9.0, 9.0);
+    drawing.items.push(Item::Areas(vec![
+        (corners(0.0), grey),
+        (corners(2.0), grey),
+        (corners(4.0), ink),
+    ]));
+    let text = svg(&drawing, "areas");
+    let paths: Vec<&str> = text.lines().filter(|l| l.starts_with("<path")).collect();
+    assert_eq!(
+        paths,
+        [
+            r##"<path d="M0 0L1 0L0 1.5ZM2 0L3 0L2 1.5Z" fill="#808080" stroke="#808080"/>"##,
+            r##"<path d="M4 0L5 0L4 1.5Z" fill="#000000" stroke="#000000"/>"##,
+        ]
+    );
+    assert!(text.contains(r#"<g stroke-width="0.3" stroke-linejoin="round">"#));
 }

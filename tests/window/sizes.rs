@@ -4,7 +4,7 @@
 
 use crate::window::{STEPS, Window, press, there, window_of};
 use egui::accesskit::Role;
-use egui::{Color32, FontFamily, FontId, Rect};
+use egui::{Color32, FontFamily, FontId, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
 
@@ -137,8 +137,52 @@ fn natural_width(window: &Window, text: &str, height: f32) -> Option<f32> {
     found
 }
 
+/// Every text that is painted, with its part of the screen.
+fn texts(window: &Window) -> Vec<(Rect, egui::epaint::TextShape)> {
+    fn gather(clip: Rect, shape: &Shape, all: &mut Vec<(Rect, egui::epaint::TextShape)>) {
+        match shape {
+            Shape::Text(text) => all.push((clip, text.clone())),
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(clip, shape, all)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    for shape in &window.output().shapes {
+        gather(shape.clip_rect, &shape.shape, &mut all);
+    }
+    all
+}
+
+/// The name of a file, which stands in the bar above, may be as long as it likes.
+fn is_a_file_in_the_bar(says: &str, rect: Rect) -> bool {
+    rect.center().y < 42.0 && says.contains(".json")
+}
+
+/// No painted text ends in an ellipsis that was not written, and none is cut at its left or right.
+fn no_text_is_cut(window: &Window, at: &str) {
+    for (clip, text) in texts(window) {
+        let says = text.galley.text();
+        let rect = text.visual_bounding_rect();
+        // Lines of a file scroll sideways, and what is above or below scrolls into sight.
+        let sections = &text.galley.job.sections;
+        let of_a_file =
+            |s: &egui::text::LayoutSection| s.format.font_id.family == FontFamily::Monospace;
+        if sections.iter().any(of_a_file) || !clip.y_range().contains(rect.center().y) {
+            continue;
+        }
+        assert!(
+            !text.galley.elided || is_a_file_in_the_bar(says, rect),
+            "{at}: {says:?} is shortened"
+        );
+        let inside =
+            rect.left() >= clip.left() - ROUNDING && rect.right() <= clip.right() + ROUNDING;
+        assert!(inside, "{at}: {says:?} at {rect} is cut by {clip}");
+    }
+}
+
 /// Everything that has to hold wherever the work stands.
 pub(crate) fn look(window: &Window, at: &str) {
+    no_text_is_cut(window, at);
     let all = things(window);
     let panels = Panels::of(window, &all);
     let whole = panels.whole;
@@ -157,7 +201,7 @@ pub(crate) fn look(window: &Window, at: &str) {
             rect.left() >= from - ROUNDING && rect.right() <= to + ROUNDING,
             "{at}: {role:?} {says:?} at {rect} sticks out of its panel {from} … {to}"
         );
-        if is_text && !says.contains('\n') {
+        if is_text && !says.contains('\n') && !is_a_file_in_the_bar(says, *rect) {
             let natural = natural_width(window, says, rect.height());
             assert!(
                 natural.is_none_or(|width| width <= rect.width() + ROUNDING),
@@ -259,6 +303,95 @@ fn every_step_fits_at_every_size_when_all_is_found() {
         press(&mut window, "4 Diagnose");
         next_is_in_sight(&window, "Continue to export", &format!("{size:?}"));
     }
+}
+
+#[test]
+fn every_step_of_an_arm_and_of_a_positioner_fits_at_every_size() {
+    for name in ["six-60", "positioner-60"] {
+        let file = format!("{}/tests/data/arms/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let mut window = window_of([1280.0, 800.0], Some(file.into()), Runner::AtOnce);
+        for step in ["1 Session", "2 Identify", "3 Diagnose", "4 Export"] {
+            press(&mut window, step);
+            for work in ["Identify", "Run diagnosis"] {
+                if there(&window, work) {
+                    press(&mut window, work);
+                }
+            }
+            for size in SIZES {
+                window.set_size(size.into());
+                window.run_steps(6);
+                look(&window, &format!("{size:?}, {name}, {step}"));
+                // Where results have no room beside the plots they are looked at on demand.
+                if there(&window, "Show results") {
+                    press(&mut window, "Show results");
+                    look(&window, &format!("{size:?}, {name}, {step}, results"));
+                    press(&mut window, "Hide results");
+                }
+            }
+            window.set_size([1280.0, 800.0].into());
+            window.run_steps(6);
+        }
+    }
+}
+
+/// The lengths of all arrows in a rectangle as they are painted, points: a shaft, and a head of the
+/// same colour whose first corner is the tip.
+fn arrows(window: &Window, within: Rect) -> Vec<f32> {
+    fn flat<'a>(shape: &'a Shape, all: &mut Vec<&'a Shape>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| flat(shape, all)),
+            other => all.push(other),
+        }
+    }
+    let mut all = Vec::new();
+    for shape in &window.output().shapes {
+        flat(&shape.shape, &mut all);
+    }
+    let arrow = |pair: &[&Shape]| match pair {
+        [Shape::LineSegment { points, stroke }, Shape::Path(head)]
+            if head.points.len() == 3
+                && head.fill == stroke.color
+                && within.contains(points[0]) =>
+        {
+            Some((head.points[0] - points[0]).length())
+        }
+        _ => None,
+    };
+    all.windows(2).filter_map(arrow).collect()
+}
+
+#[test]
+fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_first() {
+    // Points; the smallest window has little room for the plot.
+    const LEAST_LOW: f32 = 13.0;
+    const LEAST: f32 = 16.0;
+    const MOST: f32 = 40.0;
+    let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+    let mut medians = Vec::new();
+    // A plane shows several joints too small; an arm begins in space.
+    let axis = (None, &["x y", "3-D"][..]);
+    for (file, views) in [axis, (Some(arm.into()), &["3-D"][..])] {
+        for size in [[1024.0, 700.0], [1280.0, 800.0], [1920.0, 1080.0]] {
+            let mut window = window_of(size, file.clone(), Runner::AtOnce);
+            for view in views {
+                press(&mut window, view);
+                window.run_steps(6);
+                let all = things(&window);
+                let names = ["workspace plot", "3-D view"];
+                let mut figures = all.iter().filter(|t| t.role == Role::Figure);
+                let plot = figures.find(|t| names.iter().any(|name| t.says.starts_with(name)));
+                let mut lengths = arrows(&window, plot.expect("a plot").rect);
+                lengths.sort_by(f32::total_cmp);
+                assert!(lengths.len() > 60, "{size:?}, {view}: {}", lengths.len());
+                let is_arm = file.is_some();
+                medians.push((is_arm, size, *view, lengths[lengths.len() / 2]));
+            }
+        }
+    }
+    let least = |size: [f32; 2]| if size[0] < 1280.0 { LEAST_LOW } else { LEAST };
+    let readable =
+        |(_, size, _, median): &(bool, [f32; 2], &str, f32)| (least(*size)..=MOST).contains(median);
+    assert!(medians.iter().all(readable), "{medians:#?}");
 }
 
 #[test]

@@ -4,13 +4,14 @@
 //! u(q) = √ tr( J(q) Σ J(q)ᵀ )
 //! ```
 //!
-//! with Σ the covariance of the fit. Made in the background, and only where colour shows it.
+//! with Σ the covariance of the fit; of a single joint that turns also along the way of each reflector, at
+//! rest and without a load. Made in the background, and only where colour shows it.
 
 use std::sync::Arc;
 
 use super::cloud::{Cloud, Remainder};
 use crate::effects::JointValues;
-use crate::fit::expected::uncertainties_mm;
+use crate::fit::expected::{along_joint, uncertainties_mm};
 use crate::fit::problem::Problem;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::Subject;
@@ -20,6 +21,8 @@ use crate::gui::core::loaded_session::Subject;
 pub(crate) struct Uncertain {
     /// Of each sample of the session, mm; NaN for samples that cannot be used.
     pub(crate) mm: Vec<f64>,
+    /// Of each reflector at the values of [`Subject::over_travel`], mm; none of other robots.
+    pub(crate) along_mm: Vec<Vec<f64>>,
     /// The largest, mm.
     pub(crate) most_mm: f64,
     /// What is left of the deviations, with the uncertainty, as it is uploaded.
@@ -52,8 +55,15 @@ impl Uncertain {
                 *value = f64::NAN;
             }
         }
+        let values = subject.over_travel();
+        let along = (!values.is_empty())
+            .then(|| uncertainties_mm(&found.model, &along_joint(&problem, &values), covariance));
+        let along = along.flatten().unwrap_or_default();
+        let along = along.chunks(values.len().max(1)).map(<[f64]>::to_vec);
+        let along_mm: Vec<Vec<f64>> = along.collect();
         let most_mm = mm
             .iter()
+            .chain(along_mm.iter().flatten())
             .copied()
             .filter(|v| v.is_finite())
             .fold(0.0, f64::max);
@@ -66,6 +76,7 @@ impl Uncertain {
         }
         (most_mm > 0.0).then(|| Self {
             mm,
+            along_mm,
             most_mm,
             remainder: Arc::new(remainder),
         })
@@ -138,6 +149,37 @@ mod tests {
         for (row, sample) in uncertain.remainder.rows.iter().zip(&cloud.samples) {
             let part = uncertain.mm[*sample as usize] / uncertain.most_mm;
             assert!((f64::from(row[4]) - part).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn between_the_samples_it_is_known_along_the_way_of_each_reflector() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.receive();
+        let uncertain = workbench.uncertain().expect("it is known");
+        let subject = workbench.subject();
+        let values = subject.over_travel();
+        assert_eq!(uncertain.along_mm.len(), subject.session.targets.len());
+        assert!(
+            uncertain
+                .along_mm
+                .iter()
+                .all(|way| way.len() == values.len())
+        );
+        // Zero and length turn with the joint: where a sample lies, it is that of the sample.
+        let of = |sample: usize| {
+            let q = subject.q(sample);
+            let near = |k: &usize| (values[*k] - q).abs();
+            let at = (0..values.len()).min_by(|a, b| near(a).total_cmp(&near(b)));
+            let target = subject.session.samples.target.as_ref();
+            let way = target.map_or(0, |t| t[sample] as usize);
+            uncertain.along_mm[way][at.expect("values")]
+        };
+        for sample in [0, 7, subject.len() - 1] {
+            let (way, own) = (of(sample), uncertain.mm[sample]);
+            assert!((way / own - 1.0).abs() < 0.02, "{way} {own}");
         }
     }
 }

@@ -4,16 +4,20 @@
 //! the URDF lies in or that lies beside one of the folders above it; no `..`, no absolute path, no
 //! link that leads out. One that is missing, too large or damaged is a warning, and the robot is
 //! drawn from its screws.
+//!
+//! A saved session names axes and no URDF. Where the one that it came from is remembered, its meshes are
+//! drawn again as long as it still describes the robot of the session; where it does not, or is not
+//! there, a note says so.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Point3, Vector3};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::mesh::{self, Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle, thinned};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::kinematics::{Visual, visuals_of_urdf};
+use crate::kinematics::{Robot, Visual, robot_from_file, visuals_of_urdf};
 use crate::sessions::files::{self, Refusal};
 
 /// Triangles that are drawn of a robot.
@@ -28,10 +32,12 @@ const MOST_MESHES: usize = 200;
 pub(crate) struct Appearance {
     /// Triangles, each behind so many joints.
     pub(crate) parts: Vec<(usize, Vec<Triangle>)>,
+    /// Whose meshes they are.
+    pub(crate) chain: Chain,
 }
 
 /// The chain of a URDF file.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Chain {
     /// The file; in a session, as that names it.
     pub(crate) file: PathBuf,
@@ -58,6 +64,42 @@ pub(crate) fn seen(chain: Option<Chain>, findings: &mut Vec<Diagnostic>) -> Opti
             None
         }
     }
+}
+
+/// What the robot of a session looks like whose chain is remembered from when it was saved. Nobody asked
+/// for it now: that it is not known is a note.
+pub(crate) fn seen_again(
+    chain: &Chain,
+    robot: &Robot,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Appearance> {
+    let because = match robot_from_file(&chain.file, None, &chain.base, &chain.tip) {
+        Err(rejected) => rejected.diagnostics.into_iter().next()?,
+        Ok(described) if have_the_same_axes(&described.robot, robot) => match chain.appearance()? {
+            Ok(appearance) => return Some(appearance),
+            Err(because) => *because,
+        },
+        Ok(_) => {
+            let found = "it describes another robot than when the session was saved";
+            Diagnostic::note(Place::file(&chain.file), found)
+        }
+    };
+    let found = format!("{}; the robot is drawn from its axes", because.found);
+    findings.push(Diagnostic::note(because.place, found));
+    None
+}
+
+/// Whether joints of two robots are of one kind and lie on one line.
+fn have_the_same_axes(one: &Robot, other: &Robot) -> bool {
+    /// Of unit directions, and mm: what writing and reading a session changes is far below.
+    const CLOSE: [f64; 2] = [1e-6, 1e-3];
+    one.joints.len() == other.joints.len()
+        && one.joints.iter().zip(&other.joints).all(|(a, b)| {
+            let off = b.axis.point_mm - a.axis.point_mm;
+            a.kind == b.kind
+                && (*a.axis.direction - *b.axis.direction).norm() < CLOSE[0]
+                && off.cross(&a.axis.direction).norm() < CLOSE[1]
+        })
 }
 
 impl Chain {
@@ -112,7 +154,10 @@ impl Chain {
             )
         };
         let parts = parts.into_iter().map(part).collect();
-        Ok(Appearance { parts })
+        Ok(Appearance {
+            parts,
+            chain: self.clone(),
+        })
     }
 
     fn read(&self, visual: &Visual) -> Result<Vec<Triangle>, Box<Diagnostic>> {

@@ -373,6 +373,19 @@ impl Subject {
         self.session.robot.joints[joint].kind == JointKind::Revolute
     }
 
+    /// Values of a single joint that turns over its travel, rad, so close that the way of a reflector is
+    /// drawn through them; none of other robots.
+    pub(crate) fn over_travel(&self) -> Vec<f64> {
+        const POINTS: usize = 181;
+        if !self.single_revolute() {
+            // Poses of an arm may stand in any order: a line through them would be no way.
+            return Vec::new();
+        }
+        let (from, to) = self.travel();
+        let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
+        (0..POINTS).map(at).collect()
+    }
+
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
     pub(crate) fn travel(&self) -> (f64, f64) {
         let (from, to) = self.overview.travel;

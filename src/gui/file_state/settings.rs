@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::machines::{Machine, remember};
+use super::meshes::{self, DrawnFrom};
 use crate::atomic::{WriteError, write_atomically};
 use crate::gui::preferences::Preferences;
 
@@ -29,6 +30,9 @@ pub(crate) struct Settings {
     /// What the reports of machines state, newest first.
     #[serde(default)]
     pub(crate) machines: Vec<Machine>,
+    /// Whose meshes saved sessions are drawn from, newest first.
+    #[serde(default)]
+    pub(crate) meshes: Vec<DrawnFrom>,
 }
 
 impl Default for Settings {
@@ -38,6 +42,7 @@ impl Default for Settings {
             preferences: Preferences::default(),
             recent: Vec::new(),
             machines: Vec::new(),
+            meshes: Vec::new(),
         }
     }
 }
@@ -107,6 +112,13 @@ pub(crate) fn keep_recent(folder: &Path, recent: &Recent) -> Result<(), WriteErr
 /// Keeps what the report of a machine states.
 pub(crate) fn keep_machine(folder: &Path, machine: Machine) -> Result<(), WriteError> {
     change(folder, |settings| remember(&mut settings.machines, machine))
+}
+
+/// Keeps whose meshes a session is drawn from.
+pub(crate) fn keep_meshes(folder: &Path, one: DrawnFrom) -> Result<(), WriteError> {
+    change(folder, |settings| {
+        meshes::remember(&mut settings.meshes, one);
+    })
 }
 
 /// The recent files after a change.

@@ -11,7 +11,7 @@ use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::Loaded;
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::core::appearance::{Appearance, Chain, seen};
+use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
 use crate::gui::core::disk::Print;
 use crate::gui::core::loaded_model::Given;
 use crate::gui::core::loaded_session::{Origin, Subject};
@@ -32,8 +32,13 @@ pub(crate) enum Opened {
     Foreign(Box<Foreign>),
 }
 
-/// Reads a session or a model: its key `format` says which it is.
-pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
+/// Reads a session or a model: its key `format` says which it is. A session that names no URDF is drawn
+/// from the one that is `remembered`.
+pub(crate) fn open(
+    path: &Path,
+    remembered: Option<Chain>,
+    watch: &Watch,
+) -> Result<Opened, Message> {
     if is_model(path) {
         return match load_model(path) {
             Ok(calibration) => Ok(Opened::Model(Arc::new(Given::new(calibration, path)))),
@@ -57,8 +62,11 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
     let subject = loaded.and_then(|mut loaded| {
         let is_of_links = matches!(loaded.session.robot.source, RobotSource::Links(_));
-        let chain = is_of_links.then(|| Chain::of_session(path)).flatten();
-        let appearance = seen(chain, &mut loaded.findings);
+        let own = is_of_links.then(|| Chain::of_session(path)).flatten();
+        let appearance = match (own, remembered.filter(|_| is_of_links)) {
+            (None, Some(chain)) => seen_again(&chain, &loaded.session.robot, &mut loaded.findings),
+            (own, _) => seen(own, &mut loaded.findings),
+        };
         watch.doing(say!(
             "file-checking-samples",
             samples = loaded.session.samples.len()
@@ -143,6 +151,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
 mod tests {
     use super::*;
     use crate::gui::core::examples::EXAMPLES;
+    use crate::gui::testing::session_of_a_urdf;
     use crate::progress::testing::{assert_grows, no_at, told};
 
     #[test]
@@ -167,33 +176,18 @@ mod tests {
     #[test]
     fn a_session_of_a_urdf_brings_its_meshes_and_a_damaged_one_is_a_warning() {
         let folder = tempfile::tempdir().expect("a folder");
-        let write = |name: &str, text: &str| {
-            std::fs::write(folder.path().join(name), text).expect("written");
-        };
-        write(
-            "arm.urdf",
-            r#"<robot name="arm"><link name="base"/><link name="arm"><visual><geometry>
-            <mesh filename="arm.obj"/></geometry></visual></link><joint name="j" type="continuous">
-            <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"#,
-        );
-        write(
-            "session.json",
-            r#"{"format": "truepose-session/1", "name": "arm", "targets": {"SMR": [250, 0, 300]},
-            "robot": {"name": "arm", "urdf": {"file": "arm.urdf", "base": "base", "tip": "arm"}},
-            "samples": {"columns": {"q1_deg": [0, 30, 60], "x_mm": [250, 216.5, 125],
-            "y_mm": [0, 125, 216.5], "z_mm": [300, 300, 300]}}}"#,
-        );
-        let opened = || match open(&folder.path().join("session.json"), &Watch::default()) {
+        let write = |mesh: &str| session_of_a_urdf(folder.path(), mesh);
+        let path = write("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+        let opened = || match open(&path, None, &Watch::default()) {
             Ok(Opened::Session(subject)) => subject,
             other => panic!("{other:?}"),
         };
-        write("arm.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
         let subject = opened();
         let parts = subject.appearance.as_deref().map(|a| a.parts.len());
         assert_eq!(parts, Some(1));
         // Whatever is changed of the session, the robot looks as it did.
         assert!(subject.with(subject.session.clone()).appearance.is_some());
-        write("arm.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+        write("v 0 0 0\nv 1 0 0\nf 1 2 3\n");
         let subject = opened();
         assert!(subject.appearance.is_none());
         let warned = subject.findings.iter().map(ToString::to_string);

@@ -19,6 +19,8 @@ use super::copies;
 const MARKS: f32 = 120.0;
 /// Room for a list, points.
 const LIST: f32 = 104.0;
+/// What a list has beside the name that is chosen, points.
+const ARROW: f32 = 42.0;
 /// Space beside each name where charts stand side by side: as much as there is room for.
 const BESIDE: [f32; 3] = [10.0, 7.0, 5.0];
 /// A sample is under the pointer within this many points.
@@ -159,8 +161,9 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
         wide.map(|w| w.max(36.0)).sum::<f32>() + 8.0
     }
 
-    /// Shows it side by side with so much space beside each name, or as a list.
-    fn show(&self, ui: &mut Ui, side_by_side: Option<f32>) -> Option<T> {
+    /// Shows it side by side with so much space beside each name, or as a list that is at most so wide
+    /// where its short name does for that.
+    fn show(&self, ui: &mut Ui, side_by_side: Option<f32>, most: f32) -> Option<T> {
         if let Some(beside) = side_by_side {
             let shown = ui.scope(|ui| {
                 ui.spacing_mut().button_padding.x = beside;
@@ -170,7 +173,16 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
         }
         let mut chosen = None;
         let current = self.offered.iter().find(|(one, ..)| *one == self.current);
-        let shown = current.map_or("", |(_, _, name)| name);
+        let (short, name) = current.map_or(("", ""), |(_, short, name)| (*short, *name));
+        let font = egui::FontId::proportional(size::SMALL);
+        let galley = ui
+            .painter()
+            .layout_no_wrap(name.to_owned(), font, Palette::of(ui).text);
+        let shown = if galley.size().x + ARROW > most {
+            short
+        } else {
+            name
+        };
         let list = ComboBox::from_id_salt(self.of)
             .selected_text(egui::RichText::new(shown).size(size::SMALL))
             .width(0.0)
@@ -236,13 +248,15 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn Kind, commands: &mut Vec<C
     let components_beside = components.as_ref().filter(|c| wide(c)).map(|_| BESIDE[0]);
     widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
-        if let Some(chart) = charts.show(ui, beside) {
+        if let Some(chart) = charts.show(ui, beside, room) {
             commands.push(Command::Chart(chart));
         }
-        if let Some(component) = components.and_then(|c| c.show(ui, components_beside)) {
+        if let Some(component) =
+            components.and_then(|c| c.show(ui, components_beside, f32::INFINITY))
+        {
             commands.push(Command::Component(component));
         }
-        if let Some(joint) = joints.and_then(|j| j.show(ui, None)) {
+        if let Some(joint) = joints.and_then(|j| j.show(ui, None, f32::INFINITY)) {
             commands.push(Command::ChartJoint(joint));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -111,17 +111,14 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
                 format!("{} … {}", at(from), at(to)),
             );
         }
-        for (k, joint) in survey.joints.iter().enumerate() {
-            let [came_from, speed] = match survey.joints.len() {
-                1 => [say!("coverage-came-from"), say!("coverage-speed")].map(str::to_owned),
-                _ => [
-                    say!("coverage-came-from-joint", joint = k + 1),
-                    say!("coverage-speed-joint", joint = k + 1),
-                ],
-            };
-            widgets::fact(ui, &came_from, sides(joint));
-            widgets::fact(ui, &speed, speeds(joint));
-        }
+        let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
+        of_joints(ui, "coverage-came-from", &came_from, |k| {
+            say!("coverage-came-from-joint", joint = k)
+        });
+        let speeds: Vec<String> = survey.joints.iter().map(speeds).collect();
+        of_joints(ui, "coverage-speed", &speeds, |k| {
+            say!("coverage-speed-joint", joint = k)
+        });
         widgets::fact_of(ui, "common-load", range(known.load_kg, "kg", 2));
         widgets::fact_of(
             ui,
@@ -133,6 +130,24 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
             .map_or_else(|| say!("coverage-not-recorded").to_owned(), duration);
         widgets::fact_of(ui, "coverage-took", time);
     });
+}
+
+/// What is so of each joint; once where all are alike, as where nothing was recorded of any.
+fn of_joints(
+    ui: &mut Ui,
+    of_all: &'static str,
+    values: &[String],
+    of_joint: impl Fn(usize) -> String,
+) {
+    if values.windows(2).all(|pair| pair[0] == pair[1]) {
+        if let Some(value) = values.first() {
+            widgets::fact_of(ui, of_all, value);
+        }
+        return;
+    }
+    for (k, value) in values.iter().enumerate() {
+        widgets::fact(ui, &of_joint(k + 1), value);
+    }
 }
 
 /// A range with its unit once.

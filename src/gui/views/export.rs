@@ -1,6 +1,7 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
 use crate::gui::language::names;
+use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::export::{EXPORTERS, find};
@@ -292,11 +293,21 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
 /// The first lines; a table may have a million.
 fn text(ui: &mut Ui, text: &str) {
     const MOST: usize = 200;
+    const HIGH: f32 = 220.0;
     ui.spacing_mut().item_spacing.y = 1.0;
     let lines: Vec<&str> = text.lines().take(MOST).collect();
+    // Bars of an area whose end is out of sight would lie on what is in sight.
+    let row = ui.text_style_height(&egui::TextStyle::Monospace) + ui.spacing().item_spacing.y;
+    let high = HIGH.min(lines.len() as f32 * row);
+    let bars = if ui.cursor().top() + high > ui.clip_rect().bottom() {
+        ScrollBarVisibility::AlwaysHidden
+    } else {
+        ScrollBarVisibility::VisibleWhenNeeded
+    };
     ScrollArea::both()
         .id_salt("table as text")
-        .max_height(220.0)
+        .max_height(HIGH)
+        .scroll_bar_visibility(bars)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);

@@ -195,9 +195,11 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
     dense(ui);
     let mut last = None;
     for one in estimates {
-        if last != Some((one.effect, one.joint)) {
-            last = Some((one.effect, one.joint));
+        let of = whose(one);
+        if last != Some((one.effect, one.joint, of)) {
+            last = Some((one.effect, one.joint, of));
             let name = title_on(one.effect, one.joint, joints);
+            let name = of.map_or(name.clone(), |of| format!("{name}, {of}"));
             ui.add_space(space::TIGHT);
             let name = RichText::new(name).color(palette.muted).size(size::SMALL);
             let name = ui.add(egui::Label::new(name).wrap());
@@ -205,13 +207,22 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
         }
         let (name, unit) = parameter(one.name);
         let (value, half, unit) = units.estimate(one, unit);
-        estimate(ui, &name, &value, &format!("{half} {unit}"));
+        estimate(ui, &name, &value, format!("{half} {unit}").trim_end());
     }
     implausible(ui, estimates);
     widgets::hint(ui, say!("results-half-the-95-interval"));
     copies::button(ui, say!("results-parameters"), || {
         copies::parameters(estimates)
     });
+}
+
+/// The target, place or setup that a parameter belongs to: where there are several, each has its own.
+fn whose(one: &Estimate) -> Option<&str> {
+    let of = [&one.target, &one.place, &one.setup];
+    of.into_iter()
+        .flatten()
+        .map(String::as_str)
+        .find(|name| !name.is_empty())
 }
 
 /// A parameter: its name, its value and how sure that is, each in a column of one width throughout,

@@ -70,7 +70,12 @@ impl StepRow<'_> {
         let name = cut(self.name, strong(size::BODY), name_color, width);
         let beside = if self.low { name.size().x + 12.0 } else { 0.0 };
         let small = egui::FontId::proportional(size::SMALL);
-        let caption = cut(self.caption, small, palette.muted, width - beside);
+        let fits = |text: &str| cut(text, small.clone(), palette.muted, width - beside);
+        let whole = fits(self.caption);
+        let shortened = whole.elided;
+        // "full model, 44 parameters" beside a name: what it ends with says more than its beginning.
+        let end = self.caption.rsplit([',', '，']).next().map(str::trim);
+        let caption = end.filter(|_| shortened).map_or(whole, fits);
         let place = |galley: &egui::Galley, x: f32, y: f32| pos2(x, y - 0.5 * galley.size().y);
         let (name_y, caption_at) = if self.low {
             let x = rect.right() - space::ROW - caption.size().x;
@@ -79,7 +84,6 @@ impl StepRow<'_> {
             (middle - 8.0, place(&caption, left, middle + 9.0))
         };
         let name_at = place(&name, left, name_y);
-        let shortened = caption.elided;
         painter.galley(name_at, name, name_color);
         painter.galley(caption_at, caption, palette.muted);
         if shortened {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Origin;
+use crate::gui::file_state::meshes;
 use crate::gui::file_state::settings::Recent;
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -90,7 +91,8 @@ impl Workbench {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
                 let what = say!("message-reading", path = path.display());
-                self.open(what, move |watch| files::open(&path, watch));
+                let chain = meshes::remembered(&self.desk.meshes, &path);
+                self.open(what, move |watch| files::open(&path, chain, watch));
             }
             Then::Example(index) => {
                 self.open(say!("message-reading-an-example"), move |_| {
@@ -182,6 +184,7 @@ impl Workbench {
                 // What stood in its file before does not stand there any more.
                 let lineage = document.subject.lineage;
                 self.desk.on_file.retain(|d| d.subject.lineage != lineage);
+                self.keep_meshes(&document, &path);
                 self.remember_on_file(document);
                 self.desk.places.insert(lineage, place);
                 self.view.on_disk = None;

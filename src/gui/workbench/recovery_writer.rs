@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::gui::core::disk::Fate;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::file_state::meshes::{self, DrawnFrom};
 use crate::gui::file_state::recovery::{self, Keeper, LeftBehind};
 use crate::gui::file_state::settings::{self, Recent};
 use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
@@ -24,6 +25,7 @@ impl Workbench {
         self.view.preferences = settings.preferences;
         self.desk.recent = settings.recent;
         self.desk.machines = settings.machines;
+        self.desk.meshes = settings.meshes;
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();
         details
@@ -187,6 +189,21 @@ impl Workbench {
         }
     }
 
+    /// Keeps from which URDF the robot of a session is drawn that was saved here.
+    pub(super) fn keep_meshes(&mut self, document: &Document, path: &Path) {
+        let Some(appearance) = document.subject.appearance.as_deref() else {
+            return;
+        };
+        let one = DrawnFrom::new(path, &appearance.chain);
+        meshes::remember(&mut self.desk.meshes, one.clone());
+        if let Some(home) = self.desk.home.clone() {
+            self.jobs.quietly(
+                move || settings::keep_meshes(&home, one).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+    }
+
     /// Keeps the preferences for tomorrow.
     pub(super) fn keep_preferences(&mut self) {
         let preferences = self.view.preferences;
@@ -208,11 +225,12 @@ impl Workbench {
         self.desk.then = None;
         self.view.sheet = None;
         let what = say!("message-reading", path = path.display());
+        let chain = meshes::remembered(&self.desk.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {
                 Some(gone) => Err(gone.path),
-                None => Ok(files::open(&path, watch)),
+                None => Ok(files::open(&path, chain, watch)),
             }
         };
         self.jobs.start(

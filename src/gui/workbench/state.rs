@@ -12,6 +12,7 @@ use crate::gui::core::document::{Document, Question};
 use crate::gui::core::past::Past;
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::Machine;
+use crate::gui::file_state::meshes::DrawnFrom;
 use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{Keeper, LeftBehind};
 use crate::gui::jobs::Latest;
@@ -39,6 +40,8 @@ pub(super) struct Desk {
     pub(super) today: Option<String>,
     /// What the reports of machines state, newest first.
     pub(super) machines: Vec<Machine>,
+    /// Whose meshes saved sessions are drawn from, newest first.
+    pub(super) meshes: Vec<DrawnFrom>,
     pub(super) recording: Option<UnderWay>,
     /// The session of a recording, which is followed once it is open.
     pub(super) to_follow: Option<PathBuf>,

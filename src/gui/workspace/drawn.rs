@@ -61,14 +61,25 @@ pub(super) fn sectors(
     }
 }
 
+/// Width of a path where its colour says how sure the model is, points.
+const BAND: f32 = 7.0;
+
 pub(super) fn path(
     shapes: &mut Vec<Shape>,
     transform: &PlotTransform,
     scene: &Scene,
     palette: &Palette,
 ) {
-    for path in &scene.paths_mm {
+    for (k, path) in scene.paths_mm.iter().enumerate() {
         let points: Vec<Pos2> = path.iter().map(|p| screen(transform, *p)).collect();
+        let sure = scene.sure.get(k).map_or(&[][..], Vec::as_slice);
+        for (pair, part) in points.windows(2).zip(sure) {
+            let color = scale_at(Colouring::Uncertainty, palette, *part);
+            shapes.push(Shape::line_segment(
+                [pair[0], pair[1]],
+                Stroke::new(BAND, color),
+            ));
+        }
         shapes.push(Shape::line(points, Stroke::new(1.25, palette.nominal)));
     }
     if let Some(dial) = &scene.dial {

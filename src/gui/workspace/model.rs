@@ -12,6 +12,7 @@ use crate::gui::core::scale::FEW;
 use crate::gui::layers::Look;
 use crate::gui::view::{Ball, Canvas, Colouring, Plane};
 use crate::gui::workbench::Workbench;
+use crate::numeric::single;
 
 use super::extent::{Extent, SOME};
 
@@ -83,6 +84,9 @@ pub(crate) struct Scene {
     pub(crate) points: Vec<Point>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 2]>>,
+    /// How sure the model is along each of them, as a part of the colour scale; none where colour says
+    /// something else.
+    pub(crate) sure: Vec<Vec<f32>>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -168,6 +172,7 @@ impl Scene {
             arrows: arrows.collect(),
             points: points.collect(),
             paths_mm: paths(subject, |p| facing.flat((workbench.base() * p).into())),
+            sure: sure(workbench),
             dial: (!view.in_space())
                 .then(|| dial(subject, view.plane))
                 .flatten(),
@@ -361,21 +366,26 @@ pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
+fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
+    let Some(uncertain) = workbench.uncertain() else {
+        return Vec::new();
+    };
+    let part = |mm: &f64| single(mm / uncertain.most_mm);
+    let along = uncertain.along_mm.iter();
+    along.map(|way| way.iter().map(part).collect()).collect()
+}
+
 fn paths(subject: &Subject, flat: impl Fn(Point3<f64>) -> [f64; 2]) -> Vec<Vec<[f64; 2]>> {
-    const POINTS: usize = 181;
-    if subject.single_revolute() {
-        let (from, to) = subject.travel();
-        let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
-        let robot = &subject.session.robot;
-        let arcs = subject.session.targets.iter().map(|target| {
-            let points =
-                (0..POINTS).map(|k| flat(robot.point_in_base(&[at(k)], &target.position_mm)));
-            points.collect()
-        });
-        return arcs.collect();
+    let values = subject.over_travel();
+    if values.is_empty() {
+        return Vec::new();
     }
-    // Poses of an arm may stand in any order: a line through them would be no way.
-    Vec::new()
+    let robot = &subject.session.robot;
+    let arcs = subject.session.targets.iter().map(|target| {
+        let at = |q: &f64| flat(robot.point_in_base(&[*q], &target.position_mm));
+        values.iter().map(at).collect()
+    });
+    arcs.collect()
 }
 
 #[cfg(test)]
@@ -386,6 +396,26 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
+
+    #[test]
+    fn the_way_of_each_reflector_says_how_sure_the_model_is_while_colour_says_that() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(Scene::of(&workbench).sure.is_empty());
+        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.receive();
+        let scene = Scene::of(&workbench);
+        let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
+        let paths = scene.paths_mm.iter().map(Vec::len).collect();
+        let sure = scene.sure.iter().map(Vec::len).collect();
+        assert!(lengths(sure).is_some_and(|sure| Some(sure) == lengths(paths)));
+        let parts = scene.sure.iter().flatten();
+        assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
+        assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
+        workbench.execute(Command::Colour(Colouring::State));
+        assert!(Scene::of(&workbench).sure.is_empty());
+    }
 
     #[test]
     fn an_error_vector_runs_from_the_simulation_to_the_measurement() {

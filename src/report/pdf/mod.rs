@@ -19,7 +19,7 @@ use sha2::{Digest, Sha256};
 use super::document::Report;
 use super::fonts::{self, Embedded, Fonts, Run, Used};
 use crate::fonts::{Library, Purpose, is_worth_a_font};
-use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
+use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
 use pages::{Mark, PAGE, pages};
 
 /// Why there is no PDF.
@@ -283,14 +283,7 @@ fn content(sheet: &Drawing, fonts: &Fonts, used: &mut [Used]) -> Vec<u8> {
             Item::Lines(lines, stroke) => {
                 pen(&mut out, *stroke);
                 for line in lines {
-                    for (k, point) in line.iter().enumerate() {
-                        let [x, y] = flip(*point);
-                        if k == 0 {
-                            out.move_to(x, y);
-                        } else {
-                            out.line_to(x, y);
-                        }
-                    }
+                    trace(&mut out, line.iter().map(|p| flip(*p)));
                 }
                 out.stroke();
             }
@@ -299,6 +292,14 @@ fn content(sheet: &Drawing, fonts: &Fonts, used: &mut [Used]) -> Vec<u8> {
                 let [x, y] = flip([corner[0], corner[1] + height]);
                 out.rect(x, y, f32_of(*width), f32_of(*height))
                     .fill_nonzero();
+            }
+            Item::Areas(areas) => {
+                for (corners, colour) in areas {
+                    fill(&mut out, *colour);
+                    pen(&mut out, Stroke::new(OVERLAP, *colour));
+                    trace(&mut out, corners.iter().map(|p| flip(*p)));
+                    out.close_path().fill_nonzero_and_stroke();
+                }
             }
             Item::Marks {
                 shape,
@@ -314,14 +315,8 @@ fn content(sheet: &Drawing, fonts: &Fonts, used: &mut [Used]) -> Vec<u8> {
                     pen(&mut out, Stroke::new(0.7, *colour));
                 }
                 for [x, y] in at {
-                    for (k, [dx, dy]) in shape.corners().iter().enumerate() {
-                        let [x, y] = flip([x + half * dx, y + half * dy]);
-                        if k == 0 {
-                            out.move_to(x, y);
-                        } else {
-                            out.line_to(x, y);
-                        }
-                    }
+                    let corner = |[dx, dy]: &[f64; 2]| flip([x + half * dx, y + half * dy]);
+                    trace(&mut out, shape.corners().iter().map(corner));
                     out.close_path();
                     // One by one, so that a mark covers the one before it.
                     if !filled {
@@ -336,6 +331,17 @@ fn content(sheet: &Drawing, fonts: &Fonts, used: &mut [Used]) -> Vec<u8> {
         }
     }
     out.finish().into_vec()
+}
+
+/// From point to point.
+fn trace(out: &mut Content, points: impl Iterator<Item = [f32; 2]>) {
+    for (k, [x, y]) in points.enumerate() {
+        if k == 0 {
+            out.move_to(x, y);
+        } else {
+            out.line_to(x, y);
+        }
+    }
 }
 
 fn text(out: &mut Content, label: &Label, height: f64, fonts: &Fonts, used: &mut [Used]) {

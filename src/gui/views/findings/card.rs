@@ -104,7 +104,7 @@ fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
                 let (value, half, unit) = units.estimate(one, unit);
                 ui.label(name);
                 widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
-                ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
+                ui.label(RichText::new(format!("{half} {unit}").trim_end()).color(palette.muted));
                 ui.end_row();
             }
         });

@@ -1,6 +1,6 @@
 //! What to measure next.
 
-use egui::{Grid, RichText, Ui};
+use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::diagnosis::NextPose;
 use crate::gui::style::tokens::{Palette, size};
@@ -9,6 +9,7 @@ use crate::gui::views::copies;
 use crate::gui::widgets::{self};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::poses::{new_reflectors, table};
+use crate::present::table::Cell;
 
 use crate::gui::views::names::title;
 
@@ -19,30 +20,18 @@ pub(super) fn show(
     commands: &mut Vec<Command>,
 ) {
     const MOST: usize = 24;
-    let palette = Palette::of(ui);
     let robot = &workbench.subject().session.robot;
     title(ui, say!("next-measure-these-poses-next"));
-    Grid::new("next poses")
-        .num_columns(4)
-        .spacing([14.0, 4.0])
-        .min_col_width(0.0)
-        .show(ui, |ui| {
-            let (table, shown) = (table(poses, robot), 4);
-            for column in &table.columns[..shown] {
-                let heading = RichText::new(&column.heading).size(size::SMALL);
-                ui.label(heading.color(palette.muted));
-            }
-            ui.end_row();
-            for row in table.rows.iter().take(MOST) {
-                for (k, cell) in row[..shown].iter().enumerate() {
-                    let label = ui.label(&cell.shown);
-                    if k == 0 {
-                        label.on_hover_text(&row[shown].shown);
-                    }
-                }
-                ui.end_row();
-            }
-        });
+    let table = table(poses, robot);
+    let rows = &table.rows[..table.rows.len().min(MOST)];
+    let headings: Vec<&str> = table.columns.iter().map(|c| c.heading.as_str()).collect();
+    let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
+    let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
+    if is_narrower(ui, &shown, &headings, rows) {
+        one_below_the_other(ui, &headings, rows);
+    } else {
+        side_by_side(ui, &shown, &headings, rows);
+    }
     for line in new_reflectors(poses) {
         widgets::hint(ui, line);
     }
@@ -58,5 +47,60 @@ pub(super) fn show(
     copies::button(ui, say!("next-poses"), || copies::poses(poses, robot));
     if widgets::secondary(ui, say!("next-save-measuring-list")).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Poses));
+    }
+}
+
+/// Columns that are shown where they hold anything; the last one of the table, why, stands under the pointer.
+const SHOWN: usize = 4;
+/// Between two columns, points.
+const APART: f32 = 14.0;
+
+/// Whether the columns side by side are wider than what is left of the panel.
+fn is_narrower(ui: &Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) -> bool {
+    let width = |text: &str, style: TextStyle| {
+        let text = WidgetText::from(text);
+        let galley = text.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, style);
+        galley.size().x
+    };
+    let widest = |k: usize| {
+        let cells = rows.iter().map(|row| width(&row[k].shown, TextStyle::Body));
+        cells.fold(width(headings[k], TextStyle::Small), f32::max)
+    };
+    let all: f32 = shown.iter().map(|k| widest(*k) + APART).sum();
+    all - APART > ui.available_width()
+}
+
+fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) {
+    let palette = Palette::of(ui);
+    Grid::new("next poses")
+        .num_columns(shown.len())
+        .spacing([APART, 4.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            for k in shown {
+                let heading = RichText::new(headings[*k]).size(size::SMALL);
+                ui.label(heading.color(palette.muted));
+            }
+            ui.end_row();
+            for row in rows {
+                for k in shown {
+                    let label = ui.label(&row[*k].shown);
+                    if *k == 0 {
+                        label.on_hover_text(&row[SHOWN].shown);
+                    }
+                }
+                ui.end_row();
+            }
+        });
+}
+
+/// The values of all joints on as many lines as they need, and the rest in small below them.
+fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
+    for row in rows {
+        let pose = Label::new(&row[0].shown).wrap();
+        ui.add(pose).on_hover_text(&row[SHOWN].shown);
+        let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
+        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
+        widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
     }
 }

@@ -22,6 +22,7 @@ use super::super::robot::{self, Drawn, FAINT};
 use super::super::{label_layout, layout, legend};
 use super::ground::{Triad, frame, grid, square_mm};
 use super::robot::Pen;
+use super::surface::Face;
 use super::{joints, looking, pick, surface};
 
 /// Width of the sliders that pose the robot, points.
@@ -181,23 +182,8 @@ fn drawn(
             palette,
             base: [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| space.base.rotation * axis),
         };
-        let surface = workbench.subject().appearance.as_deref().map(|appearance| {
-            let motions = workbench
-                .subject()
-                .session
-                .robot
-                .motions_from_home(&robot.q);
-            let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
-            let seen = if robot.asked_for { 1.0 } else { FAINT };
-            surface::shape(
-                appearance,
-                &motions,
-                &space.facing,
-                pen.screen,
-                palette,
-                seen,
-            )
-        });
+        let surface = surface_of(workbench, robot, space, palette);
+        let surface = surface.map(|faces| surface::shape(&faces));
         super::robot::beneath(&mut shapes, robot, transform, &pen, surface);
     }
     if let Canvas::Layers(_) = view.canvas {
@@ -234,6 +220,29 @@ fn drawn(
     let font = FontId::proportional(size::SMALL);
     ui.painter()
         .text(at, Align2::LEFT_BOTTOM, says, font, palette.muted);
+}
+
+/// The robot's meshes as they are seen, where they are known.
+pub(super) fn surface_of(
+    workbench: &Workbench,
+    robot: &Drawn,
+    space: &Space,
+    palette: &Palette,
+) -> Option<Vec<Face>> {
+    let subject = workbench.subject();
+    let appearance = subject.appearance.as_deref()?;
+    let motions = subject.session.robot.motions_from_home(&robot.q);
+    let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
+    let seen = if robot.asked_for { 1.0 } else { FAINT };
+    let screen = |p| space.measured(p);
+    Some(surface::faces(
+        appearance,
+        &motions,
+        &space.facing,
+        screen,
+        palette,
+        seen,
+    ))
 }
 
 /// Samples by their depth.

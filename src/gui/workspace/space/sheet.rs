@@ -1,4 +1,8 @@
 //! The view in space as a drawing for a file: as it is seen, on paper.
+//!
+//! The robot is drawn from its meshes where the view draws it so: flat triangles, the farthest first. No
+//! triangle is cut by another, so where two parts reach through each other the order is that of their
+//! triangles' middles.
 
 use egui::{Pos2, Rect, pos2, vec2};
 
@@ -15,7 +19,8 @@ use super::super::model::Scene;
 use super::super::robot::Drawn;
 use super::super::scales::scales;
 use super::ground::{lines, square_mm};
-use super::paint::Space;
+use super::paint::{Space, surface_of};
+use super::surface::Face;
 
 /// Width and height of the picture, and of what is written below it, points.
 const SIZE: [f64; 2] = [480.0, 360.0];
@@ -45,6 +50,38 @@ fn clipped([from, to]: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
     }
     let at = |t: f64| [0, 1].map(|k| from[k] + t * (to[k] - from[k]));
     (first < last).then(|| [at(first), at(last)])
+}
+
+/// The part of a polygon that is on the sheet (Sutherland & Hodgman 1974).
+fn on_the_sheet(mut corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    for (k, sign, most) in [
+        (0, -1.0, 0.0),
+        (0, 1.0, SIZE[0]),
+        (1, -1.0, 0.0),
+        (1, 1.0, SIZE[1]),
+    ] {
+        let beyond = |p: &[f64; 2]| sign * p[k] - most;
+        let before = corners.clone();
+        corners.clear();
+        for (from, to) in before.iter().zip(before.iter().cycle().skip(1)) {
+            let [a, b] = [from, to].map(beyond);
+            if a <= 0.0 {
+                corners.push(*from);
+            }
+            if (a <= 0.0) != (b <= 0.0) {
+                let part = a / (a - b);
+                corners.push([0, 1].map(|k| from[k] + part * (to[k] - from[k])));
+            }
+        }
+    }
+    corners
+}
+
+/// A triangle of the robot, in the greys of the view, in 32 steps: neighbours share one.
+fn area(face: &Face) -> Option<(Vec<[f64; 2]>, Colour)> {
+    let corners = on_the_sheet(face.corners.map(on_sheet).to_vec());
+    let [r, g, b, _] = face.color.to_array().map(|part| part | 7);
+    (corners.len() > 2).then_some((corners, Colour(r, g, b)))
 }
 
 /// Shaft and head of an arrow.
@@ -97,16 +134,16 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> 
             let at: Vec<[f64; 2]> = corners.iter().map(|p| on_sheet(space.seen(*p))).collect();
             at.windows(2).map(|pair| [pair[0], pair[1]]).collect()
         };
-        add(
-            &mut drawing,
-            pairs(&robot.nominal_mm),
-            Stroke::new(2.2, MUTED),
-        );
-        let joints = robot
-            .signs
-            .iter()
-            .map(|sign| on_sheet(space.seen(sign.at_mm)));
-        mark(&mut drawing, Shape::Square, joints.collect(), 2.4, MUTED);
+        if let Some(faces) = surface_of(workbench, &robot, &space, &LIGHT) {
+            let inside = faces.iter().filter_map(area).collect();
+            drawing.items.push(Item::Areas(inside));
+        } else {
+            let links = pairs(&robot.nominal_mm);
+            add(&mut drawing, links, Stroke::new(2.2, MUTED));
+            let joints = robot.signs.iter();
+            let joints = joints.map(|sign| on_sheet(space.seen(sign.at_mm)));
+            mark(&mut drawing, Shape::Square, joints.collect(), 2.4, MUTED);
+        }
         if let Some(real) = robot.real.as_ref().filter(|_| robot.asked_for) {
             let colour = if real.identified { AFTER } else { BEFORE };
             add(
@@ -240,7 +277,7 @@ fn words(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Sp
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::testing::workbench;
+    use crate::gui::testing::{session_of_a_urdf, workbench};
     use crate::gui::view::Camera;
     use crate::gui::workbench::Command;
 
@@ -253,6 +290,89 @@ mod tests {
         assert_eq!(clipped(inside), Some(inside));
         assert_eq!(clipped([[-5.0, -5.0], [-5.0, 900.0]]), None);
         assert_eq!(clipped([[f64::NAN, 1.0], [2.0, 2.0]]), None);
+    }
+
+    #[test]
+    fn an_area_is_cut_where_the_sheet_ends() {
+        let inside = vec![[1.0, 2.0], [30.0, 40.0], [9.0, 60.0]];
+        assert_eq!(on_the_sheet(inside.clone()), inside);
+        let [w, h] = SIZE;
+        let all = vec![[-w, -h], [3.0 * w, -h], [-w, 3.0 * h]];
+        let cut = on_the_sheet(all);
+        let twice_the_size: f64 = cut
+            .iter()
+            .zip(cut.iter().cycle().skip(1))
+            .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
+            .sum();
+        assert!((twice_the_size - 2.0 * w * h).abs() < 1e-6, "{cut:?}");
+        assert!(on_the_sheet(vec![[-1.0, 0.0], [-9.0, 5.0], [-1.0, 9.0]]).is_empty());
+    }
+
+    /// An arm of one joint whose link is a ball of so many triangles about the tool, and its samples.
+    fn arm_with_a_ball(rings: u16) -> (tempfile::TempDir, Workbench) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut mesh = String::new();
+        let around = 2 * rings;
+        for i in 0..=rings {
+            for j in 0..around {
+                let (sin, cos) = (f64::from(i) / f64::from(rings) * std::f64::consts::PI).sin_cos();
+                let (y, x) = (f64::from(j) / f64::from(rings) * std::f64::consts::PI).sin_cos();
+                mesh += &format!(
+                    "v {} {} {}\n",
+                    0.25 + 0.1 * sin * x,
+                    0.1 * sin * y,
+                    0.1 * cos
+                );
+            }
+        }
+        for i in 0..rings {
+            for j in 0..around {
+                let at =
+                    |i: u16, j: u16| 1 + u32::from(i) * u32::from(around) + u32::from(j % around);
+                let [a, b] = [at(i, j), at(i, j + 1)];
+                let [c, d] = [at(i + 1, j + 1), at(i + 1, j)];
+                mesh += &format!("f {a} {b} {c} {d}\n");
+            }
+        }
+        let path = session_of_a_urdf(folder.path(), &mesh);
+        let mut workbench = workbench();
+        workbench.execute(Command::OpenFile(path));
+        workbench.receive();
+        workbench.execute(Command::LookFrom(None));
+        (folder, workbench)
+    }
+
+    #[test]
+    fn the_sheet_shows_the_meshes_that_the_view_shows_in_a_file_of_bounded_size() {
+        let (_folder, workbench) = arm_with_a_ball(160);
+        let (drawing, says) = sheet(&workbench).expect("there are samples");
+        let areas = drawing.items.iter().filter_map(|item| match item {
+            Item::Areas(areas) => Some(areas),
+            _ => None,
+        });
+        let areas: Vec<_> = areas.collect();
+        assert_eq!(areas.len(), 1);
+        assert!(
+            (1_000..=24_000).contains(&areas[0].len()),
+            "{}",
+            areas[0].len()
+        );
+        for p in areas[0].iter().flat_map(|(corners, _)| corners) {
+            assert!((0..2).all(|k| (0.0..=SIZE[k]).contains(&p[k])), "{p:?}");
+        }
+        // In place of the links and joints, which are muted squares.
+        let squares = |item: &Item| {
+            matches!(
+                item,
+                Item::Marks {
+                    shape: Shape::Square,
+                    ..
+                }
+            )
+        };
+        assert!(!drawing.items.iter().any(squares));
+        let svg = crate::report::svg::svg_file(&drawing, &says);
+        assert!(svg.len() < 2_000_000, "{}", svg.len());
     }
 
     #[test]
