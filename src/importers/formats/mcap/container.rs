@@ -76,6 +76,12 @@ impl Broken {
                     ..Self::new(byte, "the recording is cut off", "a whole MCAP file")
                 }
             }
+            // The crate says it with colours and over several lines.
+            McapError::Parse(wrong) if !wrong.is_eof() => Self::new(
+                byte,
+                "a record whose fields cannot be read",
+                "records as the MCAP specification has them, texts in UTF-8",
+            ),
             _ => Self::new(
                 byte,
                 "a record that is shorter than its fields",
@@ -95,13 +101,15 @@ pub(super) struct Reader {
     schemas: BTreeMap<u16, String>,
 }
 
-/// Hands every record from a byte on to `each`, with its opcode, its content and where it starts,
-/// until `each` answers `false`.
+/// Takes a record by its opcode, its content and where it starts; `false` stops the reading.
+type EachRecord<'e> = dyn FnMut(u8, &[u8], usize) -> Result<bool, Broken> + 'e;
+
+/// Hands every record from a byte on to `each`; whether all of them were wanted.
 fn records(
     bytes: &[u8],
     from: usize,
     options: LinearReaderOptions,
-    each: &mut dyn FnMut(u8, &[u8], usize) -> Result<bool, Broken>,
+    each: &mut EachRecord<'_>,
 ) -> Result<bool, Broken> {
     let options = options
         .with_skip_start_magic(true)
@@ -381,6 +389,21 @@ mod tests {
         for opcode in [9, 11, 12, 200] {
             let (seen, read) = messages(&of_records(&[&framed(opcode, b"x"), chunk]));
             assert_eq!((seen.len(), read), (1, Ok(())), "{opcode}");
+        }
+    }
+
+    #[test]
+    fn records_that_say_nothing_are_refused_with_their_byte() {
+        let no_text = [&[1, 0, 1, 0, 0, 0, 255, 0, 0, 0, 0][..], &text("")].concat();
+        for (schema, says) in [
+            (&b"\x01"[..], "shorter than its fields"),
+            (&no_text, "whose fields cannot be read"),
+        ] {
+            let broken = messages(&of_records(&[&framed(3, schema)])).1.unwrap_err();
+            assert!(
+                broken.found.contains(says) && broken.byte == 8 && !broken.is_cut,
+                "{broken:?}"
+            );
         }
     }
 
