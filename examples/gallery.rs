@@ -100,7 +100,7 @@ impl Gallery {
     fn report(&self, window: &mut Window, name: &str) -> anyhow::Result<()> {
         let folder = tempfile::tempdir()?;
         let pdf = folder.path().join("report.pdf");
-        window.state_mut().type_report_path(&pdf);
+        window.state_mut().type_path("report", &pdf);
         window.run_steps(4);
         press(window, "Save");
         window.run_steps(8);

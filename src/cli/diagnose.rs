@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict, Watch};
-use crate::effects::JointValues;
 use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::paper::RegionalStart;
 use crate::pipeline;
@@ -19,6 +18,7 @@ use crate::present::table::Table;
 use crate::sessions::Session;
 
 use super::failure::Failure;
+use super::identify::Values;
 use super::{fleet, geometry, output};
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
@@ -73,14 +73,6 @@ pub(crate) struct Diagnose {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Values {
-    /// What the controller was told
-    Commanded,
-    /// What the controller read back
-    Read,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Start {
     /// One model for the whole range
     Exact,
@@ -130,10 +122,7 @@ impl Diagnose {
                 max_effects: self.max_effects,
                 held_out: self.held_out,
                 seed: self.seed,
-                joint_values: match self.joint_values {
-                    Values::Commanded => JointValues::Commanded,
-                    Values::Read => JointValues::Read,
-                },
+                joint_values: self.joint_values.into(),
                 correct_unexplained: self.correct_unexplained,
             },
             start: self.start,

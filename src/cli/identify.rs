@@ -61,21 +61,27 @@ enum Method {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Values {
+pub(super) enum Values {
     /// What the controller was told
     Commanded,
     /// What the controller read back
     Read,
 }
 
+impl From<Values> for JointValues {
+    fn from(values: Values) -> Self {
+        match values {
+            Values::Commanded => Self::Commanded,
+            Values::Read => Self::Read,
+        }
+    }
+}
+
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
-        let values = match self.joint_values {
-            Values::Commanded => JointValues::Commanded,
-            Values::Read => JointValues::Read,
-        };
+        let values = self.joint_values.into();
         if self.method == Method::Regional && !self.effects.is_empty() {
             return Err(Failure::WrongInput(
                 "--effects belongs to --method exact; the regional method fits angle and radius by region".to_owned(),

@@ -49,11 +49,7 @@ impl Regional {
     /// For a robot with a single revolute joint.
     pub fn new(robot: &Robot, corrections: &[RegionalCorrection]) -> Self {
         let frame = JointFrame::new(robot, 0);
-        let (x, y) = if frame.radius_mm > 0.0 {
-            (frame.radial, frame.tangential)
-        } else {
-            (frame.across_1, frame.across_2)
-        };
+        let [x, y] = frame.plane_of_motion();
         Self {
             corrections: corrections.to_vec(),
             regions: corrections.iter().map(RegionalCorrection::region).collect(),

@@ -404,11 +404,7 @@ pub(crate) fn with_another(robot: &Robot, mut targets: Vec<Target>) -> Vec<Targe
 pub(crate) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target> {
     let turns = |j: &Joint| j.kind == JointKind::Revolute;
     let frame = JointFrame::new(robot, robot.joints.iter().position(turns).unwrap_or(0));
-    let outward = if frame.radius_mm > 0.0 {
-        frame.radial
-    } else {
-        frame.across_1
-    };
+    let [outward, _] = frame.plane_of_motion();
     let (outward, along) = (Vector3::from(outward), Vector3::from(frame.along));
     let across = along.cross(&outward);
     let shifts = [

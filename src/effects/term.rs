@@ -509,6 +509,16 @@ impl JointFrame {
             foot_mm: (axis.point_mm.coords + along * along.dot(&arm)).into(),
         }
     }
+
+    /// The plane that the tool turns in: away from the axis at home, and a quarter turn further. Of a
+    /// tool on the axis any direction across it will do.
+    pub(crate) fn plane_of_motion(&self) -> [[f64; 3]; 2] {
+        if self.radius_mm > 0.0 {
+            [self.radial, self.tangential]
+        } else {
+            [self.across_1, self.across_2]
+        }
+    }
 }
 
 /// A term in its place in a model: what an effect gets to act with.

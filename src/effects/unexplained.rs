@@ -121,15 +121,9 @@ fn differentiate(me: &Placed, block: &mut Block) {
     });
 }
 
-/// Away from the axis, and along it. Where the tool lies on the axis, or the joint slides, any
-/// fixed direction across it is as good.
+/// Away from the axis, and along it.
 fn across(frame: &JointFrame) -> ([f64; 3], [f64; 3]) {
-    let out = if frame.radius_mm > 0.0 {
-        frame.radial
-    } else {
-        frame.across_1
-    };
-    (out, frame.along)
+    (frame.plane_of_motion()[0], frame.along)
 }
 
 impl Term {

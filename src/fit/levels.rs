@@ -31,15 +31,7 @@ const FEWEST: usize = 12;
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     let mut part = problem.clone();
     part.noise = None;
-    let counted = part.counted();
-    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
-    if used.len() > MOST_SAMPLES {
-        let mut kept = vec![false; counted.len()];
-        for k in 0..MOST_SAMPLES {
-            kept[used[k * used.len() / MOST_SAMPLES]] = true;
-        }
-        part.set_counted(kept);
-    }
+    part.thin(MOST_SAMPLES);
     let fold = folds(&part, identified);
     let mut all = Vec::new();
     for (what, model) in models(&part, identified) {

@@ -170,12 +170,7 @@ impl<'a> Plane<'a> {
     pub(super) fn new(problem: &'a Problem) -> Self {
         let session = problem.session;
         let frame = JointFrame::new(&session.robot, 0);
-        // A tool on the axis has no radius; any direction across the axis will do.
-        let (x, y) = if frame.radius_mm > 0.0 {
-            (frame.radial, frame.tangential)
-        } else {
-            (frame.across_1, frame.across_2)
-        };
+        let [x, y] = frame.plane_of_motion();
         let homes = reflectors_at_home(session).into_iter().map(|home| {
             let arm = minus(home, frame.origin_mm);
             let (a, b) = (dot(arm, x), dot(arm, y));

@@ -140,6 +140,19 @@ impl<'a> Problem<'a> {
         layer.map_or(index, |l| l.items[index].sample)
     }
 
+    /// Lets at most so many count of those that do, spread evenly.
+    pub(crate) fn thin(&mut self, most: usize) {
+        let counted = self.counted();
+        let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
+        if used.len() > most {
+            let mut kept = vec![false; counted.len()];
+            for k in 0..most {
+                kept[used[k * used.len() / most]] = true;
+            }
+            self.set_counted(kept);
+        }
+    }
+
     /// Lets those count that are marked.
     pub fn set_counted(&mut self, counted: Vec<bool>) {
         let Some(layer) = &mut self.observed else {

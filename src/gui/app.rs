@@ -188,32 +188,6 @@ impl App {
         }
     }
 
-    /// Opens the sheet in which the path of an export is typed, with this path in it: what the
-    /// window does by itself where the system has no dialog.
-    pub fn type_export_path(&mut self, path: &Path) {
-        self.type_path(What::Table, path);
-    }
-
-    /// The same for the model itself.
-    pub fn type_model_path(&mut self, path: &Path) {
-        self.type_path(What::Model, path);
-    }
-
-    /// The same for the list of poses to measure next.
-    pub fn type_list_path(&mut self, path: &Path) {
-        self.type_path(What::Poses, path);
-    }
-
-    /// The same for the report of the session.
-    pub fn type_report_path(&mut self, path: &Path) {
-        self.type_path(What::Report(About::Session), path);
-    }
-
-    /// The same for the report of the model.
-    pub fn type_model_report_path(&mut self, path: &Path) {
-        self.type_path(What::Report(About::Model), path);
-    }
-
     /// Compares the sessions of a folder, as if it had been chosen.
     pub fn compare_sessions(&mut self, folder: &Path) {
         self.workbench
@@ -226,21 +200,27 @@ impl App {
         self.workbench.execute(Command::Compensate(wanted));
     }
 
-    /// The same as [`App::type_export_path`] for corrected targets.
-    pub fn type_targets_path(&mut self, path: &Path) {
-        self.type_path(What::Targets, path);
-    }
-
-    /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
-    pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
-        let chart = crate::gui::charts::find(plot).map(|chart| Plot::Chart(chart.about().id));
-        let others = [Plot::Workspace, Plot::Space, Plot::Polar].into_iter();
-        if let Some(plot) = others.chain(chart).find(|p| p.name() == plot) {
-            self.type_path(What::Picture(plot), path);
-        }
-    }
-
-    fn type_path(&mut self, what: What, path: &Path) {
+    /// Opens the sheet in which the path of an export is typed, with this path in it: what the
+    /// window does by itself where the system has no dialog. The export is `table`, `model`, `poses`,
+    /// `report`, `report of the model` or `targets`; for a picture the name of a plot, such as
+    /// `workspace`. Another name does nothing.
+    pub fn type_path(&mut self, export: &str, path: &Path) {
+        let what = match export {
+            "table" => What::Table,
+            "model" => What::Model,
+            "poses" => What::Poses,
+            "report" => What::Report(About::Session),
+            "report of the model" => What::Report(About::Model),
+            "targets" => What::Targets,
+            plot => {
+                let chart = crate::gui::charts::find(plot).map(|c| Plot::Chart(c.about().id));
+                let others = [Plot::Workspace, Plot::Space, Plot::Polar].into_iter();
+                let Some(plot) = others.chain(chart).find(|p| p.name() == plot) else {
+                    return;
+                };
+                What::Picture(plot)
+            }
+        };
         let sheet = Sheet::ExportPath {
             what,
             path: path.display().to_string(),

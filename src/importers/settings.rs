@@ -69,8 +69,6 @@ pub enum About {
     Columns,
     /// Which rigid body or marker: [`Reading::names`].
     Name,
-    /// What wrote the file: [`Reading::kind`].
-    Kind,
     /// An option that only the file's format has, by its name: [`Reading::options`].
     Own(&'static str),
 }
@@ -84,7 +82,6 @@ impl About {
             Self::Decimal => "decimal",
             Self::Columns => "columns",
             Self::Name => "name",
-            Self::Kind => "as",
             Self::Own(name) => name,
         };
         format!("--{name}")

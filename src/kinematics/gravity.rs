@@ -1,19 +1,17 @@
-//! Gravity's torque about a joint, of the load and of the links, and its gradient.
+//! Gravity's torque about a joint, of the load and of the links.
 //!
 //! ```text
 //! τ_j = −∂U/∂q_j = Σ m_k g · ∂c_k/∂q_j,   U = −Σ m_k g · c_k(q)
 //! ∂c_k/∂q_j = n_j × (c_k − a_j)  (revolute)   or   n_j  (prismatic)
-//! ∂τ_j/∂q_i = Σ m_k g · (n_lo × ∂c_k/∂q_hi),   lo = min(i, j) revolute (else 0), hi = max(i, j)
 //! ```
 //!
-//! over the masses behind both joints: the link of joint k is carried by joints 1…k, the load, which
+//! over the masses behind the joint: the link of joint k is carried by joints 1…k, the load, which
 //! hangs at the tool's origin, by all. A positive torque turns (or pushes) the joint positive. Masses
-//! in kg, g in m/s², and lengths come from mm: a revolute joint has N·m, a prismatic one N; the
-//! gradient is per rad or per mm of joint i.
+//! in kg, g in m/s², and lengths come from mm: a revolute joint has N·m, a prismatic one N.
 //!
 //! Source: Lynch & Park, *Modern Robotics*, 2017, section 8.1.
 
-use nalgebra::{DVector, Point3, Vector3};
+use nalgebra::{Point3, Vector3};
 
 use super::robot::{JointKind, Pose, Robot};
 
@@ -45,34 +43,6 @@ impl Robot {
             .map(|mass| mass.weight_n.dot(&twist.velocity_at(&mass.at_mm)))
             .sum();
         Some(power * self.torque_unit(joint))
-    }
-
-    /// The gradient of [`Robot::gravity_torque_nm`] by every joint value, per rad or mm.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint, or there is no such joint.
-    pub fn gravity_torque_gradient(
-        &self,
-        q: &[f64],
-        load_kg: f64,
-        joint: usize,
-    ) -> Option<DVector<f64>> {
-        let masses = self.masses(q, load_kg)?;
-        let twists = self.joint_twists(q);
-        let unit = self.torque_unit(joint);
-        let by_joint = |other: usize| {
-            let (low, high) = (joint.min(other), joint.max(other));
-            // A prismatic joint has no angular part, so it adds nothing, as it should.
-            let change =
-                |at: &Point3<f64>| twists[low].angular.cross(&twists[high].velocity_at(at));
-            let power: f64 = masses
-                .iter()
-                .filter(|mass| mass.carried_by >= high)
-                .map(|mass| mass.weight_n.dot(&change(&mass.at_mm)))
-                .sum();
-            power * unit
-        };
-        Some(DVector::from_iterator(q.len(), (0..q.len()).map(by_joint)))
     }
 
     fn torque_unit(&self, joint: usize) -> f64 {
@@ -133,23 +103,6 @@ mod tests {
                 prop_assert!((torque - expected).abs() < 1e-4 * (1.0 + expected.abs()));
             }
         }
-
-        #[test]
-        fn the_gradient_agrees_with_central_differences(
-            (robot, q) in robot_and_pose(), load in 0.0..20.0_f64,
-        ) {
-            for joint in 0..q.len() {
-                let gradient = robot.gravity_torque_gradient(&q, load, joint).unwrap();
-                for other in 0..q.len() {
-                    let at = |by| {
-                        robot.gravity_torque_nm(&beside(&q, other, by), load, joint).unwrap()
-                    };
-                    let numerical = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-                    let error = gradient[other] - numerical;
-                    prop_assert!(error.abs() < 1e-5 * (1.0 + numerical.abs()), "{error}");
-                }
-            }
-        }
     }
 
     #[test]
@@ -174,7 +127,6 @@ mod tests {
         assert!((torque(&robot, 0.0).unwrap() + 98.1 + 19.62).abs() < 1e-12);
         robot.gravity_m_s2 = None;
         assert_eq!(torque(&robot, 0.0), None);
-        assert_eq!(robot.gravity_torque_gradient(&[0.0], 1.0, 0), None);
     }
 
     #[test]

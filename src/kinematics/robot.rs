@@ -171,7 +171,7 @@ pub struct LinkMass {
 }
 
 /// A closed range of joint values, `from < to`, in rad or mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Range {
     /// Lower end, rad or mm.
     pub from: f64,

@@ -8,7 +8,7 @@ use crate::sessions::{Region, Target};
 use super::Model;
 
 /// The paper's correction for one region: what to add, not what the robot does.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct RegionalCorrection {
     /// The region's name.
     pub name: String,

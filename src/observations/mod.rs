@@ -38,7 +38,7 @@ pub(crate) mod streams;
 
 pub(crate) mod kinds;
 
-use crate::effects::places::{MOST, Place};
+use crate::effects::places::{MOST, Place, PlaceKind};
 use crate::sessions::{Instrument, Session};
 
 pub use block::RowBlock;
@@ -165,8 +165,10 @@ pub trait Kind: Sync {
     /// Its name, unit and noise.
     fn about(&self) -> &'static AboutKind;
 
-    /// Whether a sample has such a measurement.
-    fn measured(&self, session: &Session, sample: usize) -> bool;
+    /// Whether a sample has such a measurement; where nothing else says so, if it names its place.
+    fn measured(&self, session: &Session, sample: usize) -> bool {
+        self.place(session, sample).is_some()
+    }
 
     /// The place that the measurement of a sample refers to, where it refers to one.
     fn place(&self, session: &Session, sample: usize) -> Option<Place> {
@@ -217,6 +219,16 @@ pub trait Kind: Sync {
         }
         residual.mixed(&by, residual.rows)
     }
+}
+
+/// The place of a kind that a column of indices names for a sample.
+pub(crate) fn named(
+    column: Option<&Vec<Option<u32>>>,
+    sample: usize,
+    kind: PlaceKind,
+) -> Option<Place> {
+    let index = column?[sample]? as usize;
+    Some(Place { kind, index })
 }
 
 /// Puts the index of a place into a column of them, which is made where it is missing.

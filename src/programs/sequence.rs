@@ -19,14 +19,19 @@ const STANDS: f64 = 1e-9;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sequence {
-    /// By target, then by joint.
-    dir: Vec<Vec<f64>>,
-    travel: Vec<Vec<f64>>,
-    speed: Vec<Vec<f64>>,
-    load_kg: Vec<f64>,
-    temperature_c: Vec<f64>,
+    targets: Vec<There>,
     /// What there is to say about targets.
     pub(super) remarks: Vec<Remark>,
+}
+
+/// The circumstances of one target, by joint where they are a joint's.
+#[derive(Debug, Clone, PartialEq)]
+struct There {
+    dir: Vec<f64>,
+    travel: Vec<f64>,
+    speed: Vec<f64>,
+    load_kg: f64,
+    temperature_c: f64,
 }
 
 /// One visit of a target.
@@ -48,12 +53,12 @@ impl Sequence {
         let mut first: Vec<Option<Visit>> = vec![None; targets.len()];
         let mut remarks = Vec::new();
         let mut before: Option<Visit> = None;
-        let mut order = program.visits.clone();
-        order.extend((0..targets.len()).filter(|k| !program.visits.contains(k)));
         let mut visited = vec![false; targets.len()];
         for k in &program.visits {
             visited[*k] = true;
         }
+        let others = (0..targets.len()).filter(|k| !visited[*k]);
+        let order = program.visits.iter().copied().chain(others);
         for k in order {
             let Ok(resolved) = &resolved[k] else {
                 // From where it is not known the next one is reached from an unknown side.
@@ -87,48 +92,34 @@ impl Sequence {
             before = Some(visit);
         }
         remarks.dedup();
-        let joints = |k: usize| resolved[k].as_ref().map_or(0, |r| r.q.len());
-        let of = |k: usize, pick: fn(&Visit) -> &Vec<f64>, none: f64| {
-            let first = first[k].as_ref();
-            first.map_or_else(|| vec![none; joints(k)], |visit| pick(visit).clone())
-        };
-        let all = 0..targets.len();
-        let speed = |k: usize| {
-            let stated = &targets[k].circumstances.speed;
-            let speed = (0..joints(k)).map(|j| stated.get(j).copied().flatten().unwrap_or(0.0));
-            speed.collect()
+        let there = |(k, first): (usize, Option<Visit>)| {
+            let joints = resolved[k].as_ref().map_or(0, |r| r.q.len());
+            let unknown = || (vec![0.0; joints], vec![f64::INFINITY; joints]);
+            let (dir, travel) = first.map_or_else(unknown, |visit| (visit.dir, visit.travel));
+            let stated = &targets[k].circumstances;
+            let speed = |j: usize| stated.speed.get(j).copied().flatten().unwrap_or(0.0);
+            There {
+                dir,
+                travel,
+                speed: (0..joints).map(speed).collect(),
+                load_kg: stated.load_kg.unwrap_or(load_kg),
+                temperature_c: stated.temperature_c.unwrap_or(REFERENCE_TEMPERATURE_C),
+            }
         };
         Self {
-            dir: all.clone().map(|k| of(k, |v| &v.dir, 0.0)).collect(),
-            travel: all
-                .clone()
-                .map(|k| of(k, |v| &v.travel, f64::INFINITY))
-                .collect(),
-            speed: all.map(speed).collect(),
-            load_kg: targets
-                .iter()
-                .map(|t| t.circumstances.load_kg.unwrap_or(load_kg))
-                .collect(),
-            temperature_c: targets
-                .iter()
-                .map(|t| {
-                    t.circumstances
-                        .temperature_c
-                        .unwrap_or(REFERENCE_TEMPERATURE_C)
-                })
-                .collect(),
+            targets: first.into_iter().enumerate().map(there).collect(),
             remarks,
         }
     }
 
     /// Side from which each joint comes to a target.
     pub(super) fn dir(&self, target: usize) -> Vec<f64> {
-        self.dir[target].clone()
+        self.targets[target].dir.clone()
     }
 
     /// Load at a target, kg.
     pub(super) fn load_kg(&self, target: usize) -> f64 {
-        self.load_kg[target]
+        self.targets[target].load_kg
     }
 
     /// Some targets as a model takes them.
@@ -139,18 +130,21 @@ impl Sequence {
         robot: &Robot,
     ) -> Inputs<'static> {
         let joints = robot.joints.len();
-        let column =
-            |of: &dyn Fn(usize) -> f64| -> Vec<f64> { targets.iter().map(|k| of(*k)).collect() };
+        let column = |of: &dyn Fn(&There) -> f64| -> Vec<f64> {
+            targets.iter().map(|k| of(&self.targets[*k])).collect()
+        };
         let q = (0..joints).map(|j| resolved.iter().map(|r| r.q[j]).collect());
         let home = robot.base_from_tool.translation.vector.into();
         let mut inputs = Inputs::at_poses(q.collect(), vec![home]);
         for j in 0..joints {
-            inputs.dir[j] = Some(Cow::Owned(column(&|k| self.dir[k][j])));
-            inputs.speed[j] = Some(Cow::Owned(column(&|k| self.speed[k][j])));
-            inputs.travel[j] = Some(column(&|k| self.travel[k][j]));
+            inputs.dir[j] = Some(Cow::Owned(column(&|there| there.dir[j])));
+            inputs.speed[j] = Some(Cow::Owned(column(&|there| there.speed[j])));
+            inputs.travel[j] = Some(column(&|there| there.travel[j]));
         }
-        inputs.load_kg = Some(Cow::Owned(column(&|k| self.load_kg[k])));
-        inputs.above_20_c = Some(column(&|k| self.temperature_c[k] - REFERENCE_TEMPERATURE_C));
+        inputs.load_kg = Some(Cow::Owned(column(&|there| there.load_kg)));
+        inputs.above_20_c = Some(column(&|there| {
+            there.temperature_c - REFERENCE_TEMPERATURE_C
+        }));
         inputs
     }
 }

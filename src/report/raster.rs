@@ -11,6 +11,7 @@ use ttf_parser::{GlyphId, OutlineBuilder};
 use super::fonts::Fonts;
 use super::pdf::PdfError;
 use crate::fonts::{Library, Purpose, is_worth_a_font};
+use crate::numeric::single;
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke, WHITE};
 
 /// Pixels of a point: 288 to the inch, about twice what a plot has on the screen.
@@ -91,22 +92,16 @@ fn draw(sheet: &mut Pixmap, item: &Item, fonts: &Fonts) {
     }
 }
 
-/// `tiny-skia` computes with single numbers; a path that is not finite is none to it.
-#[allow(clippy::cast_possible_truncation, reason = "places on a sheet")]
-fn f32_of(value: f64) -> f32 {
-    value as f32
-}
-
 /// From points of the drawing to pixels.
 fn in_points() -> Transform {
-    Transform::from_scale(f32_of(PIXELS), f32_of(PIXELS))
+    Transform::from_scale(single(PIXELS), single(PIXELS))
 }
 
 /// `None` for what is nowhere.
 fn path(line: &[Point], closed: bool) -> Option<Path> {
     let mut builder = PathBuilder::new();
     for (k, [x, y]) in line.iter().enumerate() {
-        let [x, y] = [f32_of(*x), f32_of(*y)];
+        let [x, y] = [single(*x), single(*y)];
         if k == 0 {
             builder.move_to(x, y);
         } else {
@@ -133,9 +128,9 @@ fn fill(sheet: &mut Pixmap, path: Option<Path>, colour: Colour, to_pixels: Trans
 }
 
 fn trace(sheet: &mut Pixmap, path: Option<Path>, stroke: Stroke) {
-    let [dash, gap] = stroke.dash.map(f32_of);
+    let [dash, gap] = stroke.dash.map(single);
     let pen = tiny_skia::Stroke {
-        width: f32_of(stroke.width),
+        width: single(stroke.width),
         line_join: LineJoin::Round,
         dash: StrokeDash::new(vec![dash, gap], 0.0),
         ..Default::default()
@@ -152,18 +147,18 @@ fn write(sheet: &mut Pixmap, label: &Label, fonts: &Fonts) {
         Anchor::End => 1.0,
     };
     let turned = if label.upwards { -90.0 } else { 0.0 };
-    let [x, y] = label.at.map(f32_of);
+    let [x, y] = label.at.map(single);
     let along = in_points().pre_translate(x, y).pre_rotate(turned);
     let mut pen = -back * fonts.width(&label.text, label.size, label.bold);
     for run in fonts.runs(&label.text, label.bold) {
         let face = fonts.face(run.face);
-        let scale = f32_of(label.size / f64::from(face.units_per_em()));
+        let scale = single(label.size / f64::from(face.units_per_em()));
         for (glyph, _) in run.glyphs {
             let mut outline = Outline(PathBuilder::new());
             face.outline_glyph(GlyphId(glyph), &mut outline);
             // Letters stand upwards, the sheet goes down.
             let letter = along
-                .pre_translate(f32_of(pen), 0.0)
+                .pre_translate(single(pen), 0.0)
                 .pre_scale(scale, -scale);
             fill(sheet, outline.0.finish(), label.colour, letter);
             pen += fonts.advance(run.face, glyph) * label.size;

@@ -83,7 +83,7 @@ impl Default for Instrument {
 }
 
 /// A range of the joint angle that gets a correction of its own.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Region {
     /// Its name in tables.
     pub name: String,

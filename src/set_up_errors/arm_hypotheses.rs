@@ -5,6 +5,8 @@ use crate::sessions::Mend;
 use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};
 
+use super::hypotheses::other_way_round;
+
 /// A change of the samples: what is wrong, what to do, and what takes it back.
 pub(super) struct Change {
     pub(super) what: String,
@@ -36,20 +38,8 @@ fn one(what: String, proposal: String, mend: Mend) -> Change {
 
 fn signs(session: &Session) -> Vec<Change> {
     let joints = 0..session.robot.joints.len();
-    let sign = |joint: usize| {
-        let number = joint + 1;
-        one(
-            format!("joint {number} counts the other way round"),
-            format!(
-                "reverse the sign of joint {number} in the robot's description or in the samples"
-            ),
-            Mend::ScaleJoint {
-                joint,
-                factor: -1.0,
-            },
-        )
-    };
-    joints.map(sign).collect()
+    let sign = |(what, proposal, mend)| one(what, proposal, mend);
+    joints.map(other_way_round).map(sign).collect()
 }
 
 fn exchanged(session: &Session) -> Vec<Change> {

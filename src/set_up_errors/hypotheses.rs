@@ -19,6 +19,16 @@ pub(super) struct Hypothesis {
     pub(super) mend: Mend,
 }
 
+/// A joint whose sign is wrong: what, what to do, and the change.
+pub(super) fn other_way_round(joint: usize) -> (String, String, Mend) {
+    let (number, factor) = (joint + 1, -1.0);
+    (
+        format!("joint {number} counts the other way round"),
+        format!("reverse the sign of joint {number} in the robot's description or in the samples"),
+        Mend::ScaleJoint { joint, factor },
+    )
+}
+
 #[allow(
     clippy::too_many_lines,
     reason = "a list of hypotheses reads best in one piece"
@@ -34,16 +44,8 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     };
     for joint in 0..session.robot.joints.len() {
         let number = joint + 1;
-        push(
-            format!("joint {number} counts the other way round"),
-            format!(
-                "reverse the sign of joint {number} in the robot's description or in the samples"
-            ),
-            Mend::ScaleJoint {
-                joint,
-                factor: -1.0,
-            },
-        );
+        let (what, proposal, mend) = other_way_round(joint);
+        push(what, proposal, mend);
         if session.robot.joints[joint].kind != JointKind::Revolute {
             continue;
         }

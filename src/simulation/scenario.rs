@@ -178,7 +178,7 @@ pub enum NoiseKind {
 }
 
 /// Measurements that went wrong: a share of the samples is moved by a length in any direction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Outliers {
     /// Share of the samples, rounded to a whole number of them.
     pub share: f64,

@@ -107,13 +107,13 @@ pub fn tour(window: &mut Window, folder: &Path, name: &str) {
 /// Writes everything that can be written; what cannot be says why.
 fn writes(window: &mut Window, folder: &Path, name: &str) {
     type Typing = fn(&mut truepose::gui::App, &Path);
-    let table: Typing = |app, path| app.type_export_path(path);
-    let list: Typing = |app, path| app.type_list_path(path);
-    let report: Typing = |app, path| app.type_report_path(path);
-    let model: Typing = |app, path| app.type_model_report_path(path);
-    let workspace: Typing = |app, path| app.type_picture_path("workspace", path);
-    let deviation: Typing = |app, path| app.type_picture_path("deviation", path);
-    let gap: Typing = |app, path| app.type_picture_path("gap by step", path);
+    let table: Typing = |app, path| app.type_path("table", path);
+    let list: Typing = |app, path| app.type_path("poses", path);
+    let report: Typing = |app, path| app.type_path("report", path);
+    let model: Typing = |app, path| app.type_path("report of the model", path);
+    let workspace: Typing = |app, path| app.type_path("workspace", path);
+    let deviation: Typing = |app, path| app.type_path("deviation", path);
+    let gap: Typing = |app, path| app.type_path("gap by step", path);
     for (file, typing) in [
         ("table.csv", table),
         ("list.csv", list),

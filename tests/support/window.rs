@@ -225,7 +225,7 @@ pub fn gaps(window: &Window) -> (f64, Option<f64>) {
 
 /// The dialog of the system cannot be driven; the path is typed.
 pub fn export_to(window: &mut Window, path: &Path) {
-    window.state_mut().type_export_path(path);
+    window.state_mut().type_path("table", path);
     window.run_steps(4);
     press(window, "Save");
     window.run_steps(4);

@@ -114,7 +114,7 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
     }
     window
         .state_mut()
-        .type_export_path(std::path::Path::new("table.csv"));
+        .type_path("table", std::path::Path::new("table.csv"));
     window.run_steps(4);
     named(&window, "export to path");
     keys(&mut window, Modifiers::NONE, Key::Escape);
@@ -233,7 +233,7 @@ fn the_whole_work_can_be_done_with_the_keyboard() {
     keys(&mut window, Modifiers::COMMAND, Key::Num5);
     window
         .state_mut()
-        .type_export_path(&folder.path().join("t.csv"));
+        .type_path("table", &folder.path().join("t.csv"));
     window.run_steps(4);
     window.get_by_label("Path to save to").focus();
     window.run_steps(2);

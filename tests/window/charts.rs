@@ -361,7 +361,7 @@ fn a_found_effect_shows_its_own_curve_and_every_chart_is_saved_as_a_picture() {
 
 fn saved(window: &mut Window, plot: &str, says: &str, folder: &Path) {
     let path = folder.join(format!("{plot}.svg"));
-    window.state_mut().type_picture_path(plot, &path);
+    window.state_mut().type_path(plot, &path);
     window.run_steps(4);
     press(window, "Save");
     let svg = std::fs::read_to_string(&path).expect("the picture is there");

@@ -52,7 +52,7 @@ fn a_program_is_corrected_shown_side_by_side_and_saved() {
     ));
 
     let path = folder.path().join("cell-corrected.mod");
-    window.state_mut().type_targets_path(&path);
+    window.state_mut().type_path("targets", &path);
     window.run_steps(4);
     press(&mut window, "Save");
     window.run_steps(4);
@@ -72,7 +72,7 @@ fn the_program_itself_is_not_replaced() {
     std::fs::copy(data("cell.mod"), &program).expect("copied");
     let mut window = at_export();
     compensate(&mut window, &program);
-    window.state_mut().type_targets_path(&program);
+    window.state_mut().type_path("targets", &program);
     window.run_steps(4);
     press(&mut window, "replace the file if it exists");
     press(&mut window, "Save");

@@ -39,37 +39,37 @@ const OUTPUTS: [Output; 8] = [
     Output {
         name: "table",
         file: "table.csv",
-        typing: |w, path| w.state_mut().type_export_path(path),
+        typing: |w, path| w.state_mut().type_path("table", path),
     },
     Output {
         name: "poses",
         file: "poses.csv",
-        typing: |w, path| w.state_mut().type_list_path(path),
+        typing: |w, path| w.state_mut().type_path("poses", path),
     },
     Output {
         name: "report",
         file: "report.html",
-        typing: |w, path| w.state_mut().type_report_path(path),
+        typing: |w, path| w.state_mut().type_path("report", path),
     },
     Output {
         name: "report as PDF",
         file: "report.pdf",
-        typing: |w, path| w.state_mut().type_report_path(path),
+        typing: |w, path| w.state_mut().type_path("report", path),
     },
     Output {
         name: "model report",
         file: "model.html",
-        typing: |w, path| w.state_mut().type_model_report_path(path),
+        typing: |w, path| w.state_mut().type_path("report of the model", path),
     },
     Output {
         name: "picture",
         file: "workspace.svg",
-        typing: |w, path| w.state_mut().type_picture_path("workspace", path),
+        typing: |w, path| w.state_mut().type_path("workspace", path),
     },
     Output {
         name: "picture of the chart",
         file: "deviation.svg",
-        typing: |w, path| w.state_mut().type_picture_path("deviation", path),
+        typing: |w, path| w.state_mut().type_path("deviation", path),
     },
 ];
 

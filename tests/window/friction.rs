@@ -334,7 +334,7 @@ fn a_sample_is_excluded_by_hand_counted_listed_saved_and_taken_in_again() {
     assert!(says(&window, listed), "listed in the diagnosis");
     keys(&mut window, Modifiers::COMMAND, Key::S);
     let report = folder.path().join("report.html");
-    window.state_mut().type_report_path(&report);
+    window.state_mut().type_path("report", &report);
     window.run_steps(4);
     press(&mut window, "Save");
     let text = std::fs::read_to_string(&report).expect("the report");

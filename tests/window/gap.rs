@@ -161,7 +161,7 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     let poses = copied(&mut window, "Copy table of poses");
     assert_eq!(poses[0][0], "q1, deg");
     let list = folder.path().join("next.csv");
-    window.state_mut().type_list_path(&list);
+    window.state_mut().type_path("poses", &list);
     window.run_steps(4);
     press(&mut window, "Save");
     let written = std::fs::read_to_string(&list).expect("the list is there");

@@ -256,7 +256,9 @@ fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     window.run_steps(4);
     see(window, "compensation");
     keys(window, Modifiers::NONE, Key::Escape);
-    window.state_mut().type_export_path(Path::new("table.csv"));
+    window
+        .state_mut()
+        .type_path("table", Path::new("table.csv"));
     window.run_steps(4);
     see(window, "export to a path");
     keys(window, Modifiers::NONE, Key::Escape);

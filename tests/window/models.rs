@@ -35,7 +35,7 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     assert!(says(&window, "ot correctable by joint commands"));
 
     let table = folder.path().join("table.csv");
-    window.state_mut().type_export_path(&table);
+    window.state_mut().type_path("table", &table);
     window.run_steps(4);
     press(&mut window, "Save");
     let written = std::fs::read_to_string(&table).expect("the table is there");

@@ -35,7 +35,7 @@ fn details(window: &mut Window) {
 
 /// Saves the report there, as a person does who types the path.
 fn save_report(window: &mut Window, path: &Path) {
-    window.state_mut().type_report_path(path);
+    window.state_mut().type_path("report", path);
     window.run_steps(4);
     press(window, "Save");
     window.run_steps(4);

@@ -63,14 +63,14 @@ fn the_report_is_written_as_html_and_as_pdf_and_names_the_tables_of_this_session
     window.get_by_label("Report…");
     window.get_by_label("Report of the model…");
     let table = folder.path().join("pan.csv");
-    window.state_mut().type_export_path(&table);
+    window.state_mut().type_path("table", &table);
     save(&mut window, false);
     let hash = ExportedTable::read(&table)
         .expect("the table is there")
         .hash;
 
     let html = folder.path().join("Prüfung.html");
-    window.state_mut().type_report_path(&html);
+    window.state_mut().type_path("report", &html);
     save(&mut window, false);
     is_said(&window, "Saved ");
     is_said(&window, "Names the table pan.csv with its hash");
@@ -80,13 +80,13 @@ fn the_report_is_written_as_html_and_as_pdf_and_names_the_tables_of_this_session
     assert!(text.contains(&hash), "the table stands in it with its hash");
 
     let pdf = folder.path().join("report.PDF");
-    window.state_mut().type_report_path(&pdf);
+    window.state_mut().type_path("report", &pdf);
     save(&mut window, false);
     let bytes = std::fs::read(&pdf).expect("the report is there");
     assert!(bytes.starts_with(b"%PDF-") && bytes.len() > 10_000);
 
     let model = folder.path().join("model.html");
-    window.state_mut().type_model_report_path(&model);
+    window.state_mut().type_path("report of the model", &model);
     save(&mut window, false);
     let text = std::fs::read_to_string(&model).expect("the report is there");
     assert!(text.contains("Calibration report of a model") && text.contains(&hash));
@@ -100,13 +100,13 @@ fn a_wrong_ending_is_said_and_nothing_is_written() {
     press(&mut window, "5 Export");
     for name in ["report.docx", "report"] {
         let path = folder.path().join(name);
-        window.state_mut().type_report_path(&path);
+        window.state_mut().type_path("report", &path);
         save(&mut window, false);
         is_said(&window, "ends in .html or .pdf");
         press(&mut window, "Dismiss");
     }
     let picture = folder.path().join("picture.gif");
-    window.state_mut().type_picture_path("workspace", &picture);
+    window.state_mut().type_path("workspace", &picture);
     save(&mut window, false);
     is_said(&window, "expected a file name that ends in .svg or .png");
     assert_eq!(files_in(folder.path()), 0);
@@ -120,21 +120,21 @@ fn a_report_replaces_neither_another_file_unasked_nor_a_table_of_this_session() 
     press(&mut window, "5 Export");
     // A table may have any name, this one too.
     let table = folder.path().join("table.html");
-    window.state_mut().type_export_path(&table);
+    window.state_mut().type_path("table", &table);
     save(&mut window, false);
     let before = std::fs::read(&table).expect("the table is there");
-    window.state_mut().type_model_report_path(&table);
+    window.state_mut().type_path("report of the model", &table);
     save(&mut window, true);
     is_said(&window, "would replace the input");
     assert_eq!(std::fs::read(&table).expect("it is there still"), before);
 
     let other = folder.path().join("other.pdf");
     std::fs::write(&other, "mine").expect("it can be written");
-    window.state_mut().type_model_report_path(&other);
+    window.state_mut().type_path("report of the model", &other);
     save(&mut window, false);
     is_said(&window, "exists already");
     assert_eq!(std::fs::read(&other).expect("it is there still"), b"mine");
-    window.state_mut().type_model_report_path(&other);
+    window.state_mut().type_path("report of the model", &other);
     save(&mut window, true);
     let written = std::fs::read(&other).expect("it is there");
     assert!(written.starts_with(b"%PDF-"));
@@ -147,7 +147,7 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
     press(&mut window, "5 Export");
     let path = folder.path().join("report.html");
     // How long one takes that nobody cancels.
-    window.state_mut().type_report_path(&path);
+    window.state_mut().type_path("report", &path);
     save(&mut window, false);
     let mut takes = 0;
     while !path.exists() && takes < 6000 {
@@ -159,7 +159,7 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
     std::fs::remove_file(&path).expect("it can be removed");
     window.run_steps(4);
 
-    window.state_mut().type_report_path(&path);
+    window.state_mut().type_path("report", &path);
     save(&mut window, false);
     let cancels = window.query_by_label("Cancel").is_some();
     assert!(cancels, "it is made in the background");
@@ -179,7 +179,7 @@ fn every_plot_is_saved_as_svg() {
     for plot in ["workspace", "deviation"] {
         window.get_by_label(&format!("Save picture of the {plot}…"));
         let path = folder.path().join(format!("{plot}-before.svg"));
-        window.state_mut().type_picture_path(plot, &path);
+        window.state_mut().type_path(plot, &path);
         save(&mut window, false);
         let svg = std::fs::read_to_string(&path).expect("the picture is there");
         assert!(
@@ -196,7 +196,7 @@ fn every_plot_is_saved_as_svg() {
     window.get_by_label("Save picture of the gap by step…");
     for plot in ["workspace", "deviation", "gap by step"] {
         let path = folder.path().join(format!("{plot}.svg"));
-        window.state_mut().type_picture_path(plot, &path);
+        window.state_mut().type_path(plot, &path);
         save(&mut window, false);
         is_said(&window, "Saved ");
         let svg = std::fs::read_to_string(&path).expect("the picture is there");
@@ -217,7 +217,7 @@ fn a_picture_whose_name_ends_in_png_is_pixels() {
     let mut sizes = Vec::new();
     for plot in ["workspace", "3-D view", "deviation"] {
         let path = folder.path().join(format!("{plot}.PNG"));
-        window.state_mut().type_picture_path(plot, &path);
+        window.state_mut().type_path(plot, &path);
         save(&mut window, false);
         is_said(&window, "Saved ");
         let file = std::fs::File::open(&path).expect("the picture is there");

@@ -244,7 +244,7 @@ fn its_picture_is_saved_as_it_is_seen() {
     assert!(there(&window, "Save picture of the 3-D view…"));
     keys(&mut window, Modifiers::NONE, Key::Num1);
     let path = folder.path().join("space.svg");
-    window.state_mut().type_picture_path("3-D view", &path);
+    window.state_mut().type_path("3-D view", &path);
     window.run_steps(3);
     press(&mut window, "Save");
     window.run_steps(4);

@@ -134,7 +134,7 @@ fn from_the_trackers_file_to_the_signed_report() {
     press(&mut window, "5 Export");
     press(&mut window, "LinuxCNC COMP_FILE");
     let table = folder.path().join("column.comp");
-    window.state_mut().type_export_path(&table);
+    window.state_mut().type_path("table", &table);
     save(&mut window);
     let text = std::fs::read_to_string(&table).expect("the table is there");
     let rows: Vec<Vec<f64>> = text
@@ -153,14 +153,14 @@ fn from_the_trackers_file_to_the_signed_report() {
     assert!(folder.path().join("column.comp.meta.json").exists());
 
     let report = folder.path().join("column.pdf");
-    window.state_mut().type_report_path(&report);
+    window.state_mut().type_path("report", &report);
     save(&mut window);
     assert!(says(&window, "Saved "));
     let bytes = std::fs::read(&report).expect("the report is there");
     assert!(bytes.starts_with(b"%PDF-") && bytes.len() > 10_000);
 
     let model = folder.path().join("column.model.json");
-    window.state_mut().type_model_path(&model);
+    window.state_mut().type_path("model", &model);
     save(&mut window);
     let model = load_model(&model).expect("the model can be read");
     let names: Vec<&str> = model

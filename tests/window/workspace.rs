@@ -424,7 +424,7 @@ fn the_polar_view_is_saved_as_a_picture() {
     press(&mut window, "polar");
     assert!(there(&window, "Save picture of the polar…"));
     let path = folder.path().join("polar.svg");
-    window.state_mut().type_picture_path("polar", &path);
+    window.state_mut().type_path("polar", &path);
     window.run_steps(3);
     press(&mut window, "Save");
     window.run_steps(4);

@@ -50,7 +50,9 @@ pub(super) struct Folds {
 impl<'a> Columns<'a> {
     /// Of the samples of a problem that count.
     pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model, joint: usize) -> Self {
-        let rows = Rows::of(&thinned(problem));
+        let mut problem = problem.clone();
+        problem.thin(MOST_SAMPLES);
+        let rows = Rows::of(&problem);
         let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
         let model = model.with_term(probe.clone());
         let before = model.terms().iter().take_while(|t| !t.same_column(&probe));
@@ -165,19 +167,4 @@ impl<'a> Columns<'a> {
         }
         folds
     }
-}
-
-/// The samples that count, at most [`MOST_SAMPLES`] of them, spread evenly.
-fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
-    let mut problem = problem.clone();
-    let counted = problem.counted();
-    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
-    if used.len() > MOST_SAMPLES {
-        let mut kept = vec![false; counted.len()];
-        for k in 0..MOST_SAMPLES {
-            kept[used[k * used.len() / MOST_SAMPLES]] = true;
-        }
-        problem.set_counted(kept);
-    }
-    problem
 }

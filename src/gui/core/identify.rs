@@ -2,18 +2,16 @@
 
 use std::cell::Cell;
 
+use crate::compensation::Regional;
 use crate::diagnosis::Diagnosis;
-use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::Identification;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::lanes::{dot, minus};
-use crate::model::{Calibration, RegionalCorrection};
+use crate::model::Calibration;
 use crate::pipeline::{Method, identify, identify_unless};
 use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
-use crate::sessions::regions::Assignment;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{Asks, Found, Question};
@@ -115,31 +113,19 @@ fn fitted(
 fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f64>; 3] {
     let session = &subject.session;
     let inputs = Inputs::new(session, JointValues::Commanded);
-    let frame = subject.joint;
-    let (x, y) = if frame.radius_mm > 0.0 {
-        (frame.radial, frame.tangential)
-    } else {
-        (frame.across_1, frame.across_2)
-    };
-    let radii = reflectors_at_home(session).into_iter().map(|home| {
-        let arm = minus(home, frame.origin_mm);
-        dot(arm, x).hypot(dot(arm, y))
-    });
-    let radii: Vec<f64> = radii.collect();
-    let corrections = identification.regions.iter().map(|r| &r.correction);
-    let regions = corrections.clone().map(RegionalCorrection::region);
-    let (regions, corrections): (Vec<_>, Vec<_>) = (regions.collect(), corrections.collect());
-    let assignment = Assignment::new(&regions);
+    let corrections = identification.regions.iter().map(|r| r.correction.clone());
+    let regional = Regional::new(&session.robot, &corrections.collect::<Vec<_>>());
     let mut after = subject.before.axes_mm.clone();
-    for sample in 0..subject.len() {
-        let Some(region) = assignment.region_of(inputs.q[0][sample]) else {
+    let by_sample = regional.corrections_at(&inputs.q[0]);
+    for (sample, correction) in by_sample.into_iter().enumerate() {
+        let Some(correction) = correction else {
             continue;
         };
-        let correction = corrections[region];
         let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
-        let along_y_mm = radii[target] * correction.theta_rad;
+        let home = inputs.reflectors_at_home[target];
+        let shift = regional.position_correction(correction, home);
         for axis in 0..3 {
-            after[axis][sample] += x[axis] * correction.l1_mm + y[axis] * along_y_mm;
+            after[axis][sample] += shift[axis];
         }
     }
     after

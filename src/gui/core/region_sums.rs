@@ -16,7 +16,7 @@ use crate::effects::term::JointFrame;
 use crate::fit::gap::Deviations;
 use crate::fit::plane::RegionSums;
 use crate::fit::problem::Problem;
-use crate::lanes::dot;
+use crate::lanes::{dot, minus};
 use crate::sessions::{Region, Session};
 
 use super::angles::pieces;
@@ -60,13 +60,9 @@ impl Tally {
     /// Sorts the samples of a session with a single joint that turns.
     pub(crate) fn new(session: &Session, frame: &JointFrame, before: &Deviations) -> Self {
         let problem = Problem::new(session, JointValues::Commanded);
-        let (x, y) = if frame.radius_mm > 0.0 {
-            (frame.radial, frame.tangential)
-        } else {
-            (frame.across_1, frame.across_2)
-        };
+        let [x, y] = frame.plane_of_motion();
         let radii = reflectors_at_home(session).into_iter().map(|home| {
-            let arm = std::array::from_fn(|k| home[k] - frame.origin_mm[k]);
+            let arm = minus(home, frame.origin_mm);
             dot(arm, x).hypot(dot(arm, y))
         });
         let radii: Vec<f64> = radii.collect();

@@ -231,10 +231,14 @@ impl Foreign {
         }
     }
 
+    /// What it makes of the file, where that went well.
+    pub(crate) fn trial(&self) -> Option<&Trial> {
+        self.seen.trial.as_ref()?.as_ref().ok()
+    }
+
     /// What the import brings, if nothing stands in its way.
     pub(crate) fn result(&self) -> Option<&Trial> {
-        let trial = self.seen.trial.as_ref()?.as_ref().ok();
-        trial.filter(|_| self.missing().is_none())
+        self.trial().filter(|_| self.missing().is_none())
     }
 }
 

@@ -10,7 +10,7 @@ use egui_wgpu::wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 
 use super::frame::Frame;
-use super::pipelines::{SAMPLE, columns, pipeline, pipeline_layout, shader};
+use super::pipelines::{BySample, SAMPLE, columns, group, pipeline, pipeline_layout, shader};
 use super::target::Space;
 use crate::gui::cache::cloud::{Cloud, Left, Place, Remainder};
 use crate::gui::cache::heat::Heat;
@@ -32,14 +32,7 @@ impl Uniform {
             usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("frame of a layer"),
-            layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: buffer.as_entire_binding(),
-            }],
-        });
+        let group = group(device, layout, buffer.as_entire_binding());
         Self { buffer, group }
     }
 
@@ -51,11 +44,9 @@ impl Uniform {
 }
 
 /// Everything that stays from frame to frame.
-pub(super) struct Drawer {
+pub(crate) struct Drawer {
     pub(super) linear: bool,
-    pub(super) marks: wgpu::RenderPipeline,
-    pub(super) ghosts: wgpu::RenderPipeline,
-    pub(super) arrows: wgpu::RenderPipeline,
+    pub(super) flat: BySample,
     pub(super) heat_map: wgpu::RenderPipeline,
     /// Of a texture that is read cell by cell.
     pub(super) cells_layout: wgpu::BindGroupLayout,
@@ -110,16 +101,17 @@ impl Drawer {
         let of_samples = |module, vertex, depth| {
             pipeline(device, &samples, module, vertex, &columns(), format, depth)
         };
+        let by_sample = |depth| BySample {
+            marks: of_samples(&marks, "mark", depth),
+            ghosts: of_samples(&arrows, "ghost", depth),
+            arrows: of_samples(&arrows, "arrow", depth),
+        };
         Self {
             linear: format.is_srgb(),
-            marks: of_samples(&marks, "mark", false),
-            ghosts: of_samples(&arrows, "ghost", false),
-            arrows: of_samples(&arrows, "arrow", false),
+            flat: by_sample(false),
             heat_map: pipeline(device, &map, &heat, "everywhere", &[], format, false),
             space: Space {
-                marks: of_samples(&marks, "mark", true),
-                ghosts: of_samples(&arrows, "ghost", true),
-                arrows: of_samples(&arrows, "arrow", true),
+                by_sample: by_sample(true),
                 copy: pipeline(device, &map, &copy, "everywhere", &[], format, false),
                 format,
                 target: None,
@@ -203,15 +195,22 @@ impl Drawer {
             bytemuck::cast_slice(&heat.cells),
         );
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("cells of the heat map"),
-            layout: &self.cells_layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: wgpu::BindingResource::TextureView(&view),
-            }],
-        });
+        let cells = wgpu::BindingResource::TextureView(&view);
+        let group = group(device, &self.cells_layout, cells);
         self.heat = Some((Arc::downgrade(heat), group));
+    }
+
+    /// Draws cells of a texture all over a plot.
+    pub(super) fn draw_everywhere(
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        uniform: &Uniform,
+        cells: &wgpu::BindGroup,
+    ) {
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &uniform.group, &[]);
+        pass.set_bind_group(1, cells, &[]);
+        pass.draw(0..3, 0..1);
     }
 
     /// Draws the first `count` samples with this pipeline.

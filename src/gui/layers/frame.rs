@@ -7,6 +7,7 @@ use crate::gui::style::tokens::{Palette, STOPS};
 use crate::gui::view::{Colouring, Facing};
 
 use crate::gui::cache::heat::Heat;
+use crate::numeric::single;
 
 /// Rows of four numbers; `frame.wgsl` names them.
 const ROWS: usize = 17 + STOPS;
@@ -186,14 +187,6 @@ fn mode(colouring: Colouring) -> f32 {
 fn straight(color: Color32, opacity: f32) -> [f32; 4] {
     let [r, g, b] = [color.r(), color.g(), color.b()].map(|c| f32::from(c) / 255.0);
     [r, g, b, opacity]
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "the screen is drawn in single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

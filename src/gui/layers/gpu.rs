@@ -11,6 +11,7 @@ use crate::gui::view::Canvas;
 
 use super::drawer::Drawer;
 use super::frame::Frame;
+use super::pipelines::BySample;
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::cache::heat::Heat;
 
@@ -42,41 +43,50 @@ pub(crate) struct CloudLayer {
     pub(crate) ghosts: bool,
 }
 
-impl CloudLayer {
-    /// The layer as a shape in this frame of a plot.
-    pub(crate) fn shape(self, rect: Rect) -> Shape {
-        Shape::Callback(Callback::new_paint_callback(rect, self))
-    }
-}
-
 pub(crate) struct HeatLayer {
     pub(crate) heat: Arc<Heat>,
     /// Where it goes.
     pub(crate) frame: Frame,
 }
 
-impl HeatLayer {
+/// A layer of a plot: what it uploads before a frame, and how it is drawn in it.
+pub(crate) trait Layer: Sized + Send + Sync + 'static {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>);
+
+    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>);
+
     /// The layer as a shape in this frame of a plot.
-    pub(crate) fn shape(self, rect: Rect) -> Shape {
-        Shape::Callback(Callback::new_paint_callback(rect, self))
+    fn shape(self, rect: Rect) -> Shape {
+        Shape::Callback(Callback::new_paint_callback(rect, CalledBack(self)))
     }
 }
 
-impl CallbackTrait for CloudLayer {
+/// What a layer prepares itself with.
+pub(crate) struct Prepared<'a> {
+    pub(super) device: &'a Device,
+    pub(super) queue: &'a Queue,
+    pub(super) encoder: &'a mut wgpu::CommandEncoder,
+}
+
+/// A layer as egui calls it back.
+struct CalledBack<L>(L);
+
+impl<L: Layer> CallbackTrait for CalledBack<L> {
     fn prepare(
         &self,
         device: &Device,
         queue: &Queue,
         _: &ScreenDescriptor,
-        _: &mut wgpu::CommandEncoder,
+        encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(drawer) = resources.get_mut::<Drawer>() {
-            drawer.upload_cloud(device, &self.cloud);
-            drawer.upload_remainder(device, &self.cloud, self.remainder.as_ref());
-            drawer
-                .cloud_uniform
-                .write(queue, &self.frame, drawer.linear);
+            let mut on = Prepared {
+                device,
+                queue,
+                encoder,
+            };
+            self.0.prepare(drawer, &mut on);
         }
         Vec::new()
     }
@@ -88,47 +98,49 @@ impl CallbackTrait for CloudLayer {
         resources: &CallbackResources,
     ) {
         if let Some(drawer) = resources.get::<Drawer>() {
-            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
-            let [points, vectors] = self.counts;
-            drawer.draw(pass, &drawer.marks, points);
-            if self.ghosts {
-                drawer.draw(pass, &drawer.ghosts, vectors);
-            }
-            drawer.draw(pass, &drawer.arrows, vectors);
+            self.0.paint(drawer, pass);
         }
     }
 }
 
-impl CallbackTrait for HeatLayer {
-    fn prepare(
-        &self,
-        device: &Device,
-        queue: &Queue,
-        _: &ScreenDescriptor,
-        _: &mut wgpu::CommandEncoder,
-        resources: &mut CallbackResources,
-    ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(drawer) = resources.get_mut::<Drawer>() {
-            drawer.upload_heat(device, queue, &self.heat);
-            drawer.heat_uniform.write(queue, &self.frame, drawer.linear);
+impl CloudLayer {
+    /// Draws the points, the deviations before, and the error vectors.
+    pub(super) fn draw(&self, drawer: &Drawer, by: &BySample, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
+        let [points, vectors] = self.counts;
+        drawer.draw(pass, &by.marks, points);
+        if self.ghosts {
+            drawer.draw(pass, &by.ghosts, vectors);
         }
-        Vec::new()
+        drawer.draw(pass, &by.arrows, vectors);
+    }
+}
+
+impl Layer for CloudLayer {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
+        drawer.upload_cloud(on.device, &self.cloud);
+        drawer.upload_remainder(on.device, &self.cloud, self.remainder.as_ref());
+        drawer
+            .cloud_uniform
+            .write(on.queue, &self.frame, drawer.linear);
     }
 
-    fn paint(
-        &self,
-        _: PaintCallbackInfo,
-        pass: &mut wgpu::RenderPass<'static>,
-        resources: &CallbackResources,
-    ) {
-        let Some(drawer) = resources.get::<Drawer>() else {
-            return;
-        };
+    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
+        self.draw(drawer, &drawer.flat, pass);
+    }
+}
+
+impl Layer for HeatLayer {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
+        drawer.upload_heat(on.device, on.queue, &self.heat);
+        drawer
+            .heat_uniform
+            .write(on.queue, &self.frame, drawer.linear);
+    }
+
+    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
         if let Some((_, cells)) = &drawer.heat {
-            pass.set_pipeline(&drawer.heat_map);
-            pass.set_bind_group(0, &drawer.heat_uniform.group, &[]);
-            pass.set_bind_group(1, cells, &[]);
-            pass.draw(0..3, 0..1);
+            Drawer::draw_everywhere(pass, &drawer.heat_map, &drawer.heat_uniform, cells);
         }
     }
 }

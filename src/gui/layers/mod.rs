@@ -25,6 +25,6 @@ mod target;
 mod tests;
 
 pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};
-pub(crate) use gpu::{CloudLayer, HeatLayer, register};
+pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, register};
 pub(crate) use shapes::mesh;
 pub(crate) use space::SpaceLayer;

@@ -92,3 +92,26 @@ pub(super) fn pipeline(
         cache: None,
     })
 }
+
+/// What draws once for each sample.
+pub(super) struct BySample {
+    pub(super) marks: wgpu::RenderPipeline,
+    pub(super) ghosts: wgpu::RenderPipeline,
+    pub(super) arrows: wgpu::RenderPipeline,
+}
+
+/// A group of one thing that a shader reads.
+pub(super) fn group(
+    device: &Device,
+    layout: &wgpu::BindGroupLayout,
+    resource: wgpu::BindingResource<'_>,
+) -> wgpu::BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("what a layer reads"),
+        layout,
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource,
+        }],
+    })
+}

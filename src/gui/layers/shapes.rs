@@ -8,6 +8,7 @@ use crate::gui::view::Colouring;
 
 use super::frame::{HEAT, Look, scale_at};
 use crate::gui::cache::heat::{Heat, blended};
+use crate::numeric::single;
 
 /// Corners along each side.
 const CORNERS: u32 = 64;
@@ -34,12 +35,4 @@ pub(crate) fn mesh(heat: &Heat, look: &Look, palette: &Palette, transform: &Plot
         }
     }
     mesh
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "the screen is drawn in single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }

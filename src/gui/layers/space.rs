@@ -5,46 +5,25 @@
 //! again only when samples, camera or colours change: while the pointer moves over a million vectors
 //! a frame copies one picture.
 
-use egui::{PaintCallbackInfo, Rect, Shape};
-use egui_wgpu::wgpu::{self, Device, Queue};
-use egui_wgpu::{Callback, CallbackResources, CallbackTrait, ScreenDescriptor};
+use egui_wgpu::wgpu;
 
 use super::drawer::Drawer;
-use super::gpu::CloudLayer;
+use super::gpu::{CloudLayer, Layer, Prepared};
 use super::target::{Drawn, Target};
 
 /// Error vectors and measured points by their depth.
 pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
 
-impl SpaceLayer {
-    /// The layer as a shape in this frame of a plot.
-    pub(crate) fn shape(self, rect: Rect) -> Shape {
-        Shape::Callback(Callback::new_paint_callback(rect, self))
-    }
-}
-
-impl CallbackTrait for SpaceLayer {
-    fn prepare(
-        &self,
-        device: &Device,
-        queue: &Queue,
-        _: &ScreenDescriptor,
-        encoder: &mut wgpu::CommandEncoder,
-        resources: &mut CallbackResources,
-    ) -> Vec<wgpu::CommandBuffer> {
-        let Some(drawer) = resources.get_mut::<Drawer>() else {
-            return Vec::new();
-        };
+impl Layer for SpaceLayer {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
         let layer = &self.0;
-        drawer.upload_cloud(device, &layer.cloud);
-        drawer.upload_remainder(device, &layer.cloud, layer.remainder.as_ref());
-        drawer
-            .cloud_uniform
-            .write(queue, &layer.frame, drawer.linear);
-        let size = layer.frame.size(device.limits().max_texture_dimension_2d);
+        layer.prepare(drawer, on);
+        let most = on.device.limits().max_texture_dimension_2d;
+        let size = layer.frame.size(most);
         if drawer.space.target.as_ref().is_none_or(|t| t.size != size) {
             let format = drawer.space.format;
-            drawer.space.target = Some(Target::new(device, &drawer.cells_layout, size, format));
+            let target = Target::new(on.device, &drawer.cells_layout, size, format);
+            drawer.space.target = Some(target);
             drawer.space.drawn = None;
         }
         let now = Drawn {
@@ -54,36 +33,19 @@ impl CallbackTrait for SpaceLayer {
             uploads: drawer.uploads,
         };
         if drawer.space.drawn == Some(now) {
-            return Vec::new();
+            return;
         }
         drawer.space.drawn = Some(now);
         if let Some(target) = &drawer.space.target {
-            let mut pass = target.begin(encoder);
-            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
-            let [points, vectors] = layer.counts;
-            drawer.draw(&mut pass, &drawer.space.marks, points);
-            if layer.ghosts {
-                drawer.draw(&mut pass, &drawer.space.ghosts, vectors);
-            }
-            drawer.draw(&mut pass, &drawer.space.arrows, vectors);
+            let mut pass = target.begin(on.encoder);
+            layer.draw(drawer, &drawer.space.by_sample, &mut pass);
         }
-        Vec::new()
     }
 
-    fn paint(
-        &self,
-        _: PaintCallbackInfo,
-        pass: &mut wgpu::RenderPass<'static>,
-        resources: &CallbackResources,
-    ) {
-        let Some(drawer) = resources.get::<Drawer>() else {
-            return;
-        };
+    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
         if let Some(target) = &drawer.space.target {
-            pass.set_pipeline(&drawer.space.copy);
-            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
-            pass.set_bind_group(1, &target.group, &[]);
-            pass.draw(0..3, 0..1);
+            let (copy, uniform) = (&drawer.space.copy, &drawer.cloud_uniform);
+            Drawer::draw_everywhere(pass, copy, uniform, &target.group);
         }
     }
 }

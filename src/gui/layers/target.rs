@@ -3,13 +3,11 @@
 use egui_wgpu::wgpu::{self, Device};
 
 use super::frame::Frame;
-use super::pipelines::DEPTH;
+use super::pipelines::{BySample, DEPTH, group};
 
 /// What stays from frame to frame for the view in space.
 pub(super) struct Space {
-    pub(super) marks: wgpu::RenderPipeline,
-    pub(super) ghosts: wgpu::RenderPipeline,
-    pub(super) arrows: wgpu::RenderPipeline,
+    pub(super) by_sample: BySample,
     pub(super) copy: wgpu::RenderPipeline,
     pub(super) format: wgpu::TextureFormat,
     pub(super) target: Option<Target>,
@@ -59,14 +57,8 @@ impl Target {
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
         let picture = texture(format, wgpu::TextureUsages::TEXTURE_BINDING);
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("samples in space"),
-            layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: wgpu::BindingResource::TextureView(&picture),
-            }],
-        });
+        let read = wgpu::BindingResource::TextureView(&picture);
+        let group = group(device, layout, read);
         Self {
             size,
             depth: texture(DEPTH, wgpu::TextureUsages::empty()),

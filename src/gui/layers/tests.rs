@@ -15,7 +15,7 @@ use crate::gui::style::tokens::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
 use super::frame::{Frame, HEAT, Look, OUTLINE, WIDTH, scale_at};
-use super::gpu::{CloudLayer, HeatLayer, register};
+use super::gpu::{CloudLayer, HeatLayer, Layer, register};
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
 

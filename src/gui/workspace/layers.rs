@@ -6,7 +6,7 @@ use egui::Shape;
 use egui_plot::PlotTransform;
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Look, mesh};
+use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Layer, Look, mesh};
 use crate::gui::style::tokens::Palette;
 use crate::gui::view::{Canvas, Colouring};
 use crate::gui::workbench::Workbench;

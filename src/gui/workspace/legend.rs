@@ -12,6 +12,7 @@ use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
+use crate::numeric::single;
 use crate::present::numbers::trimmed;
 
 use super::layout;
@@ -185,7 +186,7 @@ pub(super) fn scale(
     let units = workbench.units();
     let points_per_mm = transform.dpos_dvalue_x().abs();
     let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
-    let long = points_from(mm * scene.magnification * points_per_mm);
+    let long = single(mm * scene.magnification * points_per_mm);
     let color = if scene.look.colouring != Colouring::State {
         palette.muted
     } else if scene.look.answered && scene.look.blend > 0.0 {
@@ -329,13 +330,4 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
             note(ui, say!("legend-from-the-smallest"), palette);
         }
     });
-}
-
-/// A length on the screen.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a length on the screen is a small number"
-)]
-fn points_from(length: f64) -> f32 {
-    length as f32
 }

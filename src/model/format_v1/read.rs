@@ -224,17 +224,7 @@ const REGIONS: Kind<Vec<RegionalCorrection>> = Kind {
 
 const REGION: Kind<RegionalCorrection> = Kind {
     expected: "an object that describes a region",
-    read: |at| {
-        let blank = RegionalCorrection {
-            name: String::new(),
-            from_rad: 0.0,
-            to_rad: 0.0,
-            samples: 0,
-            theta_rad: 0.0,
-            l1_mm: 0.0,
-        };
-        at.object(blank, region)
-    },
+    read: |at| at.object(RegionalCorrection::default(), region),
     write: |own| written(own.clone(), region),
 };
 
@@ -281,7 +271,7 @@ const RANGES: Kind<Vec<Range>> = Kind {
 /// rad or mm.
 const RANGE: Kind<Range> = Kind {
     expected: "an object with from_inner and to_inner",
-    read: |at| at.object(Range { from: 0.0, to: 0.0 }, range),
+    read: |at| at.object(Range::default(), range),
     write: |own| written(*own, range),
 };
 

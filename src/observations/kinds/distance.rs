@@ -6,7 +6,7 @@
 
 use crate::effects::places::{Place, PlaceKind};
 use crate::lanes::{dot, minus, scaled};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Distance;
@@ -35,9 +35,8 @@ impl Kind for Distance {
     }
 
     fn place(&self, session: &Session, sample: usize) -> Option<Place> {
-        let index = session.samples.observed.anchor.as_ref()?[sample]? as usize;
-        let kind = PlaceKind::Anchor;
-        Some(Place { kind, index })
+        let column = session.samples.observed.anchor.as_ref();
+        named(column, sample, PlaceKind::Anchor)
     }
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {

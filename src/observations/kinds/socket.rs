@@ -3,7 +3,7 @@
 
 use crate::effects::places::{Place, PlaceKind};
 use crate::lanes::minus;
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session, Sigma};
 
 pub(crate) struct Socket;
@@ -22,14 +22,9 @@ impl Kind for Socket {
         &ABOUT
     }
 
-    fn measured(&self, session: &Session, sample: usize) -> bool {
-        self.place(session, sample).is_some()
-    }
-
     fn place(&self, session: &Session, sample: usize) -> Option<Place> {
-        let index = session.samples.observed.socket.as_ref()?[sample]? as usize;
-        let kind = PlaceKind::Socket;
-        Some(Place { kind, index })
+        let column = session.samples.observed.socket.as_ref();
+        named(column, sample, PlaceKind::Socket)
     }
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {

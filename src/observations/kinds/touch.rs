@@ -7,7 +7,7 @@
 
 use crate::effects::places::{Place, PlaceKind, unit_normal};
 use crate::lanes::{add_scaled, dot, scaled};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Touch;
@@ -26,14 +26,9 @@ impl Kind for Touch {
         &ABOUT
     }
 
-    fn measured(&self, session: &Session, sample: usize) -> bool {
-        self.place(session, sample).is_some()
-    }
-
     fn place(&self, session: &Session, sample: usize) -> Option<Place> {
-        let index = session.samples.observed.plane.as_ref()?[sample]? as usize;
-        let kind = PlaceKind::Plane;
-        Some(Place { kind, index })
+        let column = session.samples.observed.plane.as_ref();
+        named(column, sample, PlaceKind::Plane)
     }
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {

@@ -250,14 +250,7 @@ pub(crate) const REGIONS: Kind<Vec<Region>> = Kind {
 
 const REGION: Kind<Region> = Kind {
     expected: "an object with name, from_deg and to_deg",
-    read: |at| {
-        let blank = Region {
-            name: String::new(),
-            from_rad: 0.0,
-            to_rad: 0.0,
-        };
-        at.object(blank, region)
-    },
+    read: |at| at.object(Region::default(), region),
     write: |own| written(own.clone(), region),
 };
 

@@ -286,13 +286,7 @@ fn noise(o: &mut Object<'_, '_>, own: &mut Scenario) {
 
 const OUTLIERS: Kind<Outliers> = Kind {
     expected: "an object with share and mm",
-    read: |at| {
-        let blank = Outliers {
-            share: 0.0,
-            mm: 0.0,
-        };
-        at.object(blank, outliers)
-    },
+    read: |at| at.object(Outliers::default(), outliers),
     write: |own| written(*own, outliers),
 };
 

@@ -15,13 +15,8 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         say!("import-file-of-the-commands"),
         say!("import-a-table-with-q1-deg"),
     );
-    super::parts::path(
-        ui,
-        field,
-        &mut next.commands,
-        (Beside::Commands, now),
-        commands,
-    );
+    let which = (Beside::Commands, now);
+    super::parts::path(ui, field, &mut next.commands, which, commands);
     if next.commands.trim().is_empty() {
         return;
     }
@@ -48,11 +43,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
             next.motion = motion;
         }
     });
-    let trial = now
-        .seen
-        .trial
-        .as_ref()
-        .and_then(|trial| trial.as_ref().ok());
+    let trial = now.trial();
     let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
     widgets::form_row(ui, say!("import-clocks-apart"), |ui| {
         let found = next.clock_offset_s.is_none();
@@ -96,22 +87,13 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         say!("import-file-of-the-known-points"),
         say!("import-a-table-with-name-x"),
     );
-    super::parts::path(
-        ui,
-        field,
-        &mut next.reference,
-        (Beside::Reference, now),
-        commands,
-    );
+    let which = (Beside::Reference, now);
+    super::parts::path(ui, field, &mut next.reference, which, commands);
     if next.reference.trim().is_empty() {
         return;
     }
     ui.checkbox(&mut next.scale, say!("import-fit-a-scale-too"));
-    let trial = now
-        .seen
-        .trial
-        .as_ref()
-        .and_then(|trial| trial.as_ref().ok());
+    let trial = now.trial();
     if let Some(alignment) = trial.and_then(|trial| trial.alignment.as_ref()) {
         residuals(ui, alignment);
     }
@@ -192,11 +174,6 @@ pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         say!("import-file-of-the-reflectors"),
         say!("import-a-table-with-name-x-mm"),
     );
-    super::parts::path(
-        ui,
-        field,
-        &mut next.targets,
-        (Beside::Targets, now),
-        commands,
-    );
+    let which = (Beside::Targets, now);
+    super::parts::path(ui, field, &mut next.targets, which, commands);
 }

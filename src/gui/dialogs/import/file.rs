@@ -9,7 +9,7 @@ use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
 use crate::gui::style::tokens::Palette;
 use crate::gui::widgets;
 use crate::importers::{
-    About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator, find,
+    About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator,
 };
 
 /// The file in a line: rows, separator, encoding, unit.
@@ -235,7 +235,6 @@ fn answered(next: &mut Said, about: About, answer: &str) {
             });
         }
         About::Name => reading.names = vec![answer.to_owned()],
-        About::Kind => reading.kind = find(answer),
         About::Own(name) => {
             reading.options.insert(name, answer.to_owned());
         }

@@ -8,6 +8,7 @@ use egui_plot::{PlotPoint, PlotTransform};
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::Palette;
+use crate::numeric::single;
 
 use super::layout::{self, Bearing};
 use super::model::{Polar, Spot, Trace};
@@ -148,14 +149,6 @@ pub(super) fn extremes(
         }
     }
     Shape::mesh(mesh)
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a direction is drawn in single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 pub(super) fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {

@@ -6,6 +6,7 @@ use egui_plot::PlotTransform;
 
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
+use crate::numeric::single;
 use crate::present::numbers::trimmed;
 
 use super::super::free_space;
@@ -256,12 +257,4 @@ fn said(ui: &Ui, place: Rect, says: &str) {
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a direction is drawn in single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }

@@ -7,7 +7,7 @@ use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::layers::{CloudLayer, Frame, SpaceLayer};
+use crate::gui::layers::{CloudLayer, Frame, Layer, SpaceLayer};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::{Ball, Canvas, Facing};

@@ -4,16 +4,24 @@
 //! magic  (opcode u8, length u64, content)*  magic
 //! ```
 //!
-//! Numbers are little-endian. Only what brings messages is read (schemas, channels, messages, the
-//! chunks around them); the index at the end is not needed, so that a recording whose end was cut
-//! off gives everything before the cut. No length is believed before it was held against what is
-//! there. Source: the MCAP specification, version 0.
+//! The crate `mcap` reads the records. Only what brings messages is looked at (schemas, channels,
+//! messages, the chunks around them); the index at the end is not needed, so that a recording whose
+//! end was cut off gives everything before the cut. No record may be longer than the file.
+//!
+//! Chunks are unpacked here and not by the crate: its own decoders are C behind `unsafe`, which no
+//! fuzzer of this repository would look into, and it would not say where a broken chunk starts.
+//! Source: the MCAP specification, version 0.
 
 use std::collections::BTreeMap;
 use std::io::Read;
 
-/// With which every file starts and ends.
-pub(super) const MAGIC: [u8; 8] = *b"\x89MCAP0\r\n";
+use mcap::records::Record;
+use mcap::records::op::{CHANNEL, CHUNK, MESSAGE, SCHEMA};
+use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+use mcap::{MAGIC, McapError, parse_record};
+
+/// Bytes of a record before its content: its opcode and its length.
+const RECORD_HEAD: usize = 9;
 /// A chunk that would become longer is refused: recorders write some megabytes.
 const LONGEST_CHUNK: u64 = 1 << 28;
 
@@ -58,10 +66,27 @@ impl Broken {
         }
     }
 
-    fn cut(byte: usize) -> Self {
-        Self {
-            is_cut: true,
-            ..Self::new(byte, "the recording is cut off", "a whole MCAP file")
+    /// What the crate's reader refuses at a byte: where the end is missing, or a record is longer
+    /// than everything that is there, the recording is cut off.
+    fn refused(byte: usize, error: &McapError) -> Self {
+        match error {
+            McapError::UnexpectedEof | McapError::RecordTooLarge { .. } | McapError::BadMagic => {
+                Self {
+                    is_cut: true,
+                    ..Self::new(byte, "the recording is cut off", "a whole MCAP file")
+                }
+            }
+            // The crate says it with colours and over several lines.
+            McapError::Parse(wrong) if !wrong.is_eof() => Self::new(
+                byte,
+                "a record whose fields cannot be read",
+                "records as the MCAP specification has them, texts in UTF-8",
+            ),
+            _ => Self::new(
+                byte,
+                "a record that is shorter than its fields",
+                "records as the MCAP specification has them",
+            ),
         }
     }
 }
@@ -76,54 +101,39 @@ pub(super) struct Reader {
     schemas: BTreeMap<u16, String>,
 }
 
-/// Fields of a record, one after the other.
-struct Fields<'a> {
-    rest: &'a [u8],
-    /// Where the record starts in the file.
-    byte: usize,
-}
+/// Takes a record by its opcode, its content and where it starts; `false` stops the reading.
+type EachRecord<'e> = dyn FnMut(u8, &[u8], usize) -> Result<bool, Broken> + 'e;
 
-impl<'a> Fields<'a> {
-    fn take(&mut self, length: usize) -> Result<&'a [u8], Broken> {
-        match self.rest.split_at_checked(length) {
-            Some((head, rest)) => {
-                self.rest = rest;
-                Ok(head)
+/// Hands every record from a byte on to `each`; whether all of them were wanted.
+fn records(
+    bytes: &[u8],
+    from: usize,
+    options: LinearReaderOptions,
+    each: &mut EachRecord<'_>,
+) -> Result<bool, Broken> {
+    let options = options
+        .with_skip_start_magic(true)
+        .with_emit_chunks(true)
+        .with_record_length_limit(bytes.len());
+    let mut reader = LinearReader::new_with_options(options);
+    let (mut rest, mut at) = (&bytes[from..], from);
+    while let Some(event) = reader.next_event() {
+        match event.map_err(|error| Broken::refused(at, &error))? {
+            LinearReadEvent::ReadRequest(wanted) => {
+                let (next, behind) = rest.split_at(wanted.min(rest.len()));
+                reader.insert(next.len()).copy_from_slice(next);
+                reader.notify_read(next.len());
+                rest = behind;
             }
-            None => Err(Broken::new(
-                self.byte,
-                "a record that is shorter than its fields",
-                "records as the MCAP specification has them",
-            )),
+            LinearReadEvent::Record { opcode, data } => {
+                if !each(opcode, data, at)? {
+                    return Ok(false);
+                }
+                at += RECORD_HEAD + data.len();
+            }
         }
     }
-
-    fn number<const N: usize>(&mut self) -> Result<u64, Broken> {
-        let mut bytes = [0; 8];
-        bytes[..N].copy_from_slice(self.take(N)?);
-        Ok(u64::from_le_bytes(bytes))
-    }
-
-    fn short(&mut self) -> Result<u16, Broken> {
-        let bytes = self.take(2)?;
-        Ok(u16::from_le_bytes([bytes[0], bytes[1]]))
-    }
-
-    fn text(&mut self) -> Result<String, Broken> {
-        let length = usize::try_from(self.number::<4>()?).unwrap_or(usize::MAX);
-        let bytes = self.take(length)?;
-        Ok(String::from_utf8_lossy(bytes).into_owned())
-    }
-}
-
-/// The record at a place: opcode, content, and where the next one starts.
-fn record(bytes: &[u8], at: usize) -> Option<(u8, &[u8], usize)> {
-    let head = bytes.get(at..at.checked_add(9)?)?;
-    let mut length = [0; 8];
-    length.copy_from_slice(&head[1..]);
-    let length = usize::try_from(u64::from_le_bytes(length)).ok()?;
-    let end = at.checked_add(9)?.checked_add(length)?;
-    Some((head[0], bytes.get(at + 9..end)?, end))
+    Ok(true)
 }
 
 impl Reader {
@@ -137,55 +147,43 @@ impl Reader {
         bytes: &[u8],
         each: &mut dyn FnMut(&[Channel], &Message<'_>, f64) -> bool,
     ) -> Result<(), Broken> {
-        if !bytes.starts_with(&MAGIC) {
+        if !bytes.starts_with(MAGIC) {
             let expected = "the bytes 89 4D 43 41 50 30 0D 0A, with which MCAP files start";
             return Err(Broken::new(0, "no MCAP file", expected));
         }
-        let mut at = MAGIC.len();
-        loop {
-            let Some((opcode, content, next)) = record(bytes, at) else {
-                return Err(Broken::cut(at));
-            };
+        let whole = LinearReaderOptions::default();
+        let read = records(bytes, MAGIC.len(), whole, &mut |opcode, content, at| {
             let share = at as f64 / bytes.len() as f64;
-            match opcode {
-                // The footer: nothing but the magic bytes follows.
-                2 if bytes[next..] == MAGIC => return Ok(()),
-                2 => return Err(Broken::cut(next)),
-                6 => {
-                    let records = chunk(content, at)?;
-                    if !self.chunk_records(&records, at, share, each)? {
-                        return Ok(());
-                    }
-                }
-                _ => {
-                    if !self.record(opcode, content, at, share, each)? {
-                        return Ok(());
-                    }
-                }
+            if opcode == CHUNK {
+                self.chunk(content, at, share, each)
+            } else {
+                self.record(opcode, content, at, share, each)
             }
-            at = next;
-        }
+        });
+        read.map(|_| ())
     }
 
-    fn chunk_records(
+    /// Hands the messages of a chunk on. A chunk within a chunk is passed over: none may be there.
+    fn chunk(
         &mut self,
-        records: &[u8],
+        content: &[u8],
         byte: usize,
         share: f64,
         each: &mut dyn FnMut(&[Channel], &Message<'_>, f64) -> bool,
     ) -> Result<bool, Broken> {
-        let mut at = 0;
-        while at < records.len() {
-            let Some((opcode, content, next)) = record(records, at) else {
-                let found = "a chunk that ends within a record";
-                return Err(Broken::new(byte, found, "whole records in every chunk"));
-            };
-            if !self.record(opcode, content, byte, share, each)? {
-                return Ok(false);
+        let unpacked = unpacked(content, byte)?;
+        let options = LinearReaderOptions::default().with_skip_end_magic(true);
+        let read = records(&unpacked, 0, options, &mut |opcode, content, _| {
+            self.record(opcode, content, byte, share, each)
+        });
+        read.map_err(|broken| {
+            let found = "a chunk that ends within a record";
+            if broken.is_cut {
+                Broken::new(byte, found, "whole records in every chunk")
+            } else {
+                broken
             }
-            at = next;
-        }
-        Ok(true)
+        })
     }
 
     fn record(
@@ -196,29 +194,25 @@ impl Reader {
         share: f64,
         each: &mut dyn FnMut(&[Channel], &Message<'_>, f64) -> bool,
     ) -> Result<bool, Broken> {
-        let mut fields = Fields {
-            rest: content,
-            byte,
-        };
-        match opcode {
-            3 => {
-                let number = fields.short()?;
-                self.schemas.insert(number, fields.text()?);
+        // What brings no messages is not even parsed.
+        if !matches!(opcode, CHANNEL | MESSAGE | SCHEMA) {
+            return Ok(true);
+        }
+        match parsed(opcode, content, byte)? {
+            Record::Schema { header, .. } => {
+                self.schemas.insert(header.id, header.name);
             }
-            4 => self.channel(&mut fields)?,
-            5 => {
-                let number = fields.short()?;
+            Record::Channel(channel) => self.channel(channel),
+            Record::Message { header, data } => {
+                let number = header.channel_id;
                 let Some(&channel) = self.numbers.get(&number) else {
                     let found = format!("a message of channel {number}, which nothing announces");
                     return Err(Broken::new(byte, found, "a channel before its messages"));
                 };
-                fields.number::<4>()?;
-                let log_time_ns = fields.number::<8>()?;
-                fields.number::<8>()?;
                 let message = Message {
                     channel,
-                    log_time_ns,
-                    data: fields.rest,
+                    log_time_ns: header.log_time,
+                    data: &data,
                     byte,
                 };
                 return Ok(each(&self.channels, &message, share));
@@ -228,14 +222,12 @@ impl Reader {
         Ok(true)
     }
 
-    fn channel(&mut self, fields: &mut Fields<'_>) -> Result<(), Broken> {
-        let (number, schema) = (fields.short()?, fields.short()?);
-        let (topic, encoding) = (fields.text()?, fields.text()?);
-        let type_name = self.schemas.get(&schema).cloned().unwrap_or_default();
+    fn channel(&mut self, announced: mcap::records::Channel) {
+        let type_name = self.schemas.get(&announced.schema_id);
         let channel = Channel {
-            topic,
-            encoding,
-            type_name,
+            topic: announced.topic,
+            encoding: announced.message_encoding,
+            type_name: type_name.cloned().unwrap_or_default(),
         };
         // The same channel may be announced in every chunk, and by several writers.
         let known = self.channels.iter().position(|other| *other == channel);
@@ -243,31 +235,28 @@ impl Reader {
             self.channels.push(channel);
             self.channels.len() - 1
         });
-        self.numbers.insert(number, place);
-        Ok(())
+        self.numbers.insert(announced.id, place);
     }
 }
 
+fn parsed(opcode: u8, content: &[u8], byte: usize) -> Result<Record<'_>, Broken> {
+    parse_record(opcode, content).map_err(|error| Broken::refused(byte, &error))
+}
+
 /// The records of a chunk, unpacked and held against their checksum.
-fn chunk(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
-    let mut fields = Fields {
-        rest: content,
-        byte,
+fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
+    let Record::Chunk { header, data } = parsed(CHUNK, content, byte)? else {
+        return Ok(Vec::new());
     };
-    fields.take(16)?;
-    let length = fields.number::<8>()?;
-    let checksum = fields.number::<4>()?;
-    let compression = fields.text()?;
-    let packed_length = usize::try_from(fields.number::<8>()?).unwrap_or(usize::MAX);
-    let packed = fields.take(packed_length)?;
+    let length = header.uncompressed_size;
     if length > LONGEST_CHUNK {
         let found = format!("a chunk of {length} bytes");
         return Err(Broken::new(byte, found, "chunks of at most 256 MiB"));
     }
-    let records = match compression.as_str() {
-        "" => Ok(packed.to_vec()),
-        "lz4" => all_of(lz4_flex::frame::FrameDecoder::new(packed), length),
-        "zstd" => match ruzstd::decoding::StreamingDecoder::new(packed) {
+    let records = match header.compression.as_str() {
+        "" => Ok(data.to_vec()),
+        "lz4" => all_of(lz4_flex::frame::FrameDecoder::new(&*data), length),
+        "zstd" => match ruzstd::decoding::StreamingDecoder::new(&*data) {
             Ok(decoder) => all_of(decoder, length),
             Err(error) => Err(error.to_string()),
         },
@@ -284,7 +273,8 @@ fn chunk(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
         let found = format!("a chunk of {} bytes that says {length}", records.len());
         return Err(Broken::new(byte, found, "a chunk as it was recorded"));
     }
-    if checksum != 0 && u64::from(crc32(&records)) != checksum {
+    let checksum = header.uncompressed_crc;
+    if checksum != 0 && crc32fast::hash(&records) != checksum {
         let found = "a chunk whose checksum does not agree";
         return Err(Broken::new(byte, found, "a chunk as it was recorded"));
     }
@@ -298,30 +288,6 @@ fn all_of(decoder: impl Read, length: u64) -> Result<Vec<u8>, String> {
         Ok(_) => Ok(unpacked),
         Err(error) => Err(error.to_string()),
     }
-}
-
-/// CRC-32 as in zlib: polynomial EDB88320, reflected.
-fn crc32(bytes: &[u8]) -> u32 {
-    const fn entry(mut value: u32) -> u32 {
-        let mut bit = 0;
-        while bit < 8 {
-            value = (value >> 1) ^ (0xedb8_8320 * (value & 1));
-            bit += 1;
-        }
-        value
-    }
-    const TABLE: [u32; 256] = {
-        let mut table = [0; 256];
-        let (mut place, mut value) = (0, 0);
-        while place < table.len() {
-            table[place] = entry(value);
-            (place, value) = (place + 1, value + 1);
-        }
-        table
-    };
-    !bytes.iter().fold(!0, |sum: u32, byte| {
-        (sum >> 8) ^ TABLE[usize::from(sum.to_le_bytes()[0] ^ byte)]
-    })
 }
 
 #[cfg(test)]
@@ -348,17 +314,17 @@ mod tests {
         let records = [framed(3, &schema), framed(4, &channel), framed(5, &message)].concat();
         let mut chunk = vec![0; 16];
         chunk.extend((records.len() as u64).to_le_bytes());
-        chunk.extend(crc32(&records).to_le_bytes());
+        chunk.extend(crc32fast::hash(&records).to_le_bytes());
         chunk.extend(text(""));
         chunk.extend((records.len() as u64).to_le_bytes());
         chunk.extend(&records);
         let footer = framed(2, &[0; 20]);
         [
-            &MAGIC[..],
+            MAGIC,
             &framed(1, &[0; 8]),
             &framed(6, &chunk),
             &footer,
-            &MAGIC,
+            MAGIC,
         ]
         .concat()
     }
@@ -377,11 +343,6 @@ mod tests {
             true
         });
         (seen, read)
-    }
-
-    #[test]
-    fn the_checksum_is_that_of_zlib() {
-        assert_eq!(crc32(b"123456789"), 0xcbf4_3926);
     }
 
     #[test]
@@ -412,5 +373,51 @@ mod tests {
             "{broken:?}"
         );
         assert_eq!(broken.byte, 8 + 9 + 8, "where the chunk starts");
+    }
+
+    /// A file of these records, without a summary.
+    fn of_records(records: &[&[u8]]) -> Vec<u8> {
+        let end = [&framed(2, &[0; 20])[..], MAGIC].concat();
+        [MAGIC, &records.concat(), &end].concat()
+    }
+
+    #[test]
+    fn what_brings_no_messages_may_be_anything() {
+        let whole = small();
+        let chunk = &whole[8 + 9 + 8..whole.len() - 8 - 29];
+        // Attachment, metadata, statistics and an opcode of a later version, all too short.
+        for opcode in [9, 11, 12, 200] {
+            let (seen, read) = messages(&of_records(&[&framed(opcode, b"x"), chunk]));
+            assert_eq!((seen.len(), read), (1, Ok(())), "{opcode}");
+        }
+    }
+
+    #[test]
+    fn records_that_say_nothing_are_refused_with_their_byte() {
+        let no_text = [&[1, 0, 1, 0, 0, 0, 255, 0, 0, 0, 0][..], &text("")].concat();
+        for (schema, says) in [
+            (&b"\x01"[..], "shorter than its fields"),
+            (&no_text, "whose fields cannot be read"),
+        ] {
+            let broken = messages(&of_records(&[&framed(3, schema)])).1.unwrap_err();
+            assert!(
+                broken.found.contains(says) && broken.byte == 8 && !broken.is_cut,
+                "{broken:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_chunk_within_a_chunk_is_passed_over() {
+        let whole = small();
+        let inner = &whole[8 + 9 + 8..whole.len() - 8 - 29];
+        let mut outer = vec![0; 16];
+        outer.extend((inner.len() as u64).to_le_bytes());
+        outer.extend([0; 4]);
+        outer.extend(text(""));
+        outer.extend((inner.len() as u64).to_le_bytes());
+        outer.extend(inner);
+        let (seen, read) = messages(&of_records(&[&framed(6, &outer)]));
+        assert_eq!((seen.len(), read), (0, Ok(())));
     }
 }

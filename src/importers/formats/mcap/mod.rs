@@ -67,7 +67,7 @@ pub(crate) static IMPORTER: Importer = Importer {
             values: &[],
         },
     ],
-    known_by: KnownBy::Bytes(|bytes| bytes.starts_with(&container::MAGIC[..6])),
+    known_by: KnownBy::Bytes(|bytes| bytes.starts_with(&mcap::MAGIC[..6])),
     read,
 };
 
