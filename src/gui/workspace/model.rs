@@ -365,7 +365,7 @@ pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
     })
 }
 
-/// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
+/// The uncertainty at the points of [`paths`], each as a part of the largest.
 fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
     let Some(uncertain) = workbench.uncertain() else {
         return Vec::new();
@@ -375,6 +375,7 @@ fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
     along.map(|way| way.iter().map(part).collect()).collect()
 }
 
+/// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
 fn paths(subject: &Subject, flat: impl Fn(Point3<f64>) -> [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let values = subject.over_travel();
     if values.is_empty() {

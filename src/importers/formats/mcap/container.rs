@@ -181,7 +181,8 @@ impl Reader {
             if broken.is_cut {
                 Broken::new(byte, found, "whole records in every chunk")
             } else {
-                broken
+                // Where in the unpacked records says nothing about the file.
+                Broken { byte, ..broken }
             }
         })
     }
