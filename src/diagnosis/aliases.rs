@@ -134,23 +134,22 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
         }
     }
     trials.sort_by(|a, b| b.ln_evidence.total_cmp(&a.ln_evidence));
-    trials.truncate(MOST_REFITTED);
-    let mut rivals: Vec<Rival> = Vec::new();
-    for trial in trials {
+    let refitted = trials.into_iter().map(|trial| {
         let term = |i: &usize| regression.table.candidates[*i].what.term().cloned();
         let instead: Vec<Term> = trial.instead.iter().filter_map(term).collect();
         let model = instead
             .iter()
             .fold(trial.rest.model.clone(), |m, t| m.with_term(t.clone()));
-        let refitted = regression.fit(&model, trial.rest.shapes.clone());
-        if refitted.ln_evidence > fit.ln_evidence - CLOSE {
-            rivals.push(Rival {
-                removed: trial.removed,
-                instead,
-                fit: refitted,
-            });
+        Rival {
+            removed: trial.removed,
+            instead,
+            fit: regression.fit(&model, trial.rest.shapes.clone()),
         }
-    }
+    });
+    // What its own values rule out does not count among those that are refitted.
+    let possible = refitted.filter(|r| r.fit.ln_evidence.is_finite());
+    let mut rivals: Vec<Rival> = possible.take(MOST_REFITTED).collect();
+    rivals.retain(|r| r.fit.ln_evidence > fit.ln_evidence - CLOSE);
     rivals.sort_by(|a, b| b.fit.ln_evidence.total_cmp(&a.fit.ln_evidence));
     rivals
 }

@@ -126,15 +126,8 @@ impl Search<'_, '_> {
         by_odds(&mut scores);
         let unseen = self.unseen(fit);
         let mattering = scores.iter().filter(|s| self.matters(s.gain, fit));
-        let fitted = mattering.map(|score| {
-            let what = self.refined(fit, score.candidate);
-            (score, self.regression.with(fit, &what))
-        });
-        // What its own values rule out (a compliance that is not clear of zero beside what has not been
-        // found yet) is no reason against the others.
-        let possible = fitted.filter(|(_, next)| next.ln_evidence.is_finite());
         // Nearly equal candidates: the first few are looked at closely.
-        for (score, next) in possible.take(4) {
+        for (score, next) in self.possible(fit, mattering).take(4) {
             if self.regression.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }
@@ -143,6 +136,20 @@ impl Search<'_, '_> {
             }
         }
         None
+    }
+
+    /// A fit with each candidate, but for what its own values rule out: a compliance that is not clear of
+    /// zero beside what has not been found yet is no reason against the others.
+    fn possible<'f>(
+        &'f self,
+        fit: &'f Fit,
+        scores: impl Iterator<Item = &'f Score>,
+    ) -> impl Iterator<Item = (&'f Score, Fit)> {
+        let fitted = scores.map(move |score| {
+            let what = self.refined(fit, score.candidate);
+            (score, self.regression.with(fit, &what))
+        });
+        fitted.filter(|(_, next)| next.ln_evidence.is_finite())
     }
 
     fn unseen(&self, fit: &Fit) -> f64 {
@@ -214,9 +221,7 @@ impl Search<'_, '_> {
             .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
-        for score in scores.iter().take(3) {
-            let what = self.refined(rest, score.candidate);
-            let next = self.regression.with(rest, &what);
+        for (_, next) in self.possible(rest, scores.iter()).take(3) {
             let so_far = best.as_ref().map_or(than, |b| b.ln_evidence);
             if next.ln_evidence > so_far + 1e-3 {
                 best = Some(next);
