@@ -22,8 +22,49 @@ const SETTINGS: usize = 4;
 /// A third and a fourth name are taken while they explain so much.
 const WORTHWHILE: f64 = 25.0;
 
-/// Strength that the best neighbours, at most so many, leave of a hidden effect, and who they are.
-pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<&'static str>) {
+/// Strength that is left of a hidden effect beside the base and the others that are hidden, each with its own
+/// columns: two that nearly cancel each other, such as a step of the frame and a base that stands elsewhere,
+/// leave little of each.
+pub fn left_beside_the_others(rig: &Rig, hidden: &Hidden) -> f64 {
+    let mut columns = of_the_base(rig);
+    for other in rig.hidden.iter().filter(|h| *h != hidden) {
+        for column in own_columns(other) {
+            add(&mut columns, difference(rig, rig, &[], &[column]));
+        }
+    }
+    let mut left = difference(rig, rig, &[], std::slice::from_ref(hidden));
+    project(&columns, &mut left);
+    dot(&left, &left) / rig.design.sigma_mm.powi(2)
+}
+
+/// Effects of a small size at the setting of this one, one for each of its columns.
+fn own_columns(hidden: &Hidden) -> Vec<Hidden> {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let phases = |make: &dyn Fn(f64) -> Hidden| vec![make(0.0), make(quarter)];
+    match *hidden {
+        Hidden::Eccentricity(a, _) => phases(&|p| Hidden::Eccentricity(a, p)),
+        Hidden::TwoCycle(a, _) => phases(&|p| Hidden::TwoCycle(a, p)),
+        Hidden::Gear(k, a, _) => phases(&|p| Hidden::Gear(k, a, p)),
+        Hidden::Runout(k, a, _) => phases(&|p| Hidden::Runout(k, a, p)),
+        Hidden::Wobble(k, a, _) => phases(&|p| Hidden::Wobble(k, a, p)),
+        Hidden::Tilt(..) => vec![Hidden::Tilt(1e-5, 0.0), Hidden::Tilt(0.0, 1e-5)],
+        Hidden::BaseOffset(_) => along(&Hidden::BaseOffset),
+        Hidden::Shift(t, _) => along(&|v| Hidden::Shift(t, v)),
+        Hidden::Drift(_) => along(&|v| Hidden::Drift(v.map(|x| x * 1e-3))),
+        ref one => vec![one.clone()],
+    }
+}
+
+fn along(make: &dyn Fn([f64; 3]) -> Hidden) -> Vec<Hidden> {
+    vec![
+        make([1e-3, 0.0, 0.0]),
+        make([0.0, 1e-3, 0.0]),
+        make([0.0, 0.0, 1e-3]),
+    ]
+}
+
+/// What zero offset and link length do.
+fn of_the_base(rig: &Rig) -> Vec<Vec<f64>> {
     let mut base = Vec::new();
     for (offset, length) in [(1e-5, 0.0), (0.0, 1e-3)] {
         let mut moved = rig.clone();
@@ -31,6 +72,12 @@ pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<
         moved.length += length;
         add(&mut base, difference(rig, &moved, &[], &[]));
     }
+    base
+}
+
+/// Strength that the best neighbours, at most so many, leave of a hidden effect, and who they are.
+pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<&'static str>) {
+    let base = of_the_base(rig);
     let mut left = difference(rig, rig, &[], std::slice::from_ref(hidden));
     project(&base, &mut left);
     let mut short: Vec<Neighbour> = Vec::new();
@@ -95,13 +142,6 @@ fn twins(id: &str, of: &str) -> bool {
 /// Every setting of a name as effects of a small size, one for each column.
 fn variants(rig: &Rig, id: &str) -> Vec<Vec<Hidden>> {
     let quarter = std::f64::consts::FRAC_PI_2;
-    let along = |make: &dyn Fn([f64; 3]) -> Hidden| {
-        vec![
-            make([1e-3, 0.0, 0.0]),
-            make([0.0, 1e-3, 0.0]),
-            make([0.0, 0.0, 1e-3]),
-        ]
-    };
     let waves = |orders: std::ops::RangeInclusive<u32>, make: &dyn Fn(f64, f64) -> Hidden| {
         let of = |k: u32| vec![make(f64::from(k), 0.0), make(f64::from(k), quarter)];
         orders.map(of).collect::<Vec<_>>()

@@ -47,7 +47,8 @@ pub fn one_name_left_out(n: usize) {
         let mut random = Random(77 + id.len() as u64 + 104_729 * k as u64);
         let design = design(&mut random, id);
         let rig = hidden(&design, &[id], 400.0, &mut random);
-        let answer = diagnosed(&rig, &[id]);
+        // The rig's neighbours have no compliance of the foundation, which is that of a single joint.
+        let answer = diagnosed(&rig, &[id, "foundation-compliance"]);
         let flagged = answer.unexplained.present;
         let (left, by) = left_by_neighbours(&rig, &rig.hidden[0], 4);
         if !flagged {

@@ -92,6 +92,9 @@ pub struct Found {
     pub held_out_mm: Option<[f64; 2]>,
     /// How much likelier than the next name in its place.
     pub odds_over_next: f64,
+    /// Of a step, the times between which it lies with 95 %, s. (The interval of its `time_s` is that between the
+    /// samples around the likeliest time.)
+    pub within_s: Option<[f64; 2]>,
     /// The next name, if any.
     pub next: Option<String>,
     /// The evidence in words.

@@ -186,16 +186,47 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| !removed.iter().any(|r| name(r) == name(t)))
     });
-    let short = best_of_each(regression, others, |term| {
+    let short = short_list(regression, others);
+    for (a, b, ln_odds) in best_pairs(regression, &projected, &rest, &short, enough) {
+        push(vec![a, b], ln_odds);
+    }
+}
+
+/// A fit with two names more, for each pair that is worth this much as a logarithm; the likeliest by the
+/// scan first. Two that nearly cancel each other, such as a base that stands too high beside a link that
+/// droops, gain little one by one.
+pub(crate) fn with_pairs<'f>(
+    regression: &'f Regression,
+    fit: &'f Fit,
+    enough: f64,
+) -> impl Iterator<Item = Fit> + use<'f> {
+    let there = regression.added(fit);
+    let projected = regression.projected(&fit.basis);
+    let mut scores = regression.scan_beside(&projected, fit);
+    scores.retain(|s| {
+        let term = regression.table.candidates[s.candidate].what.term();
+        term.is_some_and(|t| compatible(&there, t))
+    });
+    by_odds(&mut scores);
+    let short = short_list(regression, scores.iter());
+    let pairs = best_pairs(regression, &projected, fit, &short, enough);
+    pairs.into_iter().map(|(a, b, _)| {
+        let terms = [a, b].map(|c| regression.table.candidates[c].what.term().cloned());
+        let terms = terms.into_iter().flatten();
+        let model = terms.fold(fit.model.clone(), |m, t| m.with_term(t));
+        regression.fit(&model, fit.shapes.clone())
+    })
+}
+
+/// The candidates that pairs are made from.
+fn short_list<'s>(regression: &Regression, scores: impl Iterator<Item = &'s Score>) -> Vec<usize> {
+    let short = best_of_each(regression, scores, |term| {
         match term.effect.about().setting {
             Setting::Order { to, .. } if to <= 6 => 5,
             _ => SETTINGS,
         }
     });
-    let short: Vec<usize> = short.into_iter().map(|s| s.candidate).collect();
-    for (a, b, ln_odds) in best_pairs(regression, &projected, &rest, &short, enough) {
-        push(vec![a, b], ln_odds);
-    }
+    short.into_iter().map(|s| s.candidate).collect()
 }
 
 /// Of scores in order, at most so many settings of every name.

@@ -49,6 +49,7 @@ pub(crate) mod search;
 mod selection;
 mod shapes;
 pub(crate) mod significance;
+mod step_time;
 mod steps;
 pub(crate) mod testable;
 mod unseen;

@@ -101,7 +101,8 @@ impl Search<'_, '_> {
     fn forward(&self, start: Fit, allow: Allow) -> Result<Fit, Cancelled> {
         let mut fit = start;
         while self.count(&fit) < self.most {
-            let Some(next) = self.step(&fit, allow) else {
+            let next = self.step(&fit, allow);
+            let Some(next) = next.or_else(|| self.two_at_once(&fit, allow)) else {
                 break;
             };
             let next = self.settle(next, allow);
@@ -136,6 +137,21 @@ impl Search<'_, '_> {
             }
         }
         None
+    }
+
+    /// Two names at once, where neither does without the other: as likely by their odds as a step has to
+    /// be by its p. Each is tested beside the other at the end.
+    fn two_at_once(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
+        if allow != Allow::Names || self.count(fit) + 2 > self.most {
+            return None;
+        }
+        let least = -CHANCE.ln();
+        let mut pairs = aliases::with_pairs(self.regression, fit, least);
+        pairs.find(|next| {
+            next.ln_evidence > fit.ln_evidence + least
+                && self.matters(fit.rss - next.rss, fit)
+                && self.unseen(next) < self.unseen(fit)
+        })
     }
 
     /// A fit with each candidate, but for what its own values rule out: a compliance that is not clear of
@@ -507,5 +523,35 @@ mod tests {
             !names.iter().any(|n| n.starts_with("joint-compliance")),
             "{names:?}"
         );
+    }
+
+    /// Loads of 5 and 6 kg on a link that droops, and a base that stands higher by as much as it droops in the
+    /// mean: neither alone takes a hundredth of what both take together.
+    #[test]
+    fn two_that_cancel_each_other_but_for_the_rest_are_found_together() {
+        let stops = (0..120).map(|k| {
+            let turn = 300.0 * (f64::from(k) * 0.754_877_666).fract() - 150.0;
+            format!(r#"{{"q_deg":[{turn}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"heavy","robot":{{"name":"r",
+            "gravity_m_s2":[0,0,-9.81],"joints":[
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}}],
+            "tool":{{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.003}},
+            "poses":{{"list":[{}]}},"conditions":{{"load_kg":[5,6]}},
+            "effects":[{{"effect":"link-droop","parameters":{{"mm_per_kg":0.01}}}},
+            {{"effect":"base-offset","parameters":{{"x_mm":0,"y_mm":0,"z_mm":0.055}}}}],
+            "noise":{{"sigma_mm":0.003,"kind":"gauss"}},"seed":4}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let session = simulate(&scenario, 1, unwatched).unwrap().0;
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let found = prepared.search(&|_| true).unwrap();
+        let names = prepared.regression.added(&found.fit);
+        let mut names: Vec<&str> = names.iter().map(|t| t.effect.about().id).collect();
+        names.sort_unstable();
+        assert_eq!(names, ["base-offset", "link-droop"]);
     }
 }

@@ -27,6 +27,8 @@ pub(crate) struct Selection {
     pub(crate) factor: f64,
     low: f64,
     high: f64,
+    /// The estimated size in units of its standard deviation.
+    length: f64,
 }
 
 impl Selection {
@@ -61,6 +63,7 @@ impl Selection {
             factor: value.max(0.0) / a,
             low: solve(0.025) / a,
             high: solve(0.975) / a,
+            length: a,
         })
     }
 
@@ -87,19 +90,16 @@ impl Selection {
             estimate.ci95 = (half < 180.0).then_some([value - half, value + half]);
             return;
         }
-        // Of a vector a small component has an interval of its own beside that of the length.
         let along = [self.low * value, self.high * value];
         let (from, to) = (along[0].min(along[1]), along[0].max(along[1]));
         estimate.value = self.factor * value;
-        let large = value.abs() > half;
-        estimate.ci95 = Some(if large {
-            [from, to]
-        } else {
-            [
-                from.min(estimate.value - half),
-                to.max(estimate.value + half),
-            ]
-        });
+        // The selection acts on the length of a vector; across it a component is as unsure as it was.
+        let of_length = 1.96 * value.abs() / (half.max(1e-300) * self.length);
+        let across = (1.0 - of_length.powi(2)).max(0.0) * half.powi(2);
+        estimate.ci95 = Some([
+            estimate.value - (estimate.value - from).hypot(across.sqrt()),
+            estimate.value + (to - estimate.value).hypot(across.sqrt()),
+        ]);
     }
 }
 
@@ -117,5 +117,33 @@ mod tests {
         );
         let further = Selection::of(49.0, 20.0, 1).unwrap();
         assert!(further.factor > 0.97, "{further:?}");
+    }
+
+    /// A component of 2.5 σ of a vector of 8 σ near the limit is as unsure as any: the corrected length moves it,
+    /// and hardly narrows it.
+    #[test]
+    fn a_small_component_of_a_vector_keeps_its_own_interval() {
+        let near = Selection::of(66.0, 30.0, 3).unwrap();
+        let estimate = |value: f64| Estimate {
+            effect: "base-offset",
+            name: "y_mm",
+            joint: None,
+            setup: None,
+            target: None,
+            place: None,
+            value,
+            ci95: Some([value - 1.96, value + 1.96]),
+        };
+        let mut small = estimate(2.5);
+        near.correct(&mut small);
+        let [low, high] = small.ci95.unwrap();
+        let width = high - low;
+        assert!((3.6..4.1).contains(&width), "{small:?}");
+        assert!(small.value < 2.5 && low < small.value, "{small:?}");
+        // The whole length along one axis is the vector itself.
+        let mut all = estimate(8.0);
+        near.correct(&mut all);
+        let [low, high] = all.ci95.unwrap();
+        assert!((low - near.low * 8.0).abs() < 1e-9 && (high - near.high * 8.0).abs() < 1e-9);
     }
 }

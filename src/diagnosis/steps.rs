@@ -7,6 +7,7 @@ use super::final_set::{Worth, worth};
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::compatible;
+use super::step_time;
 use super::values::Values;
 use crate::answers::diagnosis::{Floor, Found};
 
@@ -114,7 +115,11 @@ pub(crate) fn found(
         let p_family = regression.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
-        let says = says(step, &p_family, odds, next.as_deref(), floor);
+        let within_s = step_time::within_s(prepared, term, &worth);
+        let says = says(step, &p_family, odds, next.as_deref(), floor)
+            + &within_s.map_or_else(String::new, |[from, to]| {
+                format!("; the step lies between {from:.0} and {to:.0} s (95 %)")
+            });
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
@@ -129,6 +134,7 @@ pub(crate) fn found(
             gap_mm: step.gap_mm,
             held_out_mm: step.held_out_mm,
             odds_over_next: odds,
+            within_s,
             next,
             says,
             check: about.check,

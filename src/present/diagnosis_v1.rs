@@ -85,6 +85,7 @@ fn found(f: &Found) -> Json {
         "held_out_after_mm": f.held_out_mm.map(|h| h[1]),
         "odds_over_next": f.odds_over_next,
         "next": f.next.as_ref(),
+        "within_s": f.within_s.map_or(Json::Null, |[from, to]| [from, to].into_iter().collect()),
         "says": &f.says,
         "check": f.check,
     }
