@@ -8,7 +8,9 @@
 //! P(A > a | A > b) = Φ(δ − a)/Φ(δ − b)
 //! ```
 //!
-//! the 95 % interval goes from where this is 0.025 to where it is 0.975 (conditional inference after selection: Zhong & Prentice 2008; Lee et al. 2016).
+//! the 95 % interval of the length goes from where this is 0.025 to where it is 0.975 (conditional inference
+//! after selection: Zhong & Prentice 2008; Lee et al. 2016). Of the variance of a component c of a vector, in
+//! units of its own standard deviation, (c/a)² is along the length; the rest stays as it was.
 
 use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 
