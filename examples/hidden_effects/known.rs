@@ -146,10 +146,11 @@ fn rows(all: &[Seen], name: &str, aliased: &str, bar: &str) {
 
 pub fn one_effect(n: usize) {
     let ids: Vec<&str> = single_names().collect();
-    for (lambda, bar) in [(200.0, "≥ 99 %"), (100.0, "≥ 97 %"), (40.0, "≥ 75 %")] {
+    for (lambda, bar) in [(200_u32, "≥ 99 %"), (100, "≥ 97 %"), (40, "≥ 75 %")] {
         let all = in_parallel(ids.len() * n, |cell| {
             let (id, k) = (ids[cell / n], cell % n);
-            let mut random = Random(77 + 104_729 * cell as u64 + 15_486_277 * lambda as u64);
+            let mut random = Random(77 + 104_729 * cell as u64 + 15_486_277 * u64::from(lambda));
+            let lambda = f64::from(lambda);
             let design = design(&mut random, id);
             let mut rig = hidden(&design, &[id], lambda, &mut random);
             rig.measure_unseen(&mut random);
