@@ -93,7 +93,7 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
 }
 
 /// Writes the session into the folder that `SESSIONS` in the environment names, if it does.
-fn written(rig: &Rig) -> String {
+pub fn written(rig: &Rig) -> String {
     use std::hash::{DefaultHasher, Hash, Hasher};
     let Some(folder) = std::env::var_os("SESSIONS") else {
         return String::new();

@@ -3,6 +3,7 @@
 
 use truepose::diagnosis::Verdict;
 
+use crate::asked::written;
 use crate::cells::{count, details, in_parallel, row};
 use crate::rig::{Design, Kind, Random};
 use crate::{design, diagnosed, hidden, names};
@@ -23,6 +24,9 @@ pub fn false_alarms(n: usize) {
     ];
     let (mut all, mut of) = (0, 0);
     for (kind, name) in kinds {
+        if std::env::var("CASE").is_ok_and(|case| !name.contains(&case)) {
+            continue;
+        }
         let alarms = in_parallel(n, |k| {
             let mut random = Random(1 + 7919 * k as u64);
             let design = Design {
@@ -37,10 +41,11 @@ pub fn false_alarms(n: usize) {
             if alarm {
                 details(|| {
                     format!(
-                        "{name} {k}: {} samples, {:?} {}",
+                        "{name} {k}: {} samples, {:?} {}{}",
                         design.samples,
                         names(&answer),
-                        answer.unexplained.says
+                        answer.unexplained.says,
+                        written(&rig),
                     )
                 });
             }

@@ -20,7 +20,7 @@ const MOST_OVER_THE_FLOOR: f64 = 1.5;
 /// Withdraws the names of a robot with several joints whose base model does not fit.
 pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let regression = &prepared.regression;
-    found.fit = without_less_likely(prepared, found.fit.clone());
+    found.fit = likeliest(prepared, found.fit.clone());
     let names = regression.added(&found.fit).len();
     if names == 0 || !base_model::is_arm(prepared.problem.session) {
         return;
@@ -46,22 +46,27 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     }
 }
 
-/// A fit of a robot with several joints without the names in whose place others are likelier.
-fn without_less_likely(prepared: &Prepared, mut fit: Fit) -> Fit {
+/// The likeliest set of names that can be said of a robot with several joints: others take the place of those
+/// in hand where they are likelier and stand when they are held against what is said of them. A rival that
+/// does not stand itself is no reason to doubt.
+fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
     let regression = &prepared.regression;
     if !base_model::is_arm(prepared.problem.session) {
         return fit;
     }
+    // The evidence rises with each exchange, so that it ends.
     loop {
-        let likelier =
-            |r: &Rival| r.other_names() && final_set::stands_above(prepared, &r.fit, &fit);
-        let rival = aliases::rivals(regression, &fit).into_iter().find(likelier);
-        let Some(rival) = rival else {
+        let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
+        let stands = |r: &Rival| {
+            let said = final_set::said(prepared, r.fit.clone())?;
+            let fits = regression.added(&said).len() <= prepared.cap();
+            (fits && final_set::is_above(&said, &fit)).then_some(said)
+        };
+        let rivals = aliases::rivals(regression, &fit).into_iter();
+        let Some(likelier) = rivals.filter(above).find_map(|r| stands(&r)) else {
             return fit;
         };
-        for term in &rival.removed {
-            fit = regression.without_term(&fit, term);
-        }
+        fit = likelier;
     }
 }
 

@@ -125,6 +125,20 @@ pub(crate) fn as_said(
     }
 }
 
+/// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
+/// place.
+pub(crate) fn said(prepared: &Prepared, fit: Fit) -> Option<Fit> {
+    let watch: Watch = &|_| true;
+    let mut found = Found {
+        names_only: fit.clone(),
+        fit: tested(prepared, fit, watch).ok()?,
+        base_misfit: false,
+        other_ends: Vec::new(),
+    };
+    as_said(prepared, &mut found, watch).ok()?;
+    Some(found.fit)
+}
+
 /// The fit with the likeliest other name in the place of one, where that is likelier.
 fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;

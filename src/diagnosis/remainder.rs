@@ -7,9 +7,10 @@ use super::base_misfit::left_mm;
 use super::candidates::What;
 use super::floor::floor;
 use super::prepare::Prepared;
-use super::regression::Fit;
+use super::regression::{Fit, Regression};
 use super::search::{Found as SearchEnd, mean_sigma_mm};
 use crate::answers::diagnosis::Unexplained;
+use crate::linear::Basis;
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let regression = &prepared.regression;
@@ -35,11 +36,6 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     let gain = |index: usize| regression.without_shape(fit, index).rss - fit.rss;
     let mut order: Vec<(usize, f64)> = (0..fit.shapes.len()).map(|i| (i, gain(i))).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let total: f64 = {
-        let names = regression.fit(&fit.model, Vec::new());
-        names.rss - fit.rss
-    };
-    let n = regression.rows.samples.len() as f64;
     let (main, main_gain) = order[0];
     let shape = fit.shapes[main].shape;
     let range = regression.table.space.range(shape.variable);
@@ -52,7 +48,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     Unexplained {
         present: true,
         p: regression.family_p(minus_ln_p, fit).p,
-        rms_mm: (total.max(0.0) / n).sqrt() * mean_sigma_mm(regression),
+        rms_mm: of_the_shapes_mm(regression, fit),
         place: Some(shape.place(range, prismatic)),
         resembles,
         says: format!("{}; no effect of the catalogue explains it", shape.says()),
@@ -66,6 +62,27 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         noise: None,
         correction: None,
     }
+}
+
+/// What the shapes of a fit move beyond what its names could do in their place: root mean square length over
+/// the samples, mm.
+fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
+    let n = regression.rows.samples.len().max(1) as f64;
+    if regression.noise.slow.is_none() || regression.rows.observed().is_some() {
+        let names = regression.fit(&fit.model, Vec::new());
+        let gain = (names.rss - fit.rss).max(0.0);
+        return (gain / n).sqrt() * mean_sigma_mm(regression);
+    }
+    // Whitened by a noise that wanders, a sum of squares is in units of one sample's surprise, not of mm.
+    let shapes = fit.shapes.iter();
+    let moved = shapes.map(|s| &s.raw * &s.coefficients);
+    let Some(mut moved) = moved.reduce(|sum, one| sum + one) else {
+        return 0.0;
+    };
+    let (_, columns) = regression.raw(&fit.model);
+    let same = Basis::new(&columns).solve(&moved);
+    moved.gemv(-1.0, &columns, &same, 1.0);
+    moved.norm() / n.sqrt()
 }
 
 /// What is left of a base model that does not fit.

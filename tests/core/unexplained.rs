@@ -97,6 +97,24 @@ fn off_the_truth(rig: &Rig, model: &Model) -> f64 {
     (sum / shots.len() as f64).sqrt()
 }
 
+/// λ is (rms / σ)² of all samples: 400 of 240 samples and σ = 0.03 mm.
+const BUMP_MM: f64 = 0.0387;
+
+#[test]
+fn the_size_of_what_is_left_is_in_mm_whatever_the_noise() {
+    for (kind, seed) in [
+        (Kind::Gauss, 11),
+        (Kind::Sluggish, 12),
+        (Kind::Sluggish, 13),
+    ] {
+        let design = Design { kind, ..design() };
+        let d = corrected(&session(&measured(&design, &[("bump", 400.0)], seed)));
+        assert!(d.unexplained.present, "{kind:?} {seed}");
+        let share = d.unexplained.rms_mm / BUMP_MM;
+        assert!((0.7..1.4).contains(&share), "{kind:?} {seed}: {share}");
+    }
+}
+
 #[test]
 fn unseen_samples_come_near_the_floor_and_the_model_near_the_truth() {
     for id in ["bump", "plateau", "sawtooth"] {
