@@ -37,8 +37,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        let after = deviations(problem, &solution.model);
-        let suspected = suspects(problem, &after);
+        let suspected = suspects(problem, &deviations(problem, &solution.model));
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;

@@ -232,11 +232,13 @@ pub(crate) fn report(
     nominal: &Model,
     mut not_identifiable: Vec<NotIdentifiable>,
 ) -> Identification {
-    let before = deviations(problem, nominal);
+    // The lengths are all that is wanted of what was there before: of a million samples the axes are 24 MB.
+    let before_mm = deviations(problem, nominal).length_mm;
     let after = deviations(problem, &solution.model);
     let suspected = suspects(problem, &after);
     let held_out = session.samples.held_out.as_deref();
-    let gap_over = |counts: &dyn Fn(usize) -> bool| gap(&before, &after, counts, &suspected);
+    let gap_over =
+        |counts: &dyn Fn(usize) -> bool| gap(&before_mm, &after.length_mm, counts, &suspected);
     let rank = solution.spectrum.rank();
     let covariance = covariance_of(problem, &solution);
     let own = solution.model.coefficient_count();
@@ -412,15 +414,15 @@ fn times_around(problem: &Problem, step_s: f64) -> Option<[f64; 2]> {
 }
 
 fn gap(
-    before: &Deviations,
-    after: &Deviations,
+    before_mm: &[f64],
+    after_mm: &[f64],
     counts: &dyn Fn(usize) -> bool,
     suspected: &[bool],
 ) -> Option<Gap> {
     let outlier = |i: usize| suspected[i];
     Some(Gap {
-        before: Spread::of(&before.length_mm, counts, outlier)?,
-        after: Spread::of(&after.length_mm, counts, outlier)?,
+        before: Spread::of(before_mm, counts, outlier)?,
+        after: Spread::of(after_mm, counts, outlier)?,
         samples: (0..suspected.len()).filter(|i| counts(*i)).count(),
     })
 }

@@ -47,11 +47,10 @@ pub(crate) fn suspected(
     balance: bool,
 ) -> Vec<bool> {
     let n = counts.len();
-    let mut bulk: Vec<usize> = (0..n)
-        .filter(|i| counts[*i] && axes.iter().all(|e| e[*i].is_finite()))
-        .collect();
-    let stride = bulk.len().div_ceil(MOST_IN_THE_BULK).max(1);
-    bulk = bulk.into_iter().step_by(stride).collect();
+    let in_bulk = |i: &usize| counts[*i] && axes.iter().all(|e| e[*i].is_finite());
+    let count = (0..n).filter(in_bulk).count();
+    let stride = count.div_ceil(MOST_IN_THE_BULK).max(1);
+    let bulk: Vec<usize> = (0..n).filter(in_bulk).step_by(stride).collect();
     if bulk.len() < FEWEST || axes.is_empty() {
         return vec![false; n];
     }

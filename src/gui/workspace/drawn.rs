@@ -1,7 +1,7 @@
 //! What is drawn in a plane: sectors, the nominal path, vectors, points, and what stands out.
 
 use egui::epaint::Mesh;
-use egui::{Align2, Pos2, Shape, Stroke, Ui, pos2};
+use egui::{Align2, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2};
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::layers::{OUTLINE, WEDGE, WIDTH, scale_at};
@@ -61,8 +61,10 @@ pub(super) fn sectors(
     }
 }
 
-/// Width of a path where its colour says how sure the model is, points.
+/// Width of a path where its colour says how sure the model is, points …
 const BAND: f32 = 7.0;
+/// … and that of a square that says it of a pose nobody measured.
+pub(super) const SQUARE: f32 = 5.0;
 
 pub(super) fn path(
     shapes: &mut Vec<Shape>,
@@ -70,6 +72,11 @@ pub(super) fn path(
     scene: &Scene,
     palette: &Palette,
 ) {
+    for (at, part) in &scene.over {
+        let square = Rect::from_center_size(screen(transform, *at), Vec2::splat(SQUARE));
+        let color = scale_at(Colouring::Uncertainty, palette, *part);
+        shapes.push(Shape::rect_filled(square, 0.0, color));
+    }
     for (k, path) in scene.paths_mm.iter().enumerate() {
         let points: Vec<Pos2> = path.iter().map(|p| screen(transform, *p)).collect();
         let sure = scene.sure.get(k).map_or(&[][..], Vec::as_slice);

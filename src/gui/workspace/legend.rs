@@ -3,7 +3,7 @@
 
 use egui::{
     Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
-    Stroke, Ui, pos2, vec2,
+    Stroke, Ui, Vec2, pos2, vec2,
 };
 use egui_plot::PlotTransform;
 
@@ -15,6 +15,7 @@ use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::present::numbers::trimmed;
 
+use super::drawn::SQUARE;
 use super::layout;
 use super::model::Scene;
 use super::polar::Polar;
@@ -39,6 +40,8 @@ enum Sign {
     Triangle(f64),
     Tube,
     Band(Color32),
+    /// As wide as it is drawn, points.
+    Square(Color32, f32),
 }
 
 impl Sign {
@@ -79,6 +82,10 @@ impl Sign {
             Self::Band(color) => {
                 let rect = Rect::from_center_size(at, vec2(14.0, 8.0));
                 painter.rect_filled(rect, 1.0, color.gamma_multiply(0.3));
+            }
+            Self::Square(color, width) => {
+                let rect = Rect::from_center_size(at, Vec2::splat(width));
+                painter.rect_filled(rect, 0.0, color);
             }
         }
     }
@@ -255,6 +262,10 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
         );
     } else {
         sign(ui, say!("common-measured"), disc(palette.text), palette);
+    }
+    if !scene.over.is_empty() {
+        let square = Sign::Square(middle, SQUARE);
+        sign(ui, say!("legend-over-the-ranges"), square, palette);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
 use crate::gui::core::scale::FEW;
 use crate::gui::layers::Look;
-use crate::gui::view::{Ball, Canvas, Colouring, Plane};
+use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 
@@ -87,6 +87,8 @@ pub(crate) struct Scene {
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
     /// something else.
     pub(crate) sure: Vec<Vec<f32>>,
+    /// The same at poses over the ranges of several joints, with where they are, mm.
+    pub(crate) over: Vec<([f64; 2], f32)>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -173,6 +175,7 @@ impl Scene {
             points: points.collect(),
             paths_mm: paths(subject, |p| facing.flat((workbench.base() * p).into())),
             sure: sure(workbench),
+            over: over(workbench, &facing),
             dial: (!view.in_space())
                 .then(|| dial(subject, view.plane))
                 .flatten(),
@@ -373,6 +376,17 @@ fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
     let part = |mm: &f64| single(mm / uncertain.most_mm);
     let along = uncertain.along_mm.iter();
     along.map(|way| way.iter().map(part).collect()).collect()
+}
+
+/// The uncertainty over the ranges of several joints, the farthest first.
+fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 2], f32)> {
+    let Some(uncertain) = workbench.uncertain() else {
+        return Vec::new();
+    };
+    let mut all: Vec<_> = uncertain.over.iter().collect();
+    all.sort_by(|(a, _), (b, _)| facing.nearness(*a).total_cmp(&facing.nearness(*b)));
+    let part = |(at, mm): &([f64; 3], f64)| (facing.flat(*at), single(mm / uncertain.most_mm));
+    all.into_iter().map(part).collect()
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
