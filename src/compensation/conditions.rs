@@ -86,3 +86,29 @@ impl Conditions {
         imposed
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_has_the_sign_of_the_side_that_a_pose_is_reached_from() {
+        let conditions = Conditions {
+            speed: 0.3,
+            load_kg: 4.0,
+            temperature_c: 25.0,
+        };
+        let sides = [
+            (Side::Forward, 1.0),
+            (Side::Reverse, -1.0),
+            (Side::Unknown, 0.0),
+        ];
+        for (side, sign) in sides {
+            let inputs = conditions.inputs(vec![vec![0.1, 0.2]], side, vec![[0.0; 3]]);
+            assert_eq!(inputs.dir[0].as_deref(), Some(&[sign; 2][..]));
+            assert_eq!(inputs.speed[0].as_deref(), Some(&[0.3 * sign; 2][..]));
+            assert_eq!(inputs.load_kg.as_deref(), Some(&[4.0; 2][..]));
+            assert_eq!(inputs.above_20_c.as_deref(), Some(&[5.0; 2][..]));
+        }
+    }
+}

@@ -375,3 +375,15 @@ fn own_correction(
     let commands = commands[joint].iter().zip(q);
     commands.map(|(command, q)| command - q).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::tidy;
+
+    #[test]
+    fn a_conversions_last_bits_go_and_what_was_asked_for_stays() {
+        assert_eq!(tidy(90.000_000_000_000_01).to_string(), "90");
+        assert_eq!(tidy(-0.300_000_000_000_000_04).to_string(), "-0.3");
+        assert_eq!(tidy(0.123_456_789_012), 0.123_456_789_012);
+    }
+}
