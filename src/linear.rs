@@ -1,6 +1,8 @@
-//! Least squares on explicit columns: an orthonormal basis by modified Gram–Schmidt, done twice
-//! (Björck 1967; "twice is enough", Giraud, Langou & Rozložník 2005), which drops columns that
-//! the ones before them already explain.
+//! Least squares on explicit columns: an orthonormal basis by Gram–Schmidt, done twice ("twice is
+//! enough", Giraud, Langou & Rozložník 2005), which drops columns that the ones before them already
+//! explain.
+
+use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -19,42 +21,78 @@ pub(crate) struct Basis {
     /// Which columns of `A` were kept, in order.
     pub(crate) kept: Vec<usize>,
     columns: usize,
+    /// The basis that its first columns are.
+    pub(crate) extends: Option<Rc<Self>>,
 }
 
 impl Basis {
     /// Takes a matrix apart.
     pub(crate) fn new(a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
-        let mut q = DMatrix::zeros(m, p);
-        let mut r = DMatrix::zeros(p, p);
-        let mut kept = Vec::new();
-        let mut parts = vec![0.0; p];
-        for column in 0..p {
-            let mut v = a.column(column).into_owned();
-            let before = v.norm();
-            let rank = kept.len();
-            for _ in 0..2 {
-                reject(&q.as_slice()[..rank * m], v.as_mut_slice(), &mut parts);
-                for (k, part) in parts[..rank].iter().enumerate() {
-                    r[(k, rank)] += part;
-                }
-            }
-            let norm = v.norm();
-            if rank < m && norm > DEPENDENT * before && norm > 0.0 {
-                r[(rank, rank)] = norm;
-                q.set_column(rank, &(v / norm));
-                kept.push(column);
-            } else {
-                r.column_mut(rank.min(p - 1)).fill(0.0);
-            }
-        }
-        let rank = kept.len();
-        Self {
-            q: q.columns(0, rank).into_owned(),
-            r: r.view((0, 0), (rank, rank)).into_owned(),
-            kept,
+        let mut basis = Self {
+            q: DMatrix::zeros(m, p),
+            r: DMatrix::zeros(p, p),
+            kept: Vec::new(),
             columns: p,
+            extends: None,
+        };
+        for column in 0..p {
+            basis.take(column, a.column(column).into_owned());
         }
+        basis.end()
+    }
+
+    /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
+    pub(crate) fn extending(known: &Rc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
+        let (m, p) = a.shape();
+        let rank = known.rank();
+        let mut basis = Self {
+            q: DMatrix::zeros(m, p),
+            r: DMatrix::zeros(p, p),
+            kept: known.kept.iter().map(|k| own[*k]).collect(),
+            columns: p,
+            extends: Some(Rc::clone(known)),
+        };
+        basis.q.columns_mut(0, rank).copy_from(&known.q);
+        basis.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
+        for column in (0..p).filter(|k| !own.contains(k)) {
+            basis.take(column, a.column(column).into_owned());
+        }
+        basis.end()
+    }
+
+    /// Takes one column more.
+    fn take(&mut self, column: usize, mut v: DVector<f64>) {
+        let m = self.q.nrows();
+        let rank = self.kept.len();
+        if rank >= m {
+            return;
+        }
+        let before = v.norm();
+        let own = &self.q.as_slice()[..rank * m];
+        let mut parts = vec![0.0; rank];
+        let mut r = vec![0.0; rank];
+        for _ in 0..2 {
+            products(v.as_slice(), own, &mut parts);
+            subtract(own, &parts, v.as_mut_slice());
+            for (r, part) in r.iter_mut().zip(&parts) {
+                *r += part;
+            }
+        }
+        let norm = v.norm();
+        if norm > DEPENDENT * before && norm > 0.0 {
+            self.r.view_mut((0, rank), (rank, 1)).copy_from_slice(&r);
+            self.r[(rank, rank)] = norm;
+            self.q.set_column(rank, &(v / norm));
+            self.kept.push(column);
+        }
+    }
+
+    fn end(mut self) -> Self {
+        let rank = self.kept.len();
+        self.q = self.q.columns(0, rank).into_owned();
+        self.r = self.r.view((0, 0), (rank, rank)).into_owned();
+        self
     }
 
     /// Number of independent columns.
@@ -152,9 +190,66 @@ pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
 
 /// Scalar products of a vector with columns, each with the bits of [`dot`].
 pub(crate) fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
-    for (out, column) in out.iter_mut().zip(columns.chunks_exact(v.len().max(1))) {
-        *out = dot(v, column);
+    wide(Products { v, columns, out });
+}
+
+struct Products<'a> {
+    v: &'a [f64],
+    columns: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl Loop for Products<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self { v, columns, out } = self;
+        let height = v.len().max(1);
+        let count = out.len().min(columns.len() / height);
+        let column = |k: usize| &columns[k * height..(k + 1) * height];
+        let mut k = 0;
+        while k + 4 <= count {
+            let four = [column(k), column(k + 1), column(k + 2), column(k + 3)];
+            out[k..k + 4].copy_from_slice(&four_products(v, four));
+            k += 4;
+        }
+        for k in k..count {
+            let (a, b) = (v, column(k));
+            out[k] = Dot { a, b }.run();
+        }
     }
+}
+
+/// Four at once: one sum alone waits for itself at every step.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn four_products(v: &[f64], columns: [&[f64]; 4]) -> [f64; 4] {
+    let n = v.len();
+    let [a, b, c, d] = columns.map(|column| &column[..n]);
+    let (mut sa, mut sb, mut sc, mut sd) = ([0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]);
+    let mut k = 0;
+    while k + 8 <= n {
+        let eight = k..k + 8;
+        let v = &v[eight.clone()];
+        sa = with_products(sa, v, &a[eight.clone()]);
+        sb = with_products(sb, v, &b[eight.clone()]);
+        sc = with_products(sc, v, &c[eight.clone()]);
+        sd = with_products(sd, v, &d[eight]);
+        k += 8;
+    }
+    let rest = |sums: &[f64; 8], column: &[f64]| {
+        let pairs = v[k..].iter().zip(&column[k..]);
+        pairs.fold(total(sums), |sum, (a, b)| sum + a * b)
+    };
+    [rest(&sa, a), rest(&sb, b), rest(&sc, c), rest(&sd, d)]
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn with_products(sums: [f64; 8], a: &[f64], b: &[f64]) -> [f64; 8] {
+    std::array::from_fn(|k| sums[k] + a[k] * b[k])
 }
 
 struct Dot<'a> {
@@ -385,6 +480,23 @@ mod tests {
         );
         subtract(&a.as_slice()[..406], &coefficients, own.as_mut_slice());
         assert_eq!(own, left);
+    }
+
+    #[test]
+    fn a_basis_that_extends_another_is_as_good() {
+        let a = DMatrix::from_fn(50, 6, |i, j| ((i * i * 7 + i * j * 13) as f64 * 0.37).sin());
+        let own = [1, 2, 5];
+        let known = Rc::new(Basis::new(&a.select_columns(&own)));
+        let (whole, extended) = (Basis::new(&a), Basis::extending(&known, &own, &a));
+        let y = DVector::from_fn(50, |i, _| (i as f64).cos());
+        assert!((whole.solve(&y) - extended.solve(&y)).norm() < 1e-9);
+        assert!((whole.reject(&y) - extended.reject(&y)).norm() < 1e-9);
+        assert!((whole.inverse_gram() - extended.inverse_gram()).norm() < 1e-9);
+        assert_eq!(extended.q.columns(0, 3), known.q.columns(0, 3));
+        // A copy of what is known is dropped.
+        let mut twice = a.clone();
+        twice.set_column(0, &a.column(5));
+        assert_eq!(Basis::extending(&known, &own, &twice).kept, [1, 2, 5, 3, 4]);
     }
 
     #[test]

@@ -11,6 +11,7 @@ use crate::effects::Term;
 use crate::sessions::Session;
 
 use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::columns::Among;
 use crate::diagnosis::limits::{self, Limit};
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::{Fit, Regression};
@@ -85,7 +86,7 @@ struct Span<'t> {
 
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
-    let projected = regression.projected(&fit.basis);
+    let projected = regression.projected(&fit.basis, Among::Names);
     let mut spans: Vec<Span> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {

@@ -9,7 +9,8 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
-use super::projected::Projected;
+use super::columns::Among;
+use super::projected::unit_beside;
 use super::regression::{Fit, PRICE_OF_A_NAME, Regression, Score};
 use super::search::{by_odds, compatible};
 use crate::linear::{small_cholesky, small_gain};
@@ -161,8 +162,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let rest = Rc::new(regression.fit(&model, fit.shapes.clone()));
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
     let there = regression.added(&rest);
-    let projected = regression.projected(&rest.basis);
-    let mut scores = regression.scan_beside(&projected, &rest);
+    let mut scores = regression.scan(&rest, Among::Names);
     let is_new = |s: &Score| {
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
@@ -187,7 +187,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         term.is_some_and(|t| !removed.iter().any(|r| name(r) == name(t)))
     });
     let short = short_list(regression, others);
-    for (a, b, ln_odds) in best_pairs(regression, &projected, &rest, &short, enough) {
+    for (a, b, ln_odds) in best_pairs(regression, &rest, &short, enough) {
         push(vec![a, b], ln_odds);
     }
 }
@@ -201,15 +201,14 @@ pub(crate) fn with_pairs<'f>(
     enough: f64,
 ) -> impl Iterator<Item = Fit> + use<'f> {
     let there = regression.added(fit);
-    let projected = regression.projected(&fit.basis);
-    let mut scores = regression.scan_beside(&projected, fit);
+    let mut scores = regression.scan(fit, Among::Names);
     scores.retain(|s| {
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t))
     });
     by_odds(&mut scores);
     let short = short_list(regression, scores.iter());
-    let pairs = best_pairs(regression, &projected, fit, &short, enough);
+    let pairs = best_pairs(regression, fit, &short, enough);
     pairs.into_iter().map(|(a, b, _)| {
         let terms = [a, b].map(|c| regression.table.candidates[c].what.term().cloned());
         let terms = terms.into_iter().flatten();
@@ -264,7 +263,6 @@ struct Piece {
 /// Pairs of candidates that together lower the sum of squares enough.
 fn best_pairs(
     regression: &Regression,
-    projected: &Projected,
     rest: &Fit,
     list: &[usize],
     enough: f64,
@@ -285,17 +283,10 @@ fn best_pairs(
     let (mut first, mut width) = (0, 0);
     for index in list {
         let candidate = &regression.table.candidates[*index];
-        let (factor, rank) = projected.factor(candidate);
-        if rank < candidate.size {
-            continue;
-        }
         let k = candidate.size;
-        let own = projected.columns(candidate);
-        let l = DMatrix::from_fn(k, k, |i, j| if j <= i { factor[i * k + j] } else { 0.0 });
-        let Some(unit) = l.solve_lower_triangular(&own.transpose()) else {
+        let Some(unit) = unit_beside(regression.white_columns(&[candidate]), &rest.basis) else {
             continue;
         };
-        let unit = unit.transpose();
         let h = unit.tr_mul(&rest.residual);
         let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * PRICE_OF_A_NAME);
         all.extend(unit.as_slice());

@@ -1,7 +1,7 @@
 //! Everything that the search tries: each testable effect on each joint with each setting, and
 //! the anonymous shapes, with their columns at the base model.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 pub(crate) use crate::answers::diagnosis::NotTestable;
 use crate::effects::{CATALOGUE, Setting, Survey, Term, find, form_in, rank};
@@ -9,6 +9,7 @@ use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
+use super::columns::{Columns, Gathering};
 use super::shape_space::{ShapeSpace, shape_space, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
@@ -87,7 +88,7 @@ pub(crate) struct Table {
     /// What is tried.
     pub candidates: Vec<Candidate>,
     /// Columns at the base model.
-    pub raw: DMatrix<f64>,
+    pub columns: Columns,
     /// Which columns make a rich fit, from which the noise is estimated.
     pub rich: Vec<usize>,
     /// What cannot be tested.
@@ -130,32 +131,40 @@ impl Table {
             let size = space.width(&shape);
             (What::Anonymous(shape), size, shape.tried)
         });
-        let mut width = 0;
-        let place = |(what, size, tried)| {
-            let first = width;
-            width += size;
-            Candidate {
+        let mut candidates: Vec<Candidate> = of_names
+            .chain(of_shapes)
+            .map(|(what, size, tried)| Candidate {
                 what,
-                first,
+                first: 0,
                 size,
                 tried,
-            }
+            })
+            .collect();
+        let directions: Vec<DVector<f64>> = {
+            let across = [&space.radial, &space.axial];
+            let across = across.into_iter().flatten();
+            space.tangential.iter().chain(across).cloned().collect()
         };
-        let candidates: Vec<Candidate> = of_names.chain(of_shapes).map(place).collect();
-        let mut raw = DMatrix::zeros(rows.len(), width);
+        let mut gathering = Gathering::new(rows.len(), rows.samples.len(), &directions);
+        let mut slots = Vec::new();
         let (named, anonymous) = candidates.split_at(names.len());
         for some in named.chunks(AT_ONCE) {
-            fill(&mut raw, rows, base, some);
+            let columns = columns_of(rows, base, some);
+            slots.extend(columns.iter().map(|own| gathering.push(own)));
         }
+        gathering.names_end();
         for candidate in anonymous {
             if let What::Anonymous(shape) = &candidate.what {
-                raw.columns_mut(candidate.first, candidate.size)
-                    .copy_from(&space.columns(shape));
+                slots.push(gathering.push(&space.columns(shape)));
             }
+        }
+        let (columns, first) = gathering.done();
+        for (candidate, slot) in candidates.iter_mut().zip(slots) {
+            candidate.first = first(slot);
         }
         let mut table = Self {
             candidates,
-            raw,
+            columns,
             rich: Vec::new(),
             not_testable,
             space,
@@ -209,21 +218,19 @@ impl Table {
 /// Terms that are put into one model: each costs every column of it a turn.
 const AT_ONCE: usize = 48;
 
-/// The columns of some names beside the base.
-fn fill(raw: &mut DMatrix<f64>, rows: &Rows, base: &Model, names: &[Candidate]) {
+/// The columns of some names beside the base, of each its own.
+fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64>> {
     let own = names.iter().filter_map(|c| c.what.term());
     let terms = base.terms().iter().chain(own).cloned().collect();
     let all = Model::new(base.robot.clone(), terms);
     let (_, columns) = rows.extract(&all);
-    let mut first = 0;
-    for term in all.terms() {
-        let is = |c: &&Candidate| c.what.term().is_some_and(|t| t.same_column(term));
-        if let Some(candidate) = names.iter().find(is) {
-            raw.columns_mut(candidate.first, candidate.size)
-                .copy_from(&columns.columns(first, candidate.size));
-        }
-        first += term.coefficients.len();
-    }
+    let of = |candidate: &Candidate| {
+        let is = |term: &&Term| candidate.what.term().is_some_and(|t| t.same_column(term));
+        let before = all.terms().iter().take_while(|term| !is(term));
+        let first: usize = before.map(|t| t.coefficients.len()).sum();
+        columns.columns(first, candidate.size).into_owned()
+    };
+    names.iter().map(of).collect()
 }
 
 /// Every testable name with every setting and how many of its kind there are.

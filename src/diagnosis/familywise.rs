@@ -24,6 +24,9 @@ use rand_distr::{Distribution, StandardNormal};
 
 pub(crate) use crate::answers::diagnosis::FamilyP;
 
+use super::candidates::Candidate;
+use super::columns::Among;
+use super::projected::Projected;
 use super::regression::{Fit, Regression, weight_of};
 use super::significance::Significance;
 use crate::effects::rank as rank_in_catalogue;
@@ -47,18 +50,6 @@ pub(crate) struct Familywise {
     null: Vec<Null>,
 }
 
-/// Numbers of simulated searches that are kept at most; what was forgotten is made again.
-const MOST_KEPT: usize = 16_000_000;
-
-impl Familywise {
-    fn forget_the_oldest(&mut self) {
-        let size = |null: &Null| null.groups.iter().map(|g| g.rows.len()).sum::<usize>();
-        while self.null.len() > 2 && self.null.iter().map(size).sum::<usize>() > MOST_KEPT {
-            self.null.remove(0);
-        }
-    }
-}
-
 /// What noise alone did to the search beside one model, so far.
 #[derive(Debug)]
 struct Null {
@@ -67,9 +58,8 @@ struct Null {
     fingerprint: Vec<u64>,
     /// Whether it is the same whatever the seed.
     seedless: bool,
-    groups: Vec<Group>,
-    /// The fit's orthonormal columns, as rows.
-    inside: DMatrix<f32>,
+    basis: Basis,
+    /// What the signs of are flipped; zero where the residuals are Gaussian.
     noise: DVector<f32>,
     chunks: u64,
     /// Largest first.
@@ -118,19 +108,22 @@ impl Regression<'_> {
                 bound: false,
             };
         }
-        let at = self.null_beside(fit, rough);
-        let mut familywise = self.familywise.borrow_mut();
-        let null = &mut familywise.null[at];
-        loop {
-            let p = null.chance(minus_ln_p);
-            let close = p > CLOSE[0] && p < CLOSE[1];
-            if !close || null.tail.is_some() || null.largest.len() >= self.simulations() {
-                return FamilyP {
-                    p: p.clamp(smallest, 1.0),
-                    bound: p < smallest,
-                };
+        let at = self.null_of(fit, rough, false);
+        let null = &mut self.familywise.borrow_mut().null[at];
+        let is_close = |p: f64| p > CLOSE[0] && p < CLOSE[1];
+        let mut p = null.chance(minus_ln_p);
+        if is_close(p) && null.tail.is_none() {
+            let basis = null.basis.clone();
+            let projected = self.projected(&basis, Among::All);
+            let trials = Trials::new(&projected, &self.table.candidates, self.m());
+            while is_close(p) && null.largest.len() < self.simulations() {
+                null.take(trials.simulated(&null.noise, self.seed, null.chunks));
+                p = null.chance(minus_ln_p);
             }
-            null.simulate(self.seed);
+        }
+        FamilyP {
+            p: p.clamp(smallest, 1.0),
+            bound: p < smallest,
         }
     }
 
@@ -156,10 +149,6 @@ impl Regression<'_> {
     }
 
     /// Place of the simulations beside a fit; the first are made here.
-    fn null_beside(&self, fit: &Fit, rough: bool) -> usize {
-        self.null_of(fit, rough, false)
-    }
-
     fn null_of(&self, fit: &Fit, rough: bool, seedless: bool) -> usize {
         let fingerprint = fingerprint(fit);
         let mut familywise = self.familywise.borrow_mut();
@@ -184,80 +173,24 @@ impl Regression<'_> {
                 0.0
             }
         });
+        let seed = if seedless { 0 } else { self.seed };
+        let projected = self.projected(&fit.basis, Among::All);
+        let trials = Trials::new(&projected, &self.table.candidates, self.m());
+        let largest = trials.simulated(&noise, seed, 0);
+        let tail = if flip { None } else { trials.tail(seed) };
         let mut null = Null {
             rank,
             fingerprint,
             seedless,
-            groups: self.orthonormal_groups(&fit.basis),
-            inside: fit.basis.q.map(|v| v as f32).transpose(),
+            basis: fit.basis.clone(),
             noise,
             chunks: 0,
             largest: Vec::new(),
-            tail: None,
+            tail,
         };
-        let seed = if seedless { 0 } else { self.seed };
-        null.simulate(seed);
-        if !flip {
-            null.simulate_tail(seed);
-        }
+        null.take(largest);
         familywise.null.push(null);
-        familywise.forget_the_oldest();
         familywise.null.len() - 1
-    }
-
-    /// Orthonormal columns of all candidates beside a basis, those of one rank and weight together.
-    fn orthonormal_groups(&self, basis: &Basis) -> Vec<Group> {
-        let projected = self.projected(basis);
-        let m = self.height();
-        let freedom = self.m() - basis.rank() as f64;
-        let mut groups: Vec<(usize, f64, Vec<f32>)> = Vec::new();
-        for candidate in &self.table.candidates {
-            let k = candidate.size;
-            let (factor, rank) = projected.factor(candidate);
-            if rank == 0 || freedom - (rank as f64) < 2.0 {
-                continue;
-            }
-            let weight = weight_of(candidate);
-            let same = groups.iter().position(|g| g.0 == rank && g.1 == weight);
-            let at = same.unwrap_or_else(|| {
-                groups.push((rank, weight, Vec::new()));
-                groups.len() - 1
-            });
-            // Forward substitution, row of the factor by row: U = P L⁻ᵀ.
-            let mut own: Vec<Vec<f64>> = Vec::with_capacity(k);
-            let free = projected.columns(candidate);
-            for i in 0..k {
-                let pivot = factor[i * k + i];
-                let mut column: Vec<f64> = free.column(i).iter().copied().collect();
-                for (j, before) in own.iter().enumerate() {
-                    let along = factor[i * k + j];
-                    if along != 0.0 {
-                        column
-                            .iter_mut()
-                            .zip(before)
-                            .for_each(|(c, b)| *c -= along * b);
-                    }
-                }
-                let inverse = if pivot > 0.0 { 1.0 / pivot } else { 0.0 };
-                for value in &mut column {
-                    *value *= inverse;
-                }
-                if pivot > 0.0 {
-                    groups[at].2.extend(column.iter().map(|c| *c as f32));
-                }
-                own.push(column);
-            }
-        }
-        groups
-            .into_iter()
-            .map(|(rank, weight, values)| Group {
-                rank,
-                weight,
-                test: Significance::new(rank, freedom - rank as f64),
-                // A product of matrices is quick, one of a transposed is not.
-                rows: DMatrix::from_vec(m, values.len() / m.max(1), values).transpose(),
-            })
-            .collect()
     }
 }
 
@@ -297,92 +230,195 @@ impl Null {
         from_tail.max(counted.min(3.0 * from_tail))
     }
 
-    /// Sends one chunk more of simulated residuals through the search.
-    fn simulate(&mut self, seed: u64) {
-        let m = self.noise.len();
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(self.chunks);
+    /// Takes what one more chunk of simulated residuals reached.
+    fn take(&mut self, largest: Vec<f64>) {
         self.chunks += 1;
-        let flip = self.noise.iter().any(|v| *v != 0.0);
-        let z = DMatrix::<f32>::from_fn(m, CHUNK, |row, _| {
-            if flip {
+        self.largest.extend(largest);
+        self.largest.sort_by(|a, b| b.total_cmp(a));
+    }
+}
+
+/// One candidate beside a model.
+struct Trial<'c> {
+    candidate: &'c Candidate,
+    /// Cholesky factor of its columns, row by row.
+    factor: Vec<f32>,
+    /// Which kind it is of.
+    kind: usize,
+}
+
+/// Candidates of one rank and weight.
+struct Kind {
+    rank: usize,
+    weight: f64,
+    test: Significance,
+    count: usize,
+}
+
+/// Every candidate beside one model, for residuals to be sent through.
+struct Trials<'p> {
+    projected: &'p Projected<'p>,
+    all: Vec<Trial<'p>>,
+    kinds: Vec<Kind>,
+    height: usize,
+}
+
+/// Columns that residuals are sent through at once.
+const AT_ONCE: usize = 512;
+
+impl<'p> Trials<'p> {
+    /// Of candidates in `rows` measured rows.
+    fn new(projected: &'p Projected<'p>, candidates: &'p [Candidate], rows: f64) -> Self {
+        let (height, inside) = projected.basis().q.shape();
+        let freedom = rows - inside as f64;
+        let mut kinds: Vec<Kind> = Vec::new();
+        let mut all = Vec::new();
+        for candidate in candidates {
+            let (factor, rank) = projected.factor(candidate);
+            if rank == 0 || freedom - (rank as f64) < 2.0 {
+                continue;
+            }
+            let weight = weight_of(candidate);
+            let known = kinds
+                .iter()
+                .position(|k| k.rank == rank && k.weight == weight);
+            let kind = known.unwrap_or_else(|| {
+                kinds.push(Kind {
+                    rank,
+                    weight,
+                    test: Significance::new(rank, freedom - rank as f64),
+                    count: 0,
+                });
+                kinds.len() - 1
+            });
+            kinds[kind].count += 1;
+            all.push(Trial {
+                candidate,
+                factor: factor.iter().map(|l| *l as f32).collect(),
+                kind,
+            });
+        }
+        // In the order of their columns: neighbours go through together.
+        all.sort_by_key(|trial| trial.candidate.first);
+        Self {
+            projected,
+            all,
+            kinds,
+            height,
+        }
+    }
+
+    /// The largest −ln p of one chunk of residuals.
+    fn simulated(&self, noise: &DVector<f32>, seed: u64, chunk: u64) -> Vec<f64> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(chunk);
+        let flip = noise.iter().any(|v| *v != 0.0);
+        let z = DMatrix::from_fn(self.height, CHUNK, |row, _| {
+            f64::from(if flip {
                 let sign = random.next_u32() & (1 << 31);
-                f32::from_bits(self.noise[row].to_bits() ^ sign)
+                f32::from_bits(noise[row].to_bits() ^ sign)
             } else {
                 StandardNormal.sample(&mut random)
-            }
+            })
         });
-        let reached = self.reached(&z, f64::INFINITY);
-        self.largest.extend(reached.into_iter().map(|r| r.0));
-        self.largest.sort_by(|a, b| b.total_cmp(a));
+        self.reached(z, f64::INFINITY)
+            .into_iter()
+            .map(|r| r.0)
+            .collect()
     }
 
     /// The largest −ln p of each residual, and how many candidates reach `from`.
-    fn reached(&self, z: &DMatrix<f32>, from: f64) -> Vec<(f64, usize)> {
-        let inside = &self.inside * z;
-        let totals: Vec<f32> = (0..z.ncols())
-            .map(|k| z.column(k).norm_squared() - inside.column(k).norm_squared())
+    fn reached(&self, z: DMatrix<f64>, from: f64) -> Vec<(f64, usize)> {
+        let count = z.ncols();
+        let (noise, totals) = self.projected.of_noise(z);
+        // By kind, what a gain has to be for each residual, and the largest.
+        let enough: Vec<Vec<f32>> = self
+            .kinds
+            .iter()
+            .map(|kind| {
+                let share = if from.is_finite() {
+                    kind.test.share_for(from + kind.weight) as f32
+                } else {
+                    f32::INFINITY
+                };
+                totals.iter().map(|total| share * total).collect()
+            })
             .collect();
-        let mut reached = vec![(0.0_f64, 0); z.ncols()];
-        for group in &self.groups {
-            let along = &group.rows * z;
-            let enough = if from.is_finite() {
-                group.test.share_for(from + group.weight) as f32
-            } else {
-                f32::INFINITY
-            };
-            for (k, (largest, count)) in reached.iter_mut().enumerate() {
-                let mut best = 0.0_f32;
-                for own in along.column(k).as_slice().chunks_exact(group.rank) {
-                    let gain: f32 = own.iter().map(|v| v * v).sum();
-                    best = best.max(gain);
-                    *count += usize::from(gain >= enough * totals[k]);
+        let mut most = vec![vec![0.0_f32; count]; self.kinds.len()];
+        let mut reaching = vec![0_usize; count];
+        let mut gain = vec![0.0_f32; count];
+        let mut all = self.all.as_slice();
+        while let Some(first) = all.first().map(|t| t.candidate.first) {
+            let up_to = first + self.projected.together(first).min(AT_ONCE);
+            let end = |t: &Trial| t.candidate.first + t.candidate.size;
+            let some = all.partition_point(|t| end(t) <= up_to).max(1);
+            let (now, rest) = all.split_at(some);
+            all = rest;
+            let width = now.last().map_or(0, |t| end(t) - first);
+            let mut pulls = self.projected.pulls_of_noise(&noise, first, width);
+            for trial in now {
+                let at = (trial.candidate.first - first) * count;
+                let own = &mut pulls.as_mut_slice()[at..at + trial.candidate.size * count];
+                trial.gains(own, &mut gain);
+                let (most, enough) = (&mut most[trial.kind], &enough[trial.kind]);
+                for (k, gain) in gain.iter().enumerate() {
+                    most[k] = most[k].max(*gain);
+                    reaching[k] += usize::from(*gain >= enough[k]);
                 }
-                let s = group.test.of(f64::from(best / totals[k])) - group.weight;
-                *largest = largest.max(s);
             }
         }
-        reached
+        let one = |(k, reaching): (usize, usize)| {
+            let of_kind = self
+                .kinds
+                .iter()
+                .zip(&most)
+                .map(|(kind, most)| kind.test.of(f64::from(most[k] / totals[k])) - kind.weight);
+            (of_kind.fold(0.0, f64::max), reaching)
+        };
+        reaching.into_iter().enumerate().map(one).collect()
     }
 
     /// Simulates one chunk of residuals that reach the tail; see the module.
-    fn simulate_tail(&mut self, seed: u64) {
-        let m = self.noise.len();
-        let chances: Vec<f64> = self
-            .groups
-            .iter()
-            .map(|g| (g.rows.nrows() / g.rank) as f64 * (-g.weight).exp())
-            .collect();
-        let total: f64 = chances.iter().sum();
+    fn tail(&self, seed: u64) -> Option<Tail> {
+        let chance = |kind: &Kind| kind.count as f64 * (-kind.weight).exp();
+        let total: f64 = self.kinds.iter().map(chance).sum();
         if total <= 0.0 {
-            return;
+            return None;
         }
         let from = (total / TAIL).ln();
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(u64::MAX);
-        let mut z = DMatrix::<f32>::zeros(m, CHUNK);
+        let mut z = DMatrix::<f64>::zeros(self.height, CHUNK);
         for mut column in z.column_iter_mut() {
-            let mut free = DVector::<f32>::from_fn(m, |_, _| StandardNormal.sample(&mut random));
-            free -= self.inside.tr_mul(&(&self.inside * &free));
+            let free = DVector::from_fn(self.height, |_, _| {
+                f64::from({
+                    let one: f32 = StandardNormal.sample(&mut random);
+                    one
+                })
+            });
+            let mut free = self.projected.basis().reject(&free);
             let mut at = random.random::<f64>() * total;
-            let drawn = chances.iter().position(|c| {
-                at -= c;
+            let drawn = self.kinds.iter().position(|kind| {
+                at -= chance(kind);
                 at < 0.0
             });
-            let group = &self.groups[drawn.unwrap_or(self.groups.len() - 1)];
-            let which = random.random_range(0..group.rows.nrows() / group.rank);
-            let own = group.rows.rows(which * group.rank, group.rank);
+            let kind = drawn.unwrap_or(self.kinds.len() - 1);
+            let which = random.random_range(0..self.kinds[kind].count);
+            let mut of_kind = self.all.iter().filter(|t| t.kind == kind);
+            let trial = of_kind.nth(which)?;
+            let own = Basis::new(&self.projected.columns(trial.candidate)).q;
             // The direction inside the candidate's columns stays, its share is drawn.
-            let along = own * &free;
-            free -= own.tr_mul(&along);
+            let along = own.tr_mul(&free);
+            free -= &own * &along;
             let chance = 1.0 - random.random::<f64>();
-            let share = group.test.share_for(from + group.weight - chance.ln());
-            let inside = own.tr_mul(&along) * ((share.sqrt() as f32) / along.norm().max(1e-30));
+            let kind = &self.kinds[kind];
+            let share = kind.test.share_for(from + kind.weight - chance.ln());
+            let inside = own * &along * (share.sqrt() / along.norm().max(1e-30));
             let outside = free.norm().max(1e-30);
-            column.copy_from(&(free * (((1.0 - share).sqrt() as f32) / outside) + inside));
+            column.copy_from(&(free * ((1.0 - share).sqrt() / outside) + inside));
         }
         let mut weighted: Vec<(f64, f64)> = self
-            .reached(&z, from)
+            .reached(z, from)
             .into_iter()
             .map(|(largest, count)| {
                 let weight = TAIL / (CHUNK * count.max(1)) as f64;
@@ -390,7 +426,37 @@ impl Null {
             })
             .collect();
         weighted.sort_by(|a, b| b.0.total_cmp(&a.0));
-        self.tail = Some(Tail { from, weighted });
+        Some(Tail { from, weighted })
+    }
+}
+
+impl Trial<'_> {
+    /// By how much the candidate lowers the square of each residual, from what it pulls of them: a column of
+    /// pulls for each of its columns, `‖L⁻¹ h‖²` by forward substitution.
+    fn gains(&self, pulls: &mut [f32], gain: &mut [f32]) {
+        let (k, count) = (self.candidate.size, gain.len());
+        gain.fill(0.0);
+        for i in 0..k {
+            let pivot = self.factor[i * k + i];
+            if pivot <= 0.0 {
+                continue;
+            }
+            let (before, own) = pulls.split_at_mut(i * count);
+            let own = &mut own[..count];
+            for (j, before) in before.chunks_exact(count).enumerate() {
+                let along = self.factor[i * k + j];
+                if along != 0.0 {
+                    for (own, before) in own.iter_mut().zip(before) {
+                        *own -= along * before;
+                    }
+                }
+            }
+            let inverse = 1.0 / pivot;
+            for (own, gain) in own.iter_mut().zip(gain.iter_mut()) {
+                *own *= inverse;
+                *gain += *own * *own;
+            }
+        }
     }
 }
 
@@ -414,79 +480,66 @@ fn kurtosis(values: &DVector<f64>) -> f64 {
     moment(4) / moment(2).powi(2).max(1e-300)
 }
 
-#[derive(Debug)]
-struct Group {
-    rank: usize,
-    weight: f64,
-    test: Significance,
-    rows: DMatrix<f32>,
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnosis::candidates::What;
+    use crate::diagnosis::columns::Gathering;
+    use crate::diagnosis::projected::Grams;
+    use crate::effects::{Term, joint_zero};
+    use crate::fit::noise::Noise;
 
-    /// Groups of correlated candidates: neighbouring sines over 300 rows.
-    fn null(seed: u64) -> Null {
-        let m = 300;
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let noise = |random: &mut ChaCha8Rng| -> f32 { StandardNormal.sample(random) };
-        let group = |rank: usize, count: usize, weight: f64, random: &mut ChaCha8Rng| {
-            let mut columns: Vec<DVector<f32>> = Vec::new();
+    const ROWS: usize = 300;
+
+    /// Correlated candidates over so many rows, of three sizes and weights.
+    fn candidates() -> (Gathering, Vec<Candidate>) {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let mut gathering = Gathering::new(ROWS, ROWS, &[]);
+        let mut candidates = Vec::new();
+        for (size, count, weight) in [(1, 40, 0.5), (2, 60, 2.0), (3, 20, 0.0_f64)] {
+            let mut before = DMatrix::zeros(ROWS, size);
             for _ in 0..count {
-                let mut own: Vec<DVector<f32>> = Vec::new();
-                for k in 0..rank {
-                    // Half of each column is its neighbour's.
-                    let start = columns
-                        .len()
-                        .checked_sub(rank)
-                        .map(|i| columns[i + k].clone());
-                    let mut v = DVector::from_fn(m, |_, _| noise(random) / (m as f32).sqrt());
-                    v += start.unwrap_or_else(|| DVector::zeros(m));
-                    for before in &own {
-                        let along = before.dot(&v);
-                        v -= before * along;
-                    }
-                    own.push(v.normalize());
-                }
-                columns.extend(own);
+                // Half of each column is its neighbour's.
+                let own = DMatrix::from_fn(ROWS, size, |row, k| {
+                    let one: f64 = StandardNormal.sample(&mut random);
+                    one / (ROWS as f64).sqrt() + before[(row, k)]
+                });
+                before = Basis::new(&own).q;
+                gathering.push(&before);
+                let first = candidates
+                    .last()
+                    .map_or(0, |c: &Candidate| c.first + c.size);
+                candidates.push(Candidate {
+                    what: What::Named(Term::absent(joint_zero(), 0, 0.0)),
+                    first,
+                    size,
+                    tried: (2.0 * weight).exp(),
+                });
             }
-            Group {
-                rank,
-                weight,
-                test: Significance::new(rank, m as f64 - rank as f64),
-                rows: DMatrix::from_columns(&columns).transpose(),
-            }
-        };
-        Null {
-            rank: 0,
-            fingerprint: Vec::new(),
-            seedless: false,
-            groups: vec![
-                group(1, 40, 0.5, &mut random),
-                group(2, 60, 2.0, &mut random),
-                group(3, 20, 0.0, &mut random),
-            ],
-            inside: DMatrix::zeros(0, m),
-            noise: DVector::zeros(m),
-            chunks: 0,
-            largest: Vec::new(),
-            tail: None,
         }
+        (gathering, candidates)
     }
 
     #[test]
     fn the_simulated_tail_agrees_with_many_plain_simulations() {
-        let mut plain = null(1);
-        for _ in 0..80 {
-            plain.simulate(7);
-        }
-        let count = plain.largest.len() as f64;
-        let mut tailed = null(1);
-        tailed.simulate_tail(7);
-        let tail = tailed.tail.expect("simulated");
+        let (gathering, candidates) = candidates();
+        let (columns, _) = gathering.done();
+        let filter = Noise::white(1.0).filter_over(&[0.0; ROWS], &[0]);
+        let grams = Grams::new(&columns, &filter, &candidates);
+        let nothing = Basis::new(&DMatrix::zeros(ROWS, 0));
+        let along = DMatrix::zeros(0, columns.count());
+        let table = (&columns, &filter, &grams);
+        let projected = Projected::new(table, &nothing, along, Among::All);
+        let trials = Trials::new(&projected, &candidates, ROWS as f64);
+        let noise = DVector::zeros(ROWS);
+        let mut plain: Vec<f64> = (0..80)
+            .flat_map(|chunk| trials.simulated(&noise, 7, chunk))
+            .collect();
+        plain.sort_by(|a, b| b.total_cmp(a));
+        let count = plain.len() as f64;
+        let tail = trials.tail(7).expect("simulated");
         for above in [300.0, 100.0, 40.0] {
-            let minus_ln_p = plain.largest[above as usize - 1];
+            let minus_ln_p = plain[above as usize - 1];
             let (expected, found) = (above / count, tail.chance(minus_ln_p));
             // Standard errors: 1/√above of what was counted, and a tenth of the tail's.
             let error = expected * (1.0 / above + 0.01_f64).sqrt();

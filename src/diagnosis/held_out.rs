@@ -209,6 +209,8 @@ struct Scanned {
     size: usize,
     coefficients: DVector<f64>,
     candidates: Vec<usize>,
+    /// Whitened columns of all these.
+    white: DMatrix<f64>,
 }
 
 fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
@@ -230,13 +232,16 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
                     .term()
                     .is_some_and(|t| t.effect.about().id == about.id && t.joint == term.joint)
             };
+            let count = regression.table.candidates.len();
+            let candidates: Vec<usize> = (0..count).filter(same).collect();
+            let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
+            let white = regression.white_columns(&of_table.collect::<Vec<_>>());
             all.push(Scanned {
                 first,
                 size,
                 coefficients: DVector::from_column_slice(&term.coefficients),
-                candidates: (0..regression.table.candidates.len())
-                    .filter(same)
-                    .collect(),
+                candidates,
+                white,
             });
         }
         first += size;
@@ -265,34 +270,30 @@ impl Scanned {
         let now = white.columns(self.first, self.size).into_owned();
         let of_now = beside(now, self.size).first().copied().unwrap_or(0.0);
         let mut best: Option<(f64, usize)> = None;
-        for some in self.candidates.chunks(AT_ONCE) {
-            let all = some.iter().flat_map(|index| {
-                let candidate = &regression.table.candidates[*index];
-                candidate.first..candidate.first + self.size
-            });
-            let all: Vec<usize> = all.collect();
-            let columns = DMatrix::from_fn(seen.len(), all.len(), |row, k| {
-                regression.white[(seen[row], all[k])]
-            });
-            for (value, index) in beside(columns, self.size).into_iter().zip(some) {
+        let count = self.candidates.len();
+        for from in (0..count).step_by(AT_ONCE) {
+            let some = AT_ONCE.min(count - from);
+            let columns = self.white.columns(from * self.size, some * self.size);
+            let columns = columns.select_rows(seen);
+            for (k, value) in beside(columns, self.size).into_iter().enumerate() {
                 if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
-                    best = Some((value, *index));
+                    best = Some((value, from + k));
                 }
             }
         }
-        let Some((_, index)) = best else {
+        let Some((_, at)) = best else {
             return;
         };
-        let candidate = &regression.table.candidates[index];
+        let candidate = &regression.table.candidates[self.candidates[at]];
         *residual = without;
         let raw_back = raw.columns(self.first, self.size) * &self.coefficients;
         *raw_residual += raw_back;
-        let of_table = |m: &DMatrix<f64>| m.columns(candidate.first, candidate.size).into_owned();
+        let own = self.white.columns(at * self.size, self.size);
         white
             .columns_mut(self.first, self.size)
-            .copy_from(&of_table(&regression.white).select_rows(seen));
-        raw.columns_mut(self.first, self.size)
-            .copy_from(&of_table(&regression.table.raw));
+            .copy_from(&own.select_rows(seen));
+        let own = regression.table.columns.raw(candidate.first, self.size);
+        raw.columns_mut(self.first, self.size).copy_from(&own);
     }
 }
 

@@ -9,13 +9,14 @@
 pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
+use super::columns::Among;
 use super::regression::{Fit, Regression, weight_of};
 use super::search::CHANCE;
 use super::significance::Significance;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
-    let projected = regression.projected(&fit.basis);
+    let projected = regression.projected(&fit.basis, Among::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
     let threshold = regression.minus_ln_p_for(CHANCE, fit);

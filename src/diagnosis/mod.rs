@@ -24,9 +24,11 @@
 
 pub(crate) mod aliases;
 pub(crate) mod candidates;
+pub(crate) mod columns;
 pub(crate) mod familywise;
 pub(crate) mod limits;
 mod memo;
+mod of_base;
 mod placed;
 pub(crate) mod smooth;
 
@@ -68,6 +70,7 @@ pub(crate) use conclude::Planner;
 
 use crate::effects::Owner;
 use crate::effects::{JointValues, Term};
+use crate::fit::noise::Noise;
 use crate::sessions::Session;
 use crate::set_up_errors::{self, Mended};
 use prepare::Prepared;
@@ -218,7 +221,8 @@ fn against_rivals<'a>(
     free_curve::rival(&prepared, &mut found);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
-        let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
+        let known = &prepared.regression.noise;
+        let (rival, end) = settled_search(prepared.with_noise(noise), known, watch)?;
         let loser = if standing(&rival, &end) > standing(&prepared, &found) {
             prepared = rival;
             std::mem::replace(&mut found, end)
@@ -250,23 +254,24 @@ fn standing(prepared: &Prepared, end: &search::Found) -> f64 {
     end.fit.ln_evidence + if favour { aliases::UNDECIDED } else { 0.0 }
 }
 
-/// A search whose noise is estimated beside what it finds, until that is the same.
+/// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
+/// already.
 fn settled_search<'a>(
     mut prepared: Prepared<'a>,
+    searched: &Noise,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
     let mut found = prepared.search(watch)?;
     for _ in 0..3 {
         let (settled, fit) = prepared.settled(&found.fit);
-        let same = settled
-            .regression
-            .noise
-            .whitens_like(&prepared.regression.noise);
+        let noise = &settled.regression.noise;
+        let same = noise.whitens_like(&prepared.regression.noise);
+        let known = noise.whitens_like(searched);
         (prepared, found.fit) = (settled, fit);
-        if same {
+        if same || known {
             break;
         }
-        found = prepared.search(watch)?;
+        found = prepared.search_on(&found, watch)?;
     }
     free_curve::rival(&prepared, &mut found);
     Ok((prepared, found))

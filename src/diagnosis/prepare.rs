@@ -117,14 +117,28 @@ impl<'a> Prepared<'a> {
     }
 
     pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
-        let search = Search {
+        Ok(self.searcher(watch).run()?)
+    }
+
+    /// Goes on from the end of a search under nearly the same noise.
+    pub(crate) fn search_on(&self, from: &Found, watch: Watch) -> Result<Found, DiagnoseError> {
+        let from = Found {
+            fit: self.refitted(&from.fit),
+            names_only: self.refitted(&from.names_only),
+            base_misfit: false,
+            other_ends: Vec::new(),
+        };
+        Ok(self.searcher(watch).go_on(&from)?)
+    }
+
+    fn searcher<'s>(&'s self, watch: Watch<'s>) -> Search<'s, 'a> {
+        Search {
             regression: &self.regression,
             folds: &self.folds,
             most: self.cap(),
             watch,
             unseen: Memo::new(UNSEEN_KEPT),
-        };
-        Ok(search.run()?)
+        }
     }
 
     pub(crate) fn options(&self) -> &Options {
@@ -342,7 +356,7 @@ fn bare_regression<'a>(
 /// been found yet is not taken for noise.
 fn noise_beside_many(regression: &Regression, found: Option<&Fit>) -> Noise {
     let model = found.map_or(&regression.base, |f| &f.model);
-    let rich = regression.table.raw.select_columns(&regression.table.rich);
+    let rich = regression.table.columns.raw_of(&regression.table.rich);
     let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &s.raw);
     estimated(regression, model, shapes.chain([&rich]))
 }

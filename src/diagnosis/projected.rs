@@ -10,17 +10,20 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::candidates::Candidate;
-use super::regression::Regression;
-use crate::linear::{Basis, products, small_cholesky, subtract};
+use super::columns::{Among, Columns};
+use crate::fit::noise::Filter;
+use crate::linear::{Basis, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
 
 pub(crate) struct Projected<'r> {
-    white: &'r DMatrix<f64>,
+    columns: &'r Columns,
+    filter: &'r Filter,
     grams: &'r Grams,
     basis: &'r Basis,
     along: DMatrix<f64>,
+    among: Among,
 }
 
 /// Gram matrices of every candidate's own columns, one after the other.
@@ -31,21 +34,36 @@ pub(crate) struct Grams {
     at: Vec<usize>,
 }
 
+/// Columns that are whitened at once.
+const AT_ONCE: usize = 64;
+
 impl Grams {
-    pub(crate) fn new(white: &DMatrix<f64>, candidates: &[Candidate]) -> Self {
+    pub(crate) fn new(columns: &Columns, filter: &Filter, candidates: &[Candidate]) -> Self {
         let mut values = Vec::new();
-        let mut at = vec![0; white.ncols()];
-        for candidate in candidates {
-            let (first, k) = (candidate.first, candidate.size);
-            at[first] = values.len();
-            for i in 0..k {
-                let a = white.column(first + i);
-                for j in 0..k {
-                    values.push(if j <= i {
-                        a.dot(&white.column(first + j))
-                    } else {
-                        0.0
-                    });
+        let mut at = vec![0; columns.count()];
+        let mut order: Vec<&Candidate> = candidates.iter().collect();
+        order.sort_by_key(|c| c.first);
+        let mut order = order.as_slice();
+        while let Some(from) = order.first().map(|c| c.first) {
+            let some = order
+                .partition_point(|c| c.first + c.size <= from + AT_ONCE)
+                .max(1);
+            let (now, rest) = order.split_at(some);
+            order = rest;
+            let width = now.iter().map(|c| c.size).sum();
+            let white = columns.white(filter, from, width, 0);
+            for candidate in now {
+                let (first, k) = (candidate.first - from, candidate.size);
+                at[candidate.first] = values.len();
+                for i in 0..k {
+                    let a = white.column(first + i);
+                    for j in 0..k {
+                        values.push(if j <= i {
+                            a.dot(&white.column(first + j))
+                        } else {
+                            0.0
+                        });
+                    }
                 }
             }
         }
@@ -58,14 +76,54 @@ impl Grams {
     }
 }
 
+/// Orthonormal columns of what a basis leaves of some; `None` where that is not all of them.
+pub(crate) fn unit_beside(mut white: DMatrix<f64>, basis: &Basis) -> Option<DMatrix<f64>> {
+    let k = white.ncols();
+    let tolerance: Vec<f64> = white
+        .column_iter()
+        .map(|c| (SEEN * c.norm_squared()).max(1e-300))
+        .collect();
+    let along = basis.q.tr_mul(&white);
+    white.gemm(-1.0, &basis.q, &along, 1.0);
+    let gram = white.tr_mul(&white);
+    let mut factor: Vec<f64> = gram.iter().copied().collect();
+    if small_cholesky(&mut factor, k, &tolerance) < k {
+        return None;
+    }
+    let l = DMatrix::from_fn(k, k, |i, j| if j <= i { factor[i * k + j] } else { 0.0 });
+    let unit = l.solve_lower_triangular(&white.transpose())?;
+    Some(unit.transpose())
+}
+
 impl<'r> Projected<'r> {
-    pub(crate) fn new(regression: &'r Regression, basis: &'r Basis) -> Self {
+    /// `along` are the products of the candidates' columns with the basis.
+    pub(crate) fn new(
+        (columns, filter, grams): (&'r Columns, &'r Filter, &'r Grams),
+        basis: &'r Basis,
+        along: DMatrix<f64>,
+        among: Among,
+    ) -> Self {
         Self {
-            along: basis.q.transpose() * &regression.white,
-            white: &regression.white,
-            grams: &regression.grams,
+            columns,
+            filter,
+            grams,
             basis,
+            along,
+            among,
         }
+    }
+
+    /// Of which candidates it knows anything.
+    pub(crate) fn has(&self, candidate: &Candidate) -> bool {
+        match self.among {
+            Among::All => true,
+            Among::Names => candidate.named(),
+            Among::Shapes => !candidate.named(),
+        }
+    }
+
+    pub(crate) fn basis(&self) -> &'r Basis {
+        self.basis
     }
 
     /// Cholesky factor of a candidate's columns (lower, row by row), and their rank.
@@ -88,15 +146,16 @@ impl<'r> Projected<'r> {
 
     pub(crate) fn columns(&self, candidate: &Candidate) -> DMatrix<f64> {
         let (first, k) = (candidate.first, candidate.size);
-        let mut own = self.white.columns(first, k).into_owned();
-        let (height, rank) = (own.nrows().max(1), self.along.nrows());
-        let along = &self.along.as_slice()[first * rank..];
-        for (i, column) in own.as_mut_slice().chunks_exact_mut(height).enumerate() {
-            subtract(
-                self.basis.q.as_slice(),
-                &along[i * rank..(i + 1) * rank],
-                column,
-            );
+        let height = self.basis.q.nrows();
+        let more = height - self.columns.rows();
+        let mut own = self.columns.white(self.filter, first, k, more);
+        for (i, column) in own
+            .as_mut_slice()
+            .chunks_exact_mut(height.max(1))
+            .enumerate()
+        {
+            let along = self.along.column(first + i);
+            subtract(self.basis.q.as_slice(), along.as_slice(), column);
         }
         own
     }
@@ -104,13 +163,36 @@ impl<'r> Projected<'r> {
     /// Products of all columns with a residual.
     pub(crate) fn pulls(&self, residual: &DVector<f64>) -> DVector<f64> {
         let inside = self.basis.q.tr_mul(residual);
-        let mut pulls = DVector::zeros(self.white.ncols());
-        products(
-            residual.as_slice(),
-            self.white.as_slice(),
-            pulls.as_mut_slice(),
-        );
+        let mut pulls = self.columns.products(self.filter, residual, self.among);
         pulls.gemv_tr(-1.0, &self.along, &inside, 1.0);
         pulls
+    }
+
+    /// Vectors without what the basis explains, as [`pulls_of_noise`](Self::pulls_of_noise) takes them, and
+    /// what is left of the square of each.
+    pub(crate) fn of_noise(&self, z: DMatrix<f64>) -> (Vec<DMatrix<f32>>, Vec<f32>) {
+        let along = self.basis.q.transpose() * &z;
+        let mut left = z;
+        left.gemm(-1.0, &self.basis.q, &along, 1.0);
+        let squares = left.column_iter().map(|c| c.norm_squared() as f32);
+        let squares = squares.collect();
+        let by_sample = self.columns.of_samples(self.filter, &left);
+        let by_sample = by_sample.iter().map(|g| g.map(|v| v as f32));
+        (by_sample.collect(), squares)
+    }
+
+    /// Products of some columns that are together with such vectors, a row for each vector.
+    pub(crate) fn pulls_of_noise(
+        &self,
+        noise: &[DMatrix<f32>],
+        first: usize,
+        count: usize,
+    ) -> DMatrix<f32> {
+        self.columns.products_near(noise, first, count)
+    }
+
+    /// How many columns from this one on are together.
+    pub(crate) fn together(&self, first: usize) -> usize {
+        self.columns.together(first)
     }
 }

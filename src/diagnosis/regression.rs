@@ -8,7 +8,7 @@
 //! ln E = −(m/2) ln rss − (k/2) ln m − Σ ln(settings tried) − (shapes) ln 20
 //! ```
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
@@ -19,12 +19,14 @@ use crate::model::Model;
 
 use super::aliases::Rival;
 use super::candidates::{Candidate, Table, What};
+use super::columns::Among;
 use super::familywise::Familywise;
 use super::memo::Memo;
+use super::of_base::OfBase;
 use super::placed::Placed;
 use super::projected::{Grams, Projected};
 use super::significance::Significance;
-use crate::fit::noise::{Noise, PRICE_OF_A_VARIANCE};
+use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, small_cholesky, small_gain};
 use crate::model::shapes::Shape;
@@ -70,15 +72,17 @@ pub(crate) struct Regression<'a> {
     pub(crate) rows: Rc<Rows<'a>>,
     pub(crate) noise: Noise,
     pub(crate) table: Rc<Table>,
-    pub(crate) white: DMatrix<f64>,
-    pub(crate) grams: Grams,
+    filter: Filter,
+    grams: OnceCell<Grams>,
+    of_base: OnceCell<OfBase>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
     /// Number of rows beside those of the samples.
     pub(super) beside: usize,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
-    scores: Memo<Vec<Score>>,
+    scores_of_names: Memo<Vec<Score>>,
+    scores_of_shapes: Memo<Vec<Score>>,
     /// Other names for a fit ([`super::aliases`]).
     pub(crate) rivals: Memo<Vec<Rival>>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -99,6 +103,10 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 const SCORES_KEPT: usize = 64;
 const RIVALS_KEPT: usize = 4;
 
+/// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
+/// where it is.
+const WITH_THE_BASES_OWN: usize = 4;
+
 /// The square of a value over its standard deviation from which on it is clear of zero: p = 0.001.
 const CLEAR: f64 = 10.8;
 
@@ -113,8 +121,7 @@ impl<'a> Regression<'a> {
     ) -> Self {
         let priors = prior_rows(&problem, &base);
         let beside = priors.len() + rows.known(&base, &problem.priors).0.len();
-        let white = lengthened(noise.whitened(&rows, &table.raw), beside);
-        let grams = Grams::new(&white, &table.candidates);
+        let filter = noise.filter(&rows);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
         });
@@ -122,21 +129,23 @@ impl<'a> Regression<'a> {
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let price = PRICE_OF_A_VARIANCE * numbers + choice;
-        let ln_noise = -0.5 * noise.filter(&rows).ln_determinant() - price;
+        let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {
             ln_noise,
             problem,
             rows,
             noise,
             table,
-            white,
-            grams,
+            filter,
+            grams: OnceCell::new(),
+            of_base: OnceCell::new(),
             base,
             priors,
             beside,
             seed,
             familywise: RefCell::new(Familywise::default()),
-            scores: Memo::new(SCORES_KEPT),
+            scores_of_names: Memo::new(SCORES_KEPT),
+            scores_of_shapes: Memo::new(SCORES_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }
     }
@@ -218,7 +227,10 @@ impl<'a> Regression<'a> {
                     .copy_from(&shape.white);
                 at += shape.white.ncols();
             }
-            let basis = Basis::new(&all);
+            let extended = (round < WITH_THE_BASES_OWN)
+                .then(|| self.of_base().extended(&self.base, &model, &all))
+                .flatten();
+            let basis = extended.unwrap_or_else(|| Basis::new(&all));
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
@@ -376,21 +388,30 @@ impl<'a> Regression<'a> {
         fraction + same.next().map_or(0.0, |c| c.tried.ln())
     }
 
-    /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
-    pub(crate) fn scan(&self, fit: &Fit) -> Vec<Score> {
-        self.scores
-            .of(fit, || self.scan_beside(&self.projected(&fit.basis), fit))
+    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    pub(crate) fn scan(&self, fit: &Fit, among: Among) -> Vec<Score> {
+        let beside = |among: Among| self.scan_beside(&self.projected(&fit.basis, among), fit);
+        match among {
+            Among::Names => self.scores_of_names.of(fit, || beside(Among::Names)),
+            Among::Shapes => self.scores_of_shapes.of(fit, || beside(Among::Shapes)),
+            Among::All => {
+                let mut all = self.scan(fit, Among::Names);
+                all.extend(self.scan(fit, Among::Shapes));
+                all
+            }
+        }
     }
 
     /// The same with the table projected already.
-    pub(crate) fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
+    fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
         let pulls = projected.pulls(&fit.residual);
         let m = self.m();
         let freedom = m - fit.basis.rank() as f64;
         let total = self.rounded(fit.rss);
         let mut tests: Vec<Option<Significance>> = Vec::new();
         let mut scores = Vec::new();
-        for (index, candidate) in self.table.candidates.iter().enumerate() {
+        let candidates = self.table.candidates.iter().enumerate();
+        for (index, candidate) in candidates.filter(|c| projected.has(c.1)) {
             let Some(Gain {
                 all: gain,
                 rank,
@@ -432,8 +453,33 @@ impl<'a> Regression<'a> {
     }
 
     /// The table's columns without what a basis explains.
-    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis) -> Projected<'r> {
-        Projected::new(self, basis)
+    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis, among: Among) -> Projected<'r> {
+        let (columns, filter) = (&self.table.columns, &self.filter);
+        let make = || Grams::new(columns, filter, &self.table.candidates);
+        let table = (columns, filter, self.grams.get_or_init(make));
+        let along = self.of_base().along(columns, filter, basis, among);
+        Projected::new(table, basis, along, among)
+    }
+
+    fn of_base(&self) -> &OfBase {
+        self.of_base.get_or_init(|| {
+            let (raw, columns) = self.raw(&self.base);
+            OfBase::new(self.whitened(&self.base, &raw, &columns).1)
+        })
+    }
+
+    /// Whitened columns of some candidates, with the rows of the priors.
+    pub(crate) fn white_columns(&self, candidates: &[&Candidate]) -> DMatrix<f64> {
+        let width = candidates.iter().map(|c| c.size).sum();
+        let mut raw = DMatrix::zeros(self.rows.len(), width);
+        let mut at = 0;
+        for candidate in candidates {
+            let own = self.table.columns.raw(candidate.first, candidate.size);
+            raw.columns_mut(at, candidate.size).copy_from(&own);
+            at += candidate.size;
+        }
+        self.filter.whiten(raw.as_mut_slice());
+        lengthened(raw, self.beside)
     }
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or

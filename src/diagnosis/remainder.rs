@@ -5,6 +5,7 @@ use crate::sessions::Session;
 
 use super::base_misfit::left_mm;
 use super::candidates::What;
+use super::columns::Among;
 use super::floor::floor;
 use super::prepare::Prepared;
 use super::regression::{Fit, Regression};
@@ -107,7 +108,7 @@ fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
 /// What is left beside names alone: how much like noise it is, and what it looks most like.
 pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
     let regression = &prepared.regression;
-    let scores = regression.scan(fit);
+    let scores = regression.scan(fit, Among::All);
     let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
     // Where it would be, were it more than noise.
     let likeliest = scores

@@ -40,7 +40,7 @@ pub(crate) fn suspected_beside_many(
     // The columns are needed for the suspected samples as well.
     let same = rows.samples == regression.rows.samples;
     let rich = if same {
-        regression.table.raw.select_columns(&regression.table.rich)
+        regression.table.columns.raw_of(&regression.table.rich)
     } else {
         regression.table.rich_on(&rows, &regression.base)
     };

@@ -10,6 +10,7 @@ use crate::effects::{Over, Setting, Term};
 
 use super::aliases;
 use super::candidates::What;
+use super::columns::Among;
 use super::held_out::Folds;
 use super::memo::Memo;
 use super::placed::Placed;
@@ -35,6 +36,15 @@ const LEAST_MM: f64 = 2e-5;
 pub(crate) enum Allow {
     Names,
     Everything,
+}
+
+impl Allow {
+    fn among(self) -> Among {
+        match self {
+            Self::Names => Among::Names,
+            Self::Everything => Among::All,
+        }
+    }
 }
 
 /// How the search ended.
@@ -85,6 +95,28 @@ impl Search<'_, '_> {
         })
     }
 
+    /// Goes on from where a search under nearly the same noise has ended.
+    pub(crate) fn go_on(&self, from: &Found) -> Result<Found, Cancelled> {
+        let fit = self.on_from(&from.fit, Allow::Everything)?;
+        let names_only = if fit.shapes.is_empty() {
+            fit.clone()
+        } else {
+            self.on_from(&from.names_only, Allow::Names)?
+        };
+        let likelier = names_only.ln_evidence > fit.ln_evidence;
+        Ok(Found {
+            fit: if likelier { names_only.clone() } else { fit },
+            names_only,
+            base_misfit: false,
+            other_ends: Vec::new(),
+        })
+    }
+
+    fn on_from(&self, end: &Fit, allow: Allow) -> Result<Fit, Cancelled> {
+        let fit = self.settle(end.clone(), allow);
+        self.pairs(self.forward(fit, allow)?)
+    }
+
     fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
         if (self.watch)(progress) {
             Ok(())
@@ -122,7 +154,7 @@ impl Search<'_, '_> {
 
     /// The likeliest candidate that is significant, holds on unseen samples and matters.
     fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
-        let mut scores = self.regression.scan(fit);
+        let mut scores = self.regression.scan(fit, allow.among());
         scores.retain(|s| self.may_join(fit, s, allow));
         by_odds(&mut scores);
         let unseen = self.unseen(fit);
@@ -232,7 +264,7 @@ impl Search<'_, '_> {
     }
 
     fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
-        let mut scores = self.regression.scan(rest);
+        let mut scores = self.regression.scan(rest, allow.among());
         scores
             .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
         by_odds(&mut scores);
@@ -527,7 +559,7 @@ mod tests {
             unseen: Memo::new(UNSEEN_KEPT),
         };
         let base = regression.fit(&regression.base, Vec::new());
-        let mut scores = regression.scan(&base);
+        let mut scores = regression.scan(&base, Allow::Names.among());
         scores.retain(|s| search.may_join(&base, s, Allow::Names));
         by_odds(&mut scores);
         let first = search.refined(&base, scores[0].candidate);

@@ -9,6 +9,7 @@
 
 use crate::effects::{Setting, Term};
 
+use super::columns::Among;
 use super::final_set::Worth;
 use super::prepare::Prepared;
 
@@ -22,7 +23,7 @@ pub(crate) fn within_s(prepared: &Prepared, term: &Term, worth: &Worth) -> Optio
         return None;
     }
     let regression = &prepared.regression;
-    let scores = regression.scan(&worth.rest);
+    let scores = regression.scan(&worth.rest, Among::Names);
     let mut tried: Vec<(f64, f64)> = scores
         .iter()
         .filter_map(|score| {

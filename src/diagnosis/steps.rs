@@ -2,6 +2,7 @@
 
 use crate::effects::Term;
 
+use super::columns::Among;
 use super::familywise::FamilyP;
 use super::final_set::{Worth, worth};
 use super::prepare::Prepared;
@@ -70,7 +71,7 @@ impl Next {
         let regression = &prepared.regression;
         let about = term.effect.about();
         let there = regression.added(&worth.rest);
-        let scores = regression.scan(&worth.rest);
+        let scores = regression.scan(&worth.rest, Among::Names);
         let others = scores.iter().filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
             let same_name = other.effect.about().id == about.id

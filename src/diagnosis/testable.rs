@@ -1,12 +1,13 @@
 //! Effects that the session cannot show.
 
 use super::candidates::NotTestable;
+use super::columns::Among;
 use super::regression::{Fit, Regression};
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
 pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {
     let mut all = regression.table.not_testable.clone();
-    let projected = regression.projected(&base.basis);
+    let projected = regression.projected(&base.basis, Among::Names);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {

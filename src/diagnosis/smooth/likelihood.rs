@@ -174,6 +174,19 @@ pub(super) struct Fitted {
     pub(super) ln_evidence: f64,
 }
 
+/// A curve in some directions: everything but the sizes.
+struct Directed<'k> {
+    kernel: &'k Kernel,
+    directions: Vec<usize>,
+    /// Where their values stand among those of all directions.
+    own: Vec<usize>,
+    bb: DMatrix<f64>,
+    g: DVector<f64>,
+    conditions: DMatrix<f64>,
+    /// `Nᵀ Λ⁻¹ N` at size 1, of each direction's own.
+    prior: Vec<DMatrix<f64>>,
+}
+
 /// Fits the curve; `None` where the conditions leave nothing of it. The standard deviations cost
 /// more than the rest and are zero unless `sure` asks for them.
 pub(super) fn fit(
@@ -183,64 +196,82 @@ pub(super) fn fit(
     sizes: &Sizes,
     sure: bool,
 ) -> Option<Fitted> {
-    let knots = kernel.knots();
-    let active: Vec<(usize, f64)> = (0..DIRECTIONS)
-        .filter_map(|d| Some((d, sizes[d]?)))
-        .collect();
-    let own: Vec<usize> = active
-        .iter()
-        .flat_map(|(d, _)| d * knots..(d + 1) * knots)
-        .collect();
-    if own.is_empty() {
-        return None;
-    }
-    let mut m = sums.bb.select_rows(&own).select_columns(&own);
-    for (block, (_, size)) in active.iter().enumerate() {
-        let at = block * knots;
-        let mut view = m.view_mut((at, at), (knots, knots));
-        view += &kernel.precision / (size * size);
-    }
-    let g = sums.by.select_rows(&own);
-    let n = conditions(sums, &own);
-    if n.ncols() >= own.len() {
-        return None;
-    }
-    let factor = m.cholesky()?;
-    let solved = factor.solve(&n);
-    let inside = n.tr_mul(&solved).cholesky()?;
-    let free = factor.solve(&g);
-    let values = &free - &solved * inside.solve(&n.tr_mul(&free));
-    let mut prior = DMatrix::zeros(n.ncols(), n.ncols());
-    let mut ln_prior = 0.0;
-    for (block, (_, size)) in active.iter().enumerate() {
-        let part = n.rows(block * knots, knots).into_owned();
-        prior += part.tr_mul(&kernel.factor.solve(&part)) * (size * size);
-        ln_prior += kernel.ln_determinant - 2.0 * knots as f64 * size.ln();
-    }
-    let ln_prior = ln_prior + ln_determinant(&prior.cholesky()?);
-    let ln_posterior = ln_determinant(&factor) + ln_determinant(&inside);
-    let left = names.left - g.dot(&values);
-    if left <= 0.0 {
-        return None;
-    }
-    let ln_evidence = 0.5 * (ln_prior - ln_posterior) - 0.5 * names.freedom * left.ln();
-    let mut all = DVector::zeros(DIRECTIONS * knots);
-    let mut sigma = DVector::zeros(DIRECTIONS * knots);
-    for (k, at) in own.iter().enumerate() {
-        all[*at] = values[k];
-    }
-    if sure {
-        let covariance = factor.inverse() - &solved * inside.inverse() * solved.transpose();
-        let variance = left / names.freedom;
-        for (k, at) in own.iter().enumerate() {
-            sigma[*at] = (covariance[(k, k)].max(0.0) * variance).sqrt();
+    Directed::new(sums, kernel, sizes)?.fit(names, sizes, sure)
+}
+
+impl<'k> Directed<'k> {
+    /// In the directions that have a size; `None` where the conditions leave nothing of it.
+    fn new(sums: &Sums, kernel: &'k Kernel, sizes: &Sizes) -> Option<Self> {
+        let knots = kernel.knots();
+        let with_size = |d: &usize| sizes[*d].is_some();
+        let directions: Vec<usize> = (0..DIRECTIONS).filter(with_size).collect();
+        let values = directions.iter().flat_map(|d| d * knots..(d + 1) * knots);
+        let own: Vec<usize> = values.collect();
+        if own.is_empty() {
+            return None;
         }
+        let conditions = conditions(sums, &own);
+        if conditions.ncols() >= own.len() {
+            return None;
+        }
+        let prior = |block: usize| {
+            let part = conditions.rows(block * knots, knots).into_owned();
+            part.tr_mul(&kernel.factor.solve(&part))
+        };
+        Some(Self {
+            kernel,
+            bb: sums.bb.select_rows(&own).select_columns(&own),
+            g: sums.by.select_rows(&own),
+            prior: (0..directions.len()).map(prior).collect(),
+            conditions,
+            directions,
+            own,
+        })
     }
-    ln_evidence.is_finite().then_some(Fitted {
-        values: all,
-        sigma,
-        ln_evidence,
-    })
+
+    fn fit(&self, names: &NamesAlone, sizes: &Sizes, sure: bool) -> Option<Fitted> {
+        let (kernel, knots, n) = (self.kernel, self.kernel.knots(), &self.conditions);
+        let mut m = self.bb.clone();
+        let mut prior = DMatrix::zeros(n.ncols(), n.ncols());
+        let mut ln_prior = 0.0;
+        for (block, direction) in self.directions.iter().enumerate() {
+            let size = sizes[*direction]?;
+            let at = block * knots;
+            let mut view = m.view_mut((at, at), (knots, knots));
+            view += &kernel.precision / (size * size);
+            prior += &self.prior[block] * (size * size);
+            ln_prior += kernel.ln_determinant - 2.0 * knots as f64 * size.ln();
+        }
+        let factor = m.cholesky()?;
+        let solved = factor.solve(n);
+        let inside = n.tr_mul(&solved).cholesky()?;
+        let free = factor.solve(&self.g);
+        let values = &free - &solved * inside.solve(&n.tr_mul(&free));
+        let ln_prior = ln_prior + ln_determinant(&prior.cholesky()?);
+        let ln_posterior = ln_determinant(&factor) + ln_determinant(&inside);
+        let left = names.left - self.g.dot(&values);
+        if left <= 0.0 {
+            return None;
+        }
+        let ln_evidence = 0.5 * (ln_prior - ln_posterior) - 0.5 * names.freedom * left.ln();
+        let mut all = DVector::zeros(DIRECTIONS * knots);
+        let mut sigma = DVector::zeros(DIRECTIONS * knots);
+        for (k, at) in self.own.iter().enumerate() {
+            all[*at] = values[k];
+        }
+        if sure {
+            let covariance = factor.inverse() - &solved * inside.inverse() * solved.transpose();
+            let variance = left / names.freedom;
+            for (k, at) in self.own.iter().enumerate() {
+                sigma[*at] = (covariance[(k, k)].max(0.0) * variance).sqrt();
+            }
+        }
+        ln_evidence.is_finite().then_some(Fitted {
+            values: all,
+            sigma,
+            ln_evidence,
+        })
+    }
 }
 
 /// Orthonormal directions in the space of the values that would move a name.
@@ -302,23 +333,34 @@ fn one_more(
     before: &Sizes,
     than: f64,
 ) -> Option<(Sizes, f64)> {
-    let off = (0..DIRECTIONS).filter(|d| before[*d].is_none());
-    let trials = off.flat_map(|d| {
-        sizes().map(move |size| {
+    let mut tried: Vec<(Sizes, f64)> = Vec::new();
+    for d in (0..DIRECTIONS).filter(|d| before[*d].is_none()) {
+        let with = |size: f64| {
             let mut trial = *before;
             trial[d] = Some(size);
             trial
-        })
-    });
-    let tried = trials.filter_map(|t| Some((t, fit(sums, names, kernel, &t, false)?.ln_evidence)));
-    let best = tried.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        };
+        let Some(directed) = Directed::new(sums, kernel, &with(1.0)) else {
+            continue;
+        };
+        tried.extend(sizes().map(with).filter_map(|trial| {
+            let fitted = directed.fit(names, &trial, false)?;
+            Some((trial, fitted.ln_evidence))
+        }));
+    }
+    let best = tried.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
     (best.1 > than + WORTH).then_some(best)
 }
 
 /// The likeliest sizes near given ones, of the same directions.
 pub(super) fn finely(sums: &Sums, names: &NamesAlone, kernel: &Kernel, start: Sizes) -> Sizes {
-    let value =
-        |t: &Sizes| fit(sums, names, kernel, t, false).map_or(f64::NEG_INFINITY, |f| f.ln_evidence);
+    let Some(directed) = Directed::new(sums, kernel, &start) else {
+        return start;
+    };
+    let value = |t: &Sizes| {
+        let fitted = directed.fit(names, t, false);
+        fitted.map_or(f64::NEG_INFINITY, |f| f.ln_evidence)
+    };
     let mut best = (start, value(&start));
     for step in [2.0, 1.4, 1.2] {
         for d in (0..DIRECTIONS).filter(|d| start[*d].is_some()) {

@@ -31,13 +31,46 @@ const TOGETHER: usize = 8;
 impl Filter {
     /// Whitens columns of rows, one column after the other, an axis after the other in each.
     pub fn whiten(&self, values: &mut [f64]) {
+        self.through(values, |steps, columns, at| {
+            let mut state = [0.0; TOGETHER];
+            for (k, step) in steps.iter().enumerate() {
+                for (column, state) in columns.chunks_mut(at.1).zip(&mut state) {
+                    let value = &mut column[at.0 + k];
+                    let new = *value - step.carry * *state;
+                    *state = step.carry * *state + step.gain * new;
+                    *value = new * step.inverse_spread;
+                }
+            }
+        });
+    }
+
+    /// The transposed of [`whiten`](Self::whiten): `Lᵀz` where that gives `L y`.
+    ///
+    /// ```text
+    /// y_k = z_k/√S_k + K_k λ_k,   λ_(k−1) = a_k (λ_k − y_k),   from the last sample back
+    /// ```
+    pub fn whiten_transposed(&self, values: &mut [f64]) {
+        self.through(values, |steps, columns, at| {
+            let mut later = [0.0; TOGETHER];
+            for (k, step) in steps.iter().enumerate().rev() {
+                for (column, later) in columns.chunks_mut(at.1).zip(&mut later) {
+                    let value = &mut column[at.0 + k];
+                    *value = *value * step.inverse_spread + step.gain * *later;
+                    *later = step.carry * (*later - *value);
+                }
+            }
+        });
+    }
+
+    /// Scales what is white, and hands the others on: their steps, some columns, the row of an axis's first
+    /// sample and the number of rows.
+    fn through(&self, values: &mut [f64], slow: impl Fn(&[Step], &mut [f64], (usize, usize))) {
         let n = self.samples;
         let m = n * self.axes.len();
         if m == 0 {
             return;
         }
         for columns in values.chunks_mut(m * TOGETHER) {
-            let count = columns.len() / m;
             for (a, axis) in self.axes.iter().enumerate() {
                 match axis {
                     Axis::White(scale) => {
@@ -47,17 +80,7 @@ impl Filter {
                             }
                         }
                     }
-                    Axis::Slow(steps) => {
-                        let mut state = [0.0; TOGETHER];
-                        for (k, step) in steps.iter().enumerate() {
-                            for (c, state) in state.iter_mut().enumerate().take(count) {
-                                let value = &mut columns[c * m + a * n + k];
-                                let new = *value - step.carry * *state;
-                                *state = step.carry * *state + step.gain * new;
-                                *value = new * step.inverse_spread;
-                            }
-                        }
-                    }
+                    Axis::Slow(steps) => slow(steps, columns, (a * n, m)),
                 }
             }
         }
@@ -149,5 +172,12 @@ mod tests {
         let expected = factor.l().solve_lower_triangular(&y).unwrap();
         assert!((white - expected).norm() < 1e-9);
         assert!((filter.ln_determinant() - covariance.determinant().ln()).abs() < 1e-9);
+        // ⟨Lᵀz, y⟩ = ⟨z, L y⟩
+        let z = DVector::from_fn(7, |k, _| (k as f64 * 1.7).cos());
+        let mut turned = z.clone();
+        filter.whiten_transposed(turned.as_mut_slice());
+        let mut white = y.clone();
+        filter.whiten(white.as_mut_slice());
+        assert!((turned.dot(&y) - z.dot(&white)).abs() < 1e-9);
     }
 }

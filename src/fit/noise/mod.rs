@@ -21,6 +21,8 @@
 //! (Patterson & Thompson 1971): restricted, so that what the fit swallows is not held against the
 //! noise.
 
+use std::rc::Rc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::sessions::Sigma;
@@ -133,7 +135,7 @@ impl Noise {
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ.
-    fn balance_axes(&mut self, restricted: &Restricted, sums: &[AxisSums]) {
+    fn balance_axes(&mut self, restricted: &Restricted, sums: &[Rc<AxisSums>]) {
         let mut stated = self.unequal;
         for _ in 0..2 {
             let spread = restricted.spread(sums, &self.sigma_mm);

@@ -1,5 +1,8 @@
 //! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::{Noise, SMALLEST_SIGMA_MM, Slow};
@@ -19,7 +22,15 @@ pub(super) struct Restricted<'r> {
     /// For each axis its rows of columns and residual.
     parts: Vec<DMatrix<f64>>,
     p: usize,
+    /// The last sums: neighbouring noises differ along one axis only.
+    known: RefCell<Vec<Known>>,
 }
+
+/// Axis, time constant and variance, and their sums.
+type Known = ((usize, u64, u64), Rc<AxisSums>);
+
+/// Sums that are kept.
+const MOST_KNOWN: usize = 12;
 
 impl<'r> Restricted<'r> {
     pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
@@ -35,6 +46,7 @@ impl<'r> Restricted<'r> {
             axes: rows.axes.clone(),
             parts: (0..rows.axes.len()).map(part).collect(),
             p,
+            known: RefCell::new(Vec::new()),
         }
     }
 
@@ -53,30 +65,49 @@ impl<'r> Restricted<'r> {
     }
 
     /// White part 1, slow part of these variances.
-    pub(super) fn sums(&self, tau: f64, ratio: [f64; 3]) -> Vec<AxisSums> {
-        let one = |(part, axis): (&DMatrix<f64>, &usize)| {
-            let mut noise = Noise::white(1.0);
-            if ratio[*axis] > 0.0 {
-                noise.slow = Some(Slow {
-                    rms_mm: ratio.map(f64::sqrt),
-                    time_constant_s: tau,
-                });
-            }
-            let filter = noise.filter_over(&self.rows.times, &[*axis]);
-            let mut white = part.clone();
-            filter.whiten(white.as_mut_slice());
-            AxisSums {
-                gram: gram(&white),
-                ln_determinant: filter.ln_determinant(),
-            }
-        };
-        self.parts.iter().zip(&self.axes).map(one).collect()
+    pub(super) fn sums(&self, tau: f64, ratio: [f64; 3]) -> Vec<Rc<AxisSums>> {
+        let parts = self.parts.iter().zip(&self.axes).enumerate();
+        parts
+            .map(|(at, (part, axis))| {
+                let ratio = ratio[*axis];
+                let tau = if ratio > 0.0 { tau } else { 0.0 };
+                let same = |known: &&Known| known.0 == (at, tau.to_bits(), ratio.to_bits());
+                if let Some((_, sums)) = self.known.borrow().iter().find(same) {
+                    return Rc::clone(sums);
+                }
+                let sums = Rc::new(self.sums_along(*axis, part, tau, ratio));
+                let mut known = self.known.borrow_mut();
+                if known.len() >= MOST_KNOWN {
+                    known.remove(0);
+                }
+                let key = (at, tau.to_bits(), ratio.to_bits());
+                known.push((key, Rc::clone(&sums)));
+                sums
+            })
+            .collect()
+    }
+
+    fn sums_along(&self, axis: usize, part: &DMatrix<f64>, tau: f64, ratio: f64) -> AxisSums {
+        let mut noise = Noise::white(1.0);
+        if ratio > 0.0 {
+            noise.slow = Some(Slow {
+                rms_mm: [ratio.sqrt(); 3],
+                time_constant_s: tau,
+            });
+        }
+        let filter = noise.filter_over(&self.rows.times, &[axis]);
+        let mut white = part.clone();
+        filter.whiten(white.as_mut_slice());
+        AxisSums {
+            gram: gram(&white),
+            ln_determinant: filter.ln_determinant(),
+        }
     }
 
     /// Gram matrix of all axes, its factor, and the step to the residual.
     fn solved(
         &self,
-        sums: &[AxisSums],
+        sums: &[Rc<AxisSums>],
         sigma: &[f64; 3],
     ) -> Option<(Cholesky<f64, nalgebra::Dyn>, DVector<f64>, f64)> {
         let p = self.p;
@@ -97,19 +128,19 @@ impl<'r> Restricted<'r> {
     }
 
     /// Standard deviation that is left, in units of σ.
-    pub(super) fn scale(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> f64 {
+    pub(super) fn scale(&self, sums: &[Rc<AxisSums>], sigma: &[f64; 3]) -> f64 {
         let solved = self.solved(sums, sigma);
         solved.map_or(0.0, |(_, _, left)| (left / self.freedom()).sqrt())
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom.
-    pub(super) fn spread(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> Vec<(f64, f64)> {
+    pub(super) fn spread(&self, sums: &[Rc<AxisSums>], sigma: &[f64; 3]) -> Vec<(f64, f64)> {
         let p = self.p;
         let n = self.rows.samples.len() as f64;
         let Some((factor, step, _)) = self.solved(sums, sigma) else {
             return vec![(1.0, n); self.axes.len()];
         };
-        let one = |(own, axis): (&AxisSums, &usize)| {
+        let one = |(own, axis): (&Rc<AxisSums>, &usize)| {
             let weight = 1.0 / sigma[*axis].powi(2);
             let inner = own.gram.view((0, 0), (p, p)).into_owned();
             let pull = own.gram.view((0, p), (p, 1)).column(0).into_owned();
@@ -122,7 +153,7 @@ impl<'r> Restricted<'r> {
     }
 
     /// Logarithm, up to a constant, with the common size profiled out.
-    pub(super) fn likelihood(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> f64 {
+    pub(super) fn likelihood(&self, sums: &[Rc<AxisSums>], sigma: &[f64; 3]) -> f64 {
         let Some((factor, _, left)) = self.solved(sums, sigma) else {
             return f64::NEG_INFINITY;
         };
