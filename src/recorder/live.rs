@@ -161,7 +161,7 @@ fn pause(mut wait: Duration, standing: &Standing, hear: Hear<'_>) -> ControlFlow
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::net::{TcpListener, UdpSocket};
+    use std::net::{SocketAddr, TcpListener, UdpSocket};
 
     /// Records from an address until so many lines are there, on a thread.
     fn recording(
@@ -213,8 +213,11 @@ mod tests {
 
     #[test]
     fn messages_are_lines_and_a_server_that_is_not_there_is_waited_for() {
-        // A port that was free a moment ago: nothing answers there.
-        let free = TcpListener::bind("127.0.0.1:0").unwrap().local_addr();
+        // A port that was free a moment ago, below those that the system hands out: nothing answers there.
+        let own = u16::try_from(std::process::id() % 10_000).unwrap();
+        let mut ports =
+            (20_000 + own..30_000 + own).map(|port| SocketAddr::from(([127, 0, 0, 1], port)));
+        let free = ports.find(|at| TcpListener::bind(at).is_ok());
         let address = Address::Tcp(free.unwrap().to_string());
         let mut waited = 0;
         let mut recorder = Recorder::new(|| Ok(Vec::new()), Vec::new());
@@ -228,10 +231,7 @@ mod tests {
         });
         assert_eq!((waited, standing.unwrap().recorded), (5, 0));
 
-        let port = UdpSocket::bind("127.0.0.1:0")
-            .unwrap()
-            .local_addr()
-            .unwrap();
+        let port = ports.find(|at| UdpSocket::bind(at).is_ok()).unwrap();
         let recording = recording(Address::Udp(port.to_string()), 2);
         let sender = UdpSocket::bind("127.0.0.1:0").unwrap();
         for _ in 0..400 {

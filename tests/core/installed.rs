@@ -51,6 +51,7 @@ fn tool(name: &str, arguments: &[&str]) -> Option<Output> {
     ran
 }
 
+#[cfg(feature = "gui")]
 #[test]
 fn everything_is_put_where_a_desktop_looks_and_taken_away_again() {
     let prefix = tempfile::tempdir().unwrap();
@@ -123,6 +124,7 @@ fn everything_is_put_where_a_desktop_looks_and_taken_away_again() {
     assert!(never_there.status.success());
 }
 
+#[cfg(feature = "gui")]
 #[test]
 fn a_program_in_the_prefix_is_started_by_its_name() {
     let prefix = tempfile::tempdir().unwrap();
