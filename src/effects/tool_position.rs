@@ -9,7 +9,8 @@ use super::about::{About, Form, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::needs::Need;
-use super::{Effect, Placed};
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::{scaled, times};
 
 const ABOUT: About = About {
@@ -37,7 +38,21 @@ const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
 });
 
 /// See the module.
-pub static TOOL_POSITION: Effect = Effect::new(ABOUT, act);
+pub static TOOL_POSITION: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
+
+fn remedy(_: &Robot, term: &Term) -> String {
+    if term.setting > 0.0 {
+        return "is the target's, not the robot's: measure the targets on the tool".to_owned();
+    }
+    let by = &term.coefficients;
+    format!(
+        "move the tool's point in the controller by ({:+.4}, {:+.4}, {:+.4}) mm in the tool frame",
+        by[0], by[1], by[2]
+    )
+}
 
 fn act(me: &Placed, block: &mut Block) {
     let turn = block.robot.base_from_tool.rotation.to_rotation_matrix();

@@ -108,6 +108,13 @@ pub fn find(id: &str) -> Option<&'static Format> {
     EXPORTERS.iter().find(|format| format.id == id)
 }
 
+/// The format that is offered first: a table over the joint of a robot with one, and of several what
+/// every controller takes, as a table over one of their joints leaves most of their geometry.
+pub fn usual(robot: &Robot) -> &'static Format {
+    let of_several = several_joints(robot).then(|| find(frames::FORMAT.id));
+    of_several.flatten().unwrap_or(&EXPORTERS[0])
+}
+
 /// What is to be exported.
 #[derive(Debug, Clone, Copy)]
 pub struct Job<'a> {

@@ -192,8 +192,8 @@ pub(crate) fn look(window: &Window, at: &str) {
         if !(is_text || interactive(*role)) || rect.width() < 1.0 {
             continue;
         }
-        // Lines of a file that is shown scroll sideways.
-        if is_text && says.contains(',') && !says.contains(' ') {
+        // Lines of a file that is shown scroll sideways; in a sentence a space follows a comma.
+        if is_text && says.contains(',') && !says.contains(", ") {
             continue;
         }
         let [from, to] = panels.around(*rect);

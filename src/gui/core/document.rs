@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
-use crate::export::{EXPORTERS, find};
+use crate::export::{find, usual};
 use crate::fit::DEFAULT_EFFECTS;
+use crate::kinematics::Robot;
 use crate::model::RegionalCorrection;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
@@ -36,17 +37,16 @@ pub(crate) struct ExportChoice {
     pub(crate) step: Option<f64>,
 }
 
-impl Default for ExportChoice {
-    fn default() -> Self {
+impl ExportChoice {
+    /// What is offered first.
+    fn usual(robot: &Robot) -> Self {
         Self {
-            format: EXPORTERS[0].id,
+            format: usual(robot).id,
             joint: 0,
             step: None,
         }
     }
-}
 
-impl ExportChoice {
     /// What the file is called unless the user says otherwise.
     pub(crate) fn file_name(&self, session: &str) -> String {
         let (session, format) = (plain(session), find(self.format));
@@ -136,7 +136,7 @@ impl Document {
             effects: DEFAULT_EFFECTS.to_vec(),
             added: Arc::from([]),
             tolerance_mm: subject.session.tolerance_mm,
-            export: ExportChoice::default(),
+            export: ExportChoice::usual(&subject.session.robot),
             given: None,
             identified: false,
             subject,
