@@ -17,6 +17,8 @@
 //!
 //! A few hundred such residuals say more about one session in 2000 than 2000 plain ones.
 
+use std::rc::Rc;
+
 use nalgebra::{DMatrix, DVector};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -28,7 +30,7 @@ use super::candidates::Candidate;
 use super::columns::Among;
 use super::projected::Projected;
 use super::regression::{Fit, Regression, weight_of};
-use super::significance::Significance;
+use super::significance::{Significance, Tests};
 use crate::effects::rank as rank_in_catalogue;
 use crate::linear::Basis;
 
@@ -77,8 +79,10 @@ struct Tail {
 
 /// Simulations that are made at once; more follow while the answer is close.
 const CHUNK: usize = 250;
-/// Chances between these are worth more simulations.
+/// Chances between these are worth more simulations …
 const CLOSE: [f64; 2] = [4e-4, 0.04];
+/// … and on the way to what is tested at the end these.
+const CLOSE_ON_THE_WAY: [f64; 2] = [1e-3, 0.01];
 
 impl Regression<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
@@ -110,12 +114,13 @@ impl Regression<'_> {
         }
         let at = self.null_of(fit, rough, false);
         let null = &mut self.familywise.borrow_mut().null[at];
-        let is_close = |p: f64| p > CLOSE[0] && p < CLOSE[1];
+        let [from, to] = if rough { CLOSE_ON_THE_WAY } else { CLOSE };
+        let is_close = |p: f64| p > from && p < to;
         let mut p = null.chance(minus_ln_p);
         if is_close(p) && null.tail.is_none() {
             let basis = null.basis.clone();
             let projected = self.projected(&basis, Among::All);
-            let trials = Trials::new(&projected, &self.table.candidates, self.m());
+            let trials = Trials::new(&projected, &self.table.candidates, &self.tests, self.m());
             while is_close(p) && null.largest.len() < self.simulations() {
                 null.take(trials.simulated(&null.noise, self.seed, null.chunks));
                 p = null.chance(minus_ln_p);
@@ -175,7 +180,7 @@ impl Regression<'_> {
         });
         let seed = if seedless { 0 } else { self.seed };
         let projected = self.projected(&fit.basis, Among::All);
-        let trials = Trials::new(&projected, &self.table.candidates, self.m());
+        let trials = Trials::new(&projected, &self.table.candidates, &self.tests, self.m());
         let largest = trials.simulated(&noise, seed, 0);
         let tail = if flip { None } else { trials.tail(seed) };
         let mut null = Null {
@@ -251,7 +256,7 @@ struct Trial<'c> {
 struct Kind {
     rank: usize,
     weight: f64,
-    test: Significance,
+    test: Rc<Significance>,
     count: usize,
 }
 
@@ -268,7 +273,12 @@ const AT_ONCE: usize = 512;
 
 impl<'p> Trials<'p> {
     /// Of candidates in `rows` measured rows.
-    fn new(projected: &'p Projected<'p>, candidates: &'p [Candidate], rows: f64) -> Self {
+    fn new(
+        projected: &'p Projected<'p>,
+        candidates: &'p [Candidate],
+        tests: &Tests,
+        rows: f64,
+    ) -> Self {
         let (height, inside) = projected.basis().q.shape();
         let freedom = rows - inside as f64;
         let mut kinds: Vec<Kind> = Vec::new();
@@ -286,7 +296,7 @@ impl<'p> Trials<'p> {
                 kinds.push(Kind {
                     rank,
                     weight,
-                    test: Significance::new(rank, freedom - rank as f64),
+                    test: tests.of(rank, freedom - rank as f64),
                     count: 0,
                 });
                 kinds.len() - 1
@@ -530,7 +540,7 @@ mod tests {
         let along = DMatrix::zeros(0, columns.count());
         let table = (&columns, &filter, &grams);
         let projected = Projected::new(table, &nothing, along, Among::All);
-        let trials = Trials::new(&projected, &candidates, ROWS as f64);
+        let trials = Trials::new(&projected, &candidates, &Tests::default(), ROWS as f64);
         let noise = DVector::zeros(ROWS);
         let mut plain: Vec<f64> = (0..80)
             .flat_map(|chunk| trials.simulated(&noise, 7, chunk))

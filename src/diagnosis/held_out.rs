@@ -4,6 +4,8 @@
 //! Blocks are stretches of the joint angles where the joints move at random, and stretches of
 //! time besides; several small ones make one fold, so that no fold lies beyond the others.
 
+use std::rc::Rc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Setting;
@@ -174,17 +176,23 @@ impl Folds {
             let mut fold_raw = raw.clone();
             let mut fold_residual = residual.select_rows(&seen);
             let mut fold_raw_residual = raw_residual.clone();
+            let mut others = None;
             for term in &scanned {
-                term.rescan(
+                others = Some(term.rescan(
                     regression,
                     &seen,
                     &mut fold_white,
                     &mut fold_raw,
                     &mut fold_residual,
                     &mut fold_raw_residual,
-                );
+                ));
             }
-            let step = Basis::new(&fold_white).solve(&fold_residual);
+            // What stands beside the term that was scanned last is orthonormal already.
+            let basis = match others {
+                Some((others, places)) => Basis::extending(&others, &places, &fold_white),
+                None => Basis::new(&fold_white),
+            };
+            let step = basis.solve(&fold_residual);
             let unseen = (0..regression.rows.len()).filter(|row| self.fold[row % n] == fold);
             for row in unseen {
                 let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
@@ -259,12 +267,13 @@ impl Scanned {
         raw: &mut DMatrix<f64>,
         residual: &mut DVector<f64>,
         raw_residual: &mut DVector<f64>,
-    ) {
+    ) -> (Rc<Basis>, Vec<usize>) {
         let own: Vec<usize> = (self.first..self.first + self.size).collect();
         // Residual and columns without the term.
         let put_back = white.columns(self.first, self.size) * &self.coefficients;
         let without = &*residual + put_back;
-        let others = Basis::new(&white.clone().remove_columns_at(&own));
+        let places: Vec<usize> = (0..white.ncols()).filter(|k| !own.contains(k)).collect();
+        let others = Rc::new(Basis::new(&white.select_columns(&places)));
         let left = others.reject(&without);
         let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
         let now = white.columns(self.first, self.size).into_owned();
@@ -282,7 +291,7 @@ impl Scanned {
             }
         }
         let Some((_, at)) = best else {
-            return;
+            return (others, places);
         };
         let candidate = &regression.table.candidates[self.candidates[at]];
         *residual = without;
@@ -294,6 +303,7 @@ impl Scanned {
             .copy_from(&own.select_rows(seen));
         let own = regression.table.columns.raw(candidate.first, self.size);
         raw.columns_mut(self.first, self.size).copy_from(&own);
+        (others, places)
     }
 }
 

@@ -12,7 +12,6 @@ use crate::effects::{Form, Setting};
 use super::columns::Among;
 use super::regression::{Fit, Regression, weight_of};
 use super::search::CHANCE;
-use super::significance::Significance;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
@@ -54,7 +53,8 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             if rank < k || nu < 2.0 {
                 continue;
             }
-            let share = Significance::new(k, nu).share_for(threshold + weight_of(candidate));
+            let test = regression.tests.of(k, nu);
+            let share = test.share_for(threshold + weight_of(candidate));
             let critical = freedom * share / (1.0 - share).max(1e-12);
             let size = noncentrality(critical, k).sqrt() * scale;
             let energy = |i: usize| -> f64 { (0..=i).map(|j| factor[i * k + j].powi(2)).sum() };

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use super::candidates::Candidate;
 use super::columns::{Among, Columns};
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, small_cholesky, subtract};
+use crate::linear::{Basis, products, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -83,8 +83,12 @@ pub(crate) fn unit_beside(mut white: DMatrix<f64>, basis: &Basis) -> Option<DMat
         .column_iter()
         .map(|c| (SEEN * c.norm_squared()).max(1e-300))
         .collect();
-    let along = basis.q.tr_mul(&white);
-    white.gemm(-1.0, &basis.q, &along, 1.0);
+    let height = white.nrows().max(1);
+    let mut along = vec![0.0; basis.rank()];
+    for column in white.as_mut_slice().chunks_exact_mut(height) {
+        products(column, basis.q.as_slice(), &mut along);
+        subtract(basis.q.as_slice(), &along, column);
+    }
     let gram = white.tr_mul(&white);
     let mut factor: Vec<f64> = gram.iter().copied().collect();
     if small_cholesky(&mut factor, k, &tolerance) < k {

@@ -25,7 +25,7 @@ use super::memo::Memo;
 use super::of_base::OfBase;
 use super::placed::Placed;
 use super::projected::{Grams, Projected};
-use super::significance::Significance;
+use super::significance::Tests;
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, small_cholesky, small_gain};
@@ -75,6 +75,7 @@ pub(crate) struct Regression<'a> {
     filter: Filter,
     grams: OnceCell<Grams>,
     of_base: OnceCell<OfBase>,
+    pub(super) tests: Rc<Tests>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
     /// Number of rows beside those of the samples.
@@ -139,6 +140,7 @@ impl<'a> Regression<'a> {
             filter,
             grams: OnceCell::new(),
             of_base: OnceCell::new(),
+            tests: Rc::default(),
             base,
             priors,
             beside,
@@ -152,14 +154,18 @@ impl<'a> Regression<'a> {
 
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
-        Self::new(
+        let other = Self::new(
             Rc::clone(&self.problem),
             Rc::clone(&self.rows),
             noise,
             Rc::clone(&self.table),
             self.base.clone(),
             self.seed,
-        )
+        );
+        Self {
+            tests: Rc::clone(&self.tests),
+            ..other
+        }
     }
 
     /// Number of measured rows.
@@ -408,7 +414,6 @@ impl<'a> Regression<'a> {
         let m = self.m();
         let freedom = m - fit.basis.rank() as f64;
         let total = self.rounded(fit.rss);
-        let mut tests: Vec<Option<Significance>> = Vec::new();
         let mut scores = Vec::new();
         let candidates = self.table.candidates.iter().enumerate();
         for (index, candidate) in candidates.filter(|c| projected.has(c.1)) {
@@ -424,10 +429,7 @@ impl<'a> Regression<'a> {
             if nu < 2.0 {
                 continue;
             }
-            if tests.len() <= rank {
-                tests.resize(rank + 1, None);
-            }
-            let test = tests[rank].get_or_insert_with(|| Significance::new(rank, nu));
+            let test = self.tests.of(rank, nu);
             let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
             let worth = |gain: f64, rank: usize| {
                 let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);

@@ -7,6 +7,9 @@
 //! (the F test, written in R²). For k = 2 this is (1 − R²)^(ν/2) exactly; for the others a table
 //! over x = −ν/2 ln(1 − R²) is filled once and read by linear interpolation.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use statrs::function::beta::{beta_reg, ln_beta};
 
 const STEP: f64 = 0.25;
@@ -18,6 +21,25 @@ pub(crate) struct Significance {
     half_nu: f64,
     half_k: f64,
     table: Vec<f64>,
+}
+
+/// Tests that were made: their tables take longer than what is read from them.
+#[derive(Debug, Default)]
+pub(crate) struct Tests(RefCell<Vec<(usize, u64, Rc<Significance>)>>);
+
+impl Tests {
+    /// The test for `columns` against so many degrees of freedom.
+    pub(crate) fn of(&self, columns: usize, freedom: f64) -> Rc<Significance> {
+        let mut known = self.0.borrow_mut();
+        let key = freedom.to_bits();
+        let at = known.iter().position(|k| (k.0, k.1) == (columns, key));
+        if let Some(at) = at {
+            return Rc::clone(&known[at].2);
+        }
+        let test = Rc::new(Significance::new(columns, freedom));
+        known.push((columns, key, Rc::clone(&test)));
+        test
+    }
 }
 
 impl Significance {

@@ -29,6 +29,7 @@ fn commands() -> Vec<String> {
     names.filter(|name| name != "help").collect()
 }
 
+#[cfg(feature = "gui")]
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
