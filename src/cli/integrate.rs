@@ -12,8 +12,9 @@ use clap_mangen::Man as Page;
 
 use super::failure::Failure;
 use super::output;
+use crate::sessions::bundled::BUNDLED;
 
-/// Put truepose into the menus: desktop entry, icons, file type, man pages, shell completions
+/// Put truepose into the menus: desktop entry, icons, file type, man pages, shell completions, sessions to try
 #[derive(Debug, Args)]
 pub(crate) struct Integrate {
     /// Folder in whose `share` the files go [default: .local in the home folder]
@@ -143,6 +144,12 @@ fn files(prefix: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     for command in shown(&program) {
         let name = command.get_name();
         files.push((format!("man/man1/truepose-{name}.1"), page(command)?));
+    }
+    for session in &BUNDLED {
+        for (ending, bytes) in [("json", session.document), ("csv", session.samples)] {
+            let path = format!("truepose/sessions/{}.{ending}", session.name);
+            files.push((path, bytes.to_vec()));
+        }
     }
     // Without a window there is nothing to open from a menu.
     if cfg!(feature = "gui") {

@@ -67,10 +67,9 @@ const TITLE: &str = "truepose";
 /// There is no display, or nothing to draw with; the message names the terminal command that does
 /// the main job.
 pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
-    let session = path.as_ref().map_or_else(
-        || "sessions/lamp-commissioning.json".to_owned(),
-        |p| p.display().to_string(),
-    );
+    let bundled = || crate::sessions::bundled::on_disk();
+    let known = path.clone().or_else(bundled);
+    let session = known.map_or_else(|| "SESSION".to_owned(), |p| p.display().to_string());
     let job = if path.as_ref().is_some_and(|p| files::is_model(p)) {
         format!(
             "what a model does on a session: truepose verify {session} SESSION; what a session says: truepose identify SESSION --json"

@@ -11,6 +11,7 @@
 //! `domain`; they know nothing of files.
 
 pub(crate) mod assemble;
+pub(crate) mod bundled;
 pub(crate) mod cells;
 pub(crate) mod columns;
 mod csv;

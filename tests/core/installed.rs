@@ -75,6 +75,10 @@ fn everything_is_put_where_a_desktop_looks_and_taken_away_again() {
     ] {
         assert!(share.join(path).exists(), "{path}");
     }
+    // What comes with the program lies where the program says it is.
+    let session = share.join("truepose/sessions/lamp-commissioning.json");
+    let session = session.to_str().unwrap();
+    assert_eq!(truepose(&["identify", session]).status.code(), Some(0));
     let entry = fs::read_to_string(share.join("applications/truepose.desktop")).unwrap();
     let file_type = fs::read_to_string(share.join("mime/packages/truepose.xml")).unwrap();
     let kind = entry
@@ -140,6 +144,17 @@ fn a_program_in_the_prefix_is_started_by_its_name() {
     let entry = prefix.path().join("share/applications/truepose.desktop");
     let bundled = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/truepose.desktop");
     assert_eq!(fs::read(entry).unwrap(), fs::read(bundled).unwrap());
+
+    // Far from its sources and without a display it names a session that is there.
+    let mut command = Command::new(&program);
+    command
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env("HOME", prefix.path())
+        .current_dir(prefix.path());
+    let says = String::from_utf8(command.output().unwrap().stderr).unwrap();
+    let named = says.split_whitespace().find(|word| word.ends_with(".json"));
+    assert!(Path::new(named.unwrap()).is_file(), "{says}");
 }
 
 #[test]

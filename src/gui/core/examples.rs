@@ -1,13 +1,13 @@
 //! Sessions that come with the program.
 
 use crate::gui::language::text;
+use crate::sessions::bundled::{BUNDLED, Bundled};
 
 /// A session that comes with the program: keys of what is said of it, and its files.
 pub(crate) struct Example {
     name: &'static str,
     what: &'static str,
-    document: &'static [u8],
-    samples: &'static [u8],
+    files: &'static Bundled,
 }
 
 impl Example {
@@ -23,7 +23,7 @@ impl Example {
 
     /// Document and samples.
     pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
-        (self.document, self.samples)
+        (self.files.document, self.files.samples)
     }
 }
 
@@ -32,19 +32,16 @@ pub(crate) const EXAMPLES: [Example; 3] = [
     Example {
         name: "example-lamp",
         what: "example-lamp-what",
-        document: include_bytes!("../../../sessions/lamp-commissioning.json"),
-        samples: include_bytes!("../../../sessions/lamp-commissioning.csv"),
+        files: &BUNDLED[0],
     },
     Example {
         name: "example-samples",
         what: "example-samples-what",
-        document: include_bytes!("../../../sessions/paper-30.json"),
-        samples: include_bytes!("../../../sessions/paper-30.csv"),
+        files: &BUNDLED[1],
     },
     Example {
         name: "example-run",
         what: "example-run-what",
-        document: include_bytes!("../../../sessions/paper-run.json"),
-        samples: include_bytes!("../../../sessions/paper-run.csv"),
+        files: &BUNDLED[2],
     },
 ];
