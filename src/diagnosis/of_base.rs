@@ -97,3 +97,75 @@ fn places(base: &Model, model: &Model) -> Option<Vec<usize>> {
     }
     wanted.peek().is_none().then_some(places)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::diagnosis::prepare::Prepared;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// Two axes, the second with an eccentric encoder.
+    #[test]
+    fn a_fit_with_the_columns_of_the_base_ends_where_one_with_its_own_does() {
+        let stops = (0..120).map(|k| {
+            let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
+            let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
+            format!(r#"{{"q_deg":[{tilt},{turn}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
+            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
+            "tool":{{"position_mm":[300,50,200],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},
+            "effects":[{{"effect":"encoder-eccentricity","joint":2,
+            "parameters":{{"amplitude_deg":0.1,"phase_deg":20}}}}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":1}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let base = regression.fit(&regression.base, Vec::new());
+        let mut candidates = regression.table.candidates.iter();
+        let there = candidates.find(|c| {
+            let term = c.what.term();
+            term.is_some_and(|t| t.effect.about().id == "encoder-eccentricity" && t.joint == 1)
+        });
+        let fit = regression.with(&base, &there.unwrap().what);
+        assert!(
+            fit.basis.extends.is_some(),
+            "the base's own columns were taken"
+        );
+
+        // One exact step from there moves by no part of the noise that anybody could see.
+        let (raw, columns) = regression.raw(&fit.model);
+        let (residual, columns) = regression.whitened(&fit.model, &raw, &columns);
+        let exact = Basis::new(&columns);
+        let step = exact.solve(&residual);
+        assert!(
+            (&columns * step).norm() < 0.01,
+            "of the {} of the noise",
+            fit.rss.sqrt()
+        );
+        let left = exact.reject(&residual).norm_squared();
+        assert!((left - fit.rss).abs() < 1e-4, "{left} {}", fit.rss);
+
+        // Columns of a robot that stands elsewhere are others.
+        let of_base = OfBase::new(
+            regression
+                .whitened(&base.model, &raw, &regression.raw(&base.model).1)
+                .1,
+        );
+        let mut elsewhere = base.model.coefficients();
+        for coefficient in &mut elsewhere {
+            *coefficient += 0.02;
+        }
+        let moved = base.model.stepped(&elsewhere);
+        let (raw, columns) = regression.raw(&moved);
+        let (_, columns) = regression.whitened(&moved, &raw, &columns);
+        assert!(of_base.extended(&base.model, &moved, &columns).is_none());
+    }
+}
