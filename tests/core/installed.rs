@@ -153,7 +153,8 @@ fn a_program_in_the_prefix_is_started_by_its_name() {
         .env("HOME", prefix.path())
         .current_dir(prefix.path());
     let says = String::from_utf8(command.output().unwrap().stderr).unwrap();
-    let named = says.split_whitespace().find(|word| word.ends_with(".json"));
+    let session = "lamp-commissioning.json";
+    let named = says.split_whitespace().find(|word| word.ends_with(session));
     assert!(Path::new(named.unwrap()).is_file(), "{says}");
 }
 
