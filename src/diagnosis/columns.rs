@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 
 use super::regression::lengthened;
 use crate::fit::noise::Filter;
-use crate::linear::products;
+use crate::linear;
 
 /// How well a column is given by a number for each sample, beside its largest value: rounding.
 const ROUNDING: f64 = 1e-12;
@@ -55,55 +55,59 @@ pub(crate) struct Columns {
 pub(crate) struct Gathering {
     rows: usize,
     samples: usize,
-    /// The direction of each group with the values so far; the first is kept row by row.
-    groups: Vec<(Option<DVector<f64>>, Vec<f64>)>,
-    /// Columns of names in each group, once all of them are there.
-    named: Vec<usize>,
+    /// The first is kept row by row.
+    groups: Vec<Growing>,
 }
 
-/// Where the columns of a candidate were put: which group, and the how manieth column there.
+/// A group that still grows.
+#[derive(Default)]
+struct Growing {
+    direction: Option<DVector<f64>>,
+    values: Vec<f64>,
+    /// Columns so far, and how many of them have names.
+    count: usize,
+    named: usize,
+}
+
+/// Where the columns of a candidate were put: which group, and its first column there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slot(usize, usize);
 
 impl Gathering {
     /// None yet, for rows of so many samples, axis by axis; `directions` are how the rows may move.
     pub(crate) fn new(rows: usize, samples: usize, directions: &[DVector<f64>]) -> Self {
-        let along = directions.iter().map(|d| (Some(d.clone()), Vec::new()));
+        let along = directions.iter().map(|d| Growing {
+            direction: Some(d.clone()),
+            ..Growing::default()
+        });
         Self {
             rows,
             samples,
-            groups: std::iter::once((None, Vec::new())).chain(along).collect(),
-            named: vec![0; directions.len() + 1],
+            groups: std::iter::once(Growing::default()).chain(along).collect(),
         }
     }
 
     /// What was taken so far has names, what comes has none.
     pub(crate) fn names_end(&mut self) {
-        let groups = self.groups.iter().enumerate();
-        let counts = groups.map(|(at, (_, values))| values.len() / self.height(at));
-        self.named = counts.collect();
+        for group in &mut self.groups {
+            group.named = group.count;
+        }
     }
 
     /// Takes the columns of one candidate.
     pub(crate) fn push(&mut self, columns: &DMatrix<f64>) -> Slot {
-        let groups = self.groups.iter().enumerate();
-        let found = groups.into_iter().find_map(|(at, (direction, _))| {
-            let direction = direction.as_ref()?;
+        let found = self.groups.iter().enumerate().find_map(|(at, group)| {
+            let direction = group.direction.as_ref()?;
             let along = |c| self.along(direction, c);
             let values: Option<Vec<Vec<f64>>> = columns.column_iter().map(along).collect();
             Some((at, values?.concat()))
         });
         let (at, values) = found.unwrap_or_else(|| (0, columns.as_slice().to_vec()));
-        let height = self.height(at);
-        let group = &mut self.groups[at].1;
-        let slot = Slot(at, group.len() / height);
-        group.extend(values);
+        let group = &mut self.groups[at];
+        let slot = Slot(at, group.count);
+        group.count += columns.ncols();
+        group.values.extend(values);
         slot
-    }
-
-    fn height(&self, group: usize) -> usize {
-        let own = if group == 0 { self.rows } else { self.samples };
-        own.max(1)
     }
 
     /// The number of each sample by which a column is this direction; `None` if it is not.
@@ -123,19 +127,20 @@ impl Gathering {
 
     /// All of them, and where each slot begins among them.
     pub(crate) fn done(self) -> (Columns, impl Fn(Slot) -> usize) {
-        let heights: Vec<usize> = (0..self.groups.len()).map(|at| self.height(at)).collect();
         let mut first = 0;
         let mut groups = Vec::new();
-        let own = self.groups.into_iter().zip(self.named);
-        for (((direction, values), named), height) in own.zip(heights) {
-            let count = values.len() / height;
+        for group in self.groups {
+            let height = match group.direction {
+                Some(_) => self.samples,
+                None => self.rows,
+            };
             groups.push(Group {
-                direction,
+                direction: group.direction,
                 first,
-                named,
-                values: DMatrix::from_vec(height, count, values),
+                named: group.named,
+                values: DMatrix::from_vec(height, group.count, group.values),
             });
-            first += count;
+            first += group.count;
         }
         let starts: Vec<usize> = groups.iter().map(|g| g.first).collect();
         let columns = Columns {
@@ -209,28 +214,8 @@ impl Columns {
         lengthened(own, more)
     }
 
-    /// Products of whitened columns with a vector of all rows; zero for the others.
-    pub(crate) fn products(&self, filter: &Filter, z: &DVector<f64>, among: Among) -> DVector<f64> {
-        let mut turned = z.rows(0, self.rows).into_owned();
-        filter.whiten_transposed(turned.as_mut_slice());
-        let mut all = DVector::zeros(self.count());
-        for group in &self.groups {
-            let g = group.of_samples(turned.as_slice(), self.samples);
-            let (from, count) = group.part(among);
-            let at = group.first + from;
-            let own = &mut all.as_mut_slice()[at..at + count];
-            products(&g, group.flat(from, count), own);
-        }
-        all
-    }
-
-    /// The same for many vectors: a row of products for each.
-    pub(crate) fn products_of_many(
-        &self,
-        filter: &Filter,
-        z: &DMatrix<f64>,
-        among: Among,
-    ) -> DMatrix<f64> {
+    /// Products of whitened columns with vectors of all rows, a row of products for each; zero for the others.
+    pub(crate) fn products(&self, filter: &Filter, z: &DMatrix<f64>, among: Among) -> DMatrix<f64> {
         let of_samples = self.of_samples(filter, z);
         let mut all = DMatrix::zeros(z.ncols(), self.count());
         for (group, g) in self.groups.iter().zip(&of_samples) {
@@ -242,7 +227,7 @@ impl Columns {
             }
             let mut of_one = vec![0.0; count];
             for (g, mut row) in g.transpose().column_iter().zip(own.row_iter_mut()) {
-                products(g.as_slice(), group.flat(from, count), &mut of_one);
+                linear::products(g.as_slice(), group.flat(from, count), &mut of_one);
                 row.copy_from_slice(&of_one);
             }
         }
@@ -376,10 +361,10 @@ mod tests {
         let times: Vec<f64> = (0..n).map(|k| k as f64).collect();
         let filter = noise.filter_over(&times, &[0, 1, 2]);
         let z = DMatrix::from_fn(n * axes + 2, 5, |i, k| value(i, k + 70));
-        let all = columns.products_of_many(&filter, &z, Among::All);
-        let one = columns.products(&filter, &z.column(3).into_owned(), Among::All);
-        let names = columns.products_of_many(&filter, &z, Among::Names);
-        let shapes = columns.products_of_many(&filter, &z, Among::Shapes);
+        let all = columns.products(&filter, &z, Among::All);
+        let one = columns.products(&filter, &z.columns(3, 1).into_owned(), Among::All);
+        let names = columns.products(&filter, &z, Among::Names);
+        let shapes = columns.products(&filter, &z, Among::Shapes);
         assert!((&names + &shapes - &all).norm() < 1e-12);
         let named = names.column_iter().map(|c| c.norm() > 0.0);
         let both = named.zip(shapes.column_iter().map(|c| c.norm() > 0.0));
@@ -400,7 +385,10 @@ mod tests {
             let products = z.tr_mul(&white);
             let own = all.columns(at, white.ncols());
             assert!((&products - own).norm() < 1e-12);
-            assert!((products.row(3).transpose() - one.rows(at, white.ncols())).norm() < 1e-12);
+            assert!(
+                (products.row(3).transpose() - one.columns(at, white.ncols()).transpose()).norm()
+                    < 1e-12
+            );
             assert!(columns.together(at) >= white.ncols());
             let near = columns.products_near(&by_sample, at, white.ncols());
             assert!((products - near.map(f64::from)).norm() < 1e-5);

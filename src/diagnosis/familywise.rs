@@ -401,10 +401,8 @@ impl<'p> Trials<'p> {
         let mut z = DMatrix::<f64>::zeros(self.height, CHUNK);
         for mut column in z.column_iter_mut() {
             let free = DVector::from_fn(self.height, |_, _| {
-                f64::from({
-                    let one: f32 = StandardNormal.sample(&mut random);
-                    one
-                })
+                let one: f32 = StandardNormal.sample(&mut random);
+                f64::from(one)
             });
             let mut free = self.projected.basis().reject(&free);
             let mut at = random.random::<f64>() * total;

@@ -187,7 +187,7 @@ impl Folds {
                     &mut fold_raw_residual,
                 ));
             }
-            // What stands beside the term that was scanned last is orthonormal already.
+            // The columns beside the term that was scanned last are orthonormal already.
             let basis = match others {
                 Some((others, places)) => Basis::extending(&others, &places, &fold_white),
                 None => Basis::new(&fold_white),

@@ -61,17 +61,17 @@ impl OfBase {
     ) -> DMatrix<f64> {
         let extends = basis.extends.as_ref();
         if !extends.is_some_and(|own| Rc::ptr_eq(own, &self.basis)) {
-            return columns.products_of_many(filter, &basis.q, among);
+            return columns.products(filter, &basis.q, among);
         }
         let known = self.basis.rank();
         let more = basis.rank() - known;
         let new = basis.q.columns(known, more).into_owned();
         let mut all = DMatrix::zeros(basis.rank(), columns.count());
         all.rows_mut(known, more)
-            .copy_from(&columns.products_of_many(filter, &new, among));
+            .copy_from(&columns.products(filter, &new, among));
         for (at, part) in [Among::Names, Among::Shapes].into_iter().enumerate() {
             if among == part || among == Among::All {
-                let make = || columns.products_of_many(filter, &self.basis.q, part);
+                let make = || columns.products(filter, &self.basis.q, part);
                 let own = self.along[at].get_or_init(make);
                 columns.copy(own, &mut all, part);
             }

@@ -167,7 +167,9 @@ impl<'r> Projected<'r> {
     /// Products of all columns with a residual.
     pub(crate) fn pulls(&self, residual: &DVector<f64>) -> DVector<f64> {
         let inside = self.basis.q.tr_mul(residual);
-        let mut pulls = self.columns.products(self.filter, residual, self.among);
+        let one = DMatrix::from_column_slice(residual.len(), 1, residual.as_slice());
+        let products = self.columns.products(self.filter, &one, self.among);
+        let mut pulls = products.row(0).transpose();
         pulls.gemv_tr(-1.0, &self.along, &inside, 1.0);
         pulls
     }

@@ -63,7 +63,7 @@ pub(super) fn sectors(
 
 /// Width of a path where its colour says how sure the model is, points …
 const BAND: f32 = 7.0;
-/// … and that of a square that says it of a pose nobody measured.
+/// … and that of the square of a pose that was not measured.
 pub(super) const SQUARE: f32 = 5.0;
 
 pub(super) fn path(
