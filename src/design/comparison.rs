@@ -12,6 +12,9 @@
 //! Δ += rᵀ S⁻¹ r,   β += C Jᵀ S⁻¹ r,   C −= C Jᵀ S⁻¹ J C,   S = 1 + J C Jᵀ
 //! ```
 //!
+//! [`Comparison`] carries `r` and `J C Jᵀ` of all candidates on instead of β, which is the same: both
+//! change by as many ranks as a pose has rows ([`super::exchange`]).
+//!
 //! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far. That is for one pair whose
 //! sizes are known; [`super::decision`] counts all pairs and all sizes that are possible.
 
@@ -25,6 +28,7 @@ use crate::observations::Layer;
 use crate::sessions::Session;
 
 use super::candidates::Offer;
+use super::exchange::Information;
 
 /// Information that every direction has at least, as a share of what the columns could bring.
 const LEAST_INFORMATION: f64 = 1e-9;
@@ -190,15 +194,16 @@ impl<'p> Field<'p> {
         let seen = self.predictions(truth, other);
         let mut comparison = Comparison::new(seen, &known, enough);
         let pull = white.tr_mul(&difference) * weight;
-        let refit = &mut comparison.refit;
-        let at_first = &refit.covariance * &pull;
-        refit.risen[0] = (difference.norm_squared() * weight - at_first.dot(&pull)).max(0.0);
-        refit.refits.set_column(0, &at_first);
+        let at_first = &comparison.information.covariance * &pull;
+        let explained = at_first.dot(&pull);
+        comparison.delta = (difference.norm_squared() * weight - explained).max(0.0);
+        let shown = comparison.information.rows() * at_first;
+        comparison.left -= shown;
         comparison
     }
 }
 
-/// A model that is refitted to what candidates show, in one or in many draws of what is measured.
+/// A model that is refitted to what candidates show, in many draws of what is measured.
 #[derive(Debug, Clone)]
 pub(crate) struct Refit {
     pub(crate) predictions: Vec<Prediction>,
@@ -256,36 +261,70 @@ impl Refit {
     }
 }
 
-#[derive(Debug, Clone)]
+/// Two models, one of which is refitted to what the other shows at the candidates that are taken.
+#[derive(Clone)]
 pub(crate) struct Comparison {
-    refit: Refit,
+    /// What is known of the one that is refitted.
+    information: Information,
+    /// What it leaves as it is fitted now, in the rows of all candidates.
+    left: DVector<f64>,
+    delta: f64,
     /// How far apart the models have to be.
     pub(crate) enough: f64,
 }
 
 impl Comparison {
+    /// `gram` is that of the refitted model's columns over what was measured already.
     pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, enough: f64) -> Self {
+        let covariance = covariance_of(gram, &predictions);
+        let mut first = vec![0];
+        first.extend(predictions.iter().scan(0, |end, one| {
+            *end += one.difference.len();
+            Some(*end)
+        }));
+        let all = first[predictions.len()];
+        let mut rows = DMatrix::zeros(all, gram.ncols());
+        let mut left = DVector::zeros(all);
+        for (one, from) in predictions.iter().zip(&first) {
+            let size = one.difference.len();
+            rows.rows_mut(*from, size).copy_from(&one.columns);
+            left.rows_mut(*from, size).copy_from(&one.difference);
+        }
         Self {
-            refit: Refit::new(predictions, gram, 1),
+            information: Information::new(rows, first, covariance),
+            left,
+            delta: 0.0,
             enough,
         }
     }
 
     /// How far apart the models are so far.
     pub(crate) fn delta(&self) -> f64 {
-        self.refit.risen[0]
+        self.delta
+    }
+
+    /// What a candidate leaves, in independent units of what it is known to.
+    fn white(&self, candidate: usize, root: &DMatrix<f64>) -> Option<DVector<f64>> {
+        let (first, size) = self.information.place(candidate);
+        root.solve_lower_triangular(&self.left.rows(first, size))
     }
 
     /// By how much one pose more would part the models.
     pub(crate) fn gain(&self, candidate: usize) -> f64 {
-        let (left, spread) = self.refit.innovation(candidate);
-        let solved = spread.cholesky().map(|c| c.solve(&left));
-        solved.map_or(0.0, |s| s.dot(&left).max(0.0))
+        let root = self.information.innovation(candidate, 1.0);
+        let white = root.and_then(|root| self.white(candidate, &root));
+        white.map_or(0.0, |white| white.norm_squared())
     }
 
     /// Measures a pose.
     pub(crate) fn take(&mut self, candidate: usize) {
-        self.refit.take(candidate, None);
+        let update = self.information.update(candidate, 1.0);
+        let Some((root, moved)) = update else { return };
+        let Some(white) = self.white(candidate, &root) else {
+            return;
+        };
+        self.delta += white.norm_squared();
+        self.left.gemv(-1.0, &moved, &white, 1.0);
     }
 
     /// Whether the odds will do.

@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::sessions::Samples;
 
 use super::candidates::{Candidate, Conditions, Offer, with_another};
-use super::comparison::{Comparison, Field, Prediction, enough_for};
+use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
 use super::exchange::choose;
 use super::information::standing;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
@@ -54,11 +54,11 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static Effect, joint: usize) ->
         let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
         let p = base.coefficient_count();
         let nothing = nalgebra::DMatrix::zeros(p, p);
-        let mut comparison = Comparison::new(seen, &nothing, f64::INFINITY);
+        let mut refit = Refit::new(seen, &nothing, 1);
         for k in 0..offer.candidates.len() {
-            comparison.take(k);
+            refit.take(k, None);
         }
-        if comparison.delta() > 1e-3 * all && all > 0.0 {
+        if refit.risen[0] > 1e-3 * all && all > 0.0 {
             return vec![need];
         }
     }

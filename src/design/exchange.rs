@@ -91,36 +91,48 @@ impl Information {
         }
     }
 
-    /// 1 ± J C Jᵀ of a candidate.
-    fn innovation(&self, candidate: usize, sign: f64) -> DMatrix<f64> {
+    /// First row of a candidate and how many it has.
+    pub(crate) fn place(&self, candidate: usize) -> (usize, usize) {
         let first = self.first[candidate];
-        let size = self.first[candidate + 1] - first;
-        DMatrix::from_fn(size, size, |i, j| {
+        (first, self.first[candidate + 1] - first)
+    }
+
+    /// Rows of all candidates, in units of the noise.
+    pub(crate) fn rows(&self) -> &DMatrix<f64> {
+        &self.rows
+    }
+
+    /// Lower triangular root of 1 ± J C Jᵀ of a candidate.
+    pub(crate) fn innovation(&self, candidate: usize, sign: f64) -> Option<DMatrix<f64>> {
+        let (first, size) = self.place(candidate);
+        let innovation = DMatrix::from_fn(size, size, |i, j| {
             f64::from(u8::from(i == j)) + sign * self.spread[(first + i, j)]
-        })
+        });
+        innovation.cholesky().map(|factor| factor.unpack())
     }
 
     /// What a candidate would add, whether it is taken or not.
     pub(crate) fn gain(&self, candidate: usize) -> f64 {
-        let factor = self.innovation(candidate, 1.0).cholesky();
-        factor.map_or(0.0, |c| {
-            2.0 * c.l().diagonal().iter().map(|d| d.ln()).sum::<f64>()
+        let root = self.innovation(candidate, 1.0);
+        root.map_or(0.0, |root| {
+            2.0 * root.diagonal().iter().map(|d| d.ln()).sum::<f64>()
         })
     }
 
-    /// Takes the rows of a candidate in (`sign` 1) or out (−1).
-    fn update(&mut self, candidate: usize, sign: f64) {
-        let first = self.first[candidate];
-        let size = self.first[candidate + 1] - first;
-        let own = self.rows.rows(first, size);
-        let carried = own * &self.covariance;
-        let factor = self.innovation(candidate, sign).cholesky();
-        let Some(root) = factor.and_then(|c| c.l().solve_lower_triangular(&carried)) else {
-            return;
-        };
+    /// Takes the rows of a candidate in (`sign` 1) or out (−1). With L the root of its innovation: L and
+    /// J C Jᵤᵀ L⁻ᵀ, by which what all candidates show moves with what this one does.
+    pub(crate) fn update(
+        &mut self,
+        candidate: usize,
+        sign: f64,
+    ) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+        let (first, size) = self.place(candidate);
+        let carried = self.rows.rows(first, size) * &self.covariance;
+        let root = self.innovation(candidate, sign)?;
+        let carried = root.solve_lower_triangular(&carried)?;
         self.taken[candidate] = sign > 0.0;
-        self.covariance.gemm_tr(-sign, &root, &root, 1.0);
-        let moved = &self.rows * root.transpose();
+        self.covariance.gemm_tr(-sign, &carried, &carried, 1.0);
+        let moved = &self.rows * carried.transpose();
         for pair in self.first.windows(2) {
             for i in pair[0]..pair[1] {
                 for j in pair[0]..pair[1] {
@@ -129,6 +141,7 @@ impl Information {
                 }
             }
         }
+        Some((root, moved))
     }
 }
 
