@@ -102,9 +102,14 @@ impl Basis {
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
     pub(crate) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
-        let mut x = self.q.tr_mul(y);
-        self.back_substitute(&mut x);
-        self.spread(&x)
+        self.coefficients(self.q.tr_mul(y))
+    }
+
+    /// The coefficients of the columns from those of the orthonormal ones; zero for columns that were
+    /// dropped.
+    pub(crate) fn coefficients(&self, mut along: DVector<f64>) -> DVector<f64> {
+        self.back_substitute(&mut along);
+        self.spread(&along)
     }
 
     /// `y` without its part in the span.
@@ -172,19 +177,21 @@ pub(crate) fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
     });
 }
 
-/// `Aᵀ A` of some columns: the same bits as nalgebra's product, with half the work.
+/// Rows of a Gram matrix that are made at once.
+const GRAM_ROWS: usize = 48;
+
+/// `Aᵀ A` of some columns: its lower half by blocks of rows, the other half is the same.
 pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
-    let (m, p) = a.shape();
+    let p = a.ncols();
+    let transposed = a.transpose();
     let mut gram = DMatrix::zeros(p, p);
-    let mut row = vec![0.0; p];
-    for i in 0..p {
-        let up_to = &a.as_slice()[..(i + 1) * m];
-        products(&up_to[i * m..], up_to, &mut row);
-        for (j, product) in row[..=i].iter().enumerate() {
-            gram[(i, j)] = *product;
-            gram[(j, i)] = *product;
-        }
+    for first in (0..p).step_by(GRAM_ROWS) {
+        let end = (first + GRAM_ROWS).min(p);
+        let rows = transposed.rows(first, end - first);
+        let mut block = gram.view_mut((first, 0), (end - first, end));
+        block.gemm(1.0, &rows, &a.columns(0, end), 0.0);
     }
+    gram.fill_upper_triangle_with_lower_triangle();
     gram
 }
 
@@ -460,7 +467,6 @@ mod tests {
     #[test]
     fn products_have_the_bits_of_nalgebras() {
         let a = DMatrix::from_fn(203, 5, |i, j| ((i * 7 + j * 13) as f64 * 0.37).sin());
-        assert_eq!(gram(&a), a.tr_mul(&a));
         let mut all = [0.0; 5];
         products(&a.as_slice()[..203], a.as_slice(), &mut all);
         assert_eq!(all, *a.tr_mul(&a.column(0)).as_slice());
@@ -480,6 +486,16 @@ mod tests {
         );
         subtract(&a.as_slice()[..406], &coefficients, own.as_mut_slice());
         assert_eq!(own, left);
+    }
+
+    #[test]
+    fn a_gram_matrix_is_every_product() {
+        for p in [1, GRAM_ROWS, 2 * GRAM_ROWS + 5] {
+            let a = DMatrix::from_fn(71, p, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
+            let gram = gram(&a);
+            assert!((&gram - a.tr_mul(&a)).amax() < 1e-12);
+            assert_eq!(gram, gram.transpose());
+        }
     }
 
     #[test]

@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Setting;
 
+use super::left_out::{Groups, LeftOut};
 use super::regression::{Fit, Regression};
 use crate::linear::{Basis, small_cholesky, small_gain};
 use crate::sessions::cells::{cells, folds_of_groups};
@@ -164,11 +165,27 @@ impl Folds {
             at += shape.white.ncols();
         }
         let scanned = scanned_terms(regression, fit);
+        let whole = Whole::new(&scanned, &white, &residual);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
+        let rows = regression.rows.len();
         for fold in 0..self.count {
-            let rows = regression.rows.len();
+            let unseen: Vec<usize> = (0..rows)
+                .filter(|row| self.fold[row % n] == fold)
+                .collect();
+            let mut keep = |row: usize, e: f64| {
+                let mm = regression.rows.mm(row) * e;
+                left[row] = e;
+                sum += e * e;
+                sum_mm += mm * mm;
+            };
+            if let Some(step) = whole.without(&unseen, &residual) {
+                for row in unseen {
+                    keep(row, raw_residual[row] - raw.row(row).tr_dot(&step));
+                }
+                continue;
+            }
             let seen: Vec<usize> = (0..regression.height())
                 .filter(|row| *row >= rows || self.fold[row % n] != fold)
                 .collect();
@@ -193,13 +210,8 @@ impl Folds {
                 None => Basis::new(&fold_white),
             };
             let step = basis.solve(&fold_residual);
-            let unseen = (0..regression.rows.len()).filter(|row| self.fold[row % n] == fold);
             for row in unseen {
-                let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
-                let mm = regression.rows.mm(row) * e;
-                left[row] = e;
-                sum += e * e;
-                sum_mm += mm * mm;
+                keep(row, fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step));
             }
         }
         let lengths = regression.rows.lengths();
@@ -257,7 +269,70 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     all
 }
 
+/// A fit over all rows, from which every fold is taken in turn.
+struct Whole {
+    basis: Basis,
+    terms: Vec<Beside>,
+}
+
+/// A scanned term's candidates beside everything else.
+struct Beside {
+    others: Rc<Basis>,
+    /// The candidates' columns, and the term's own at the end.
+    groups: Groups,
+    /// What the others leave with the term out.
+    without_term: DVector<f64>,
+}
+
+/// A setting has to be better than the fit's by this share of its gain.
+const BETTER: f64 = 1e-9;
+
+impl Whole {
+    fn new(scanned: &[Scanned], white: &DMatrix<f64>, residual: &DVector<f64>) -> Self {
+        let mut basis = None;
+        let mut terms = Vec::with_capacity(scanned.len());
+        for term in scanned {
+            let places = term.beside(white.ncols());
+            let others = Rc::new(Basis::new(&white.select_columns(&places)));
+            let own = white.columns(term.first, term.size);
+            let without_term = residual + own * &term.coefficients;
+            let width = term.white.ncols();
+            let mut columns = term.white.clone().resize_horizontally(width + term.size, 0.0);
+            columns.columns_mut(width, term.size).copy_from(&own);
+            terms.push(Beside {
+                groups: Groups::new(columns, term.size, &others, &without_term),
+                without_term,
+                others: Rc::clone(&others),
+            });
+            basis = Some(Basis::extending(&others, &places, white));
+        }
+        Self {
+            basis: basis.unwrap_or_else(|| Basis::new(white)),
+            terms,
+        }
+    }
+
+    /// The step of a fit without these rows; `None` where one of the settings would be another there, or
+    /// the other rows do not tell all columns.
+    fn without(&self, rows: &[usize], residual: &DVector<f64>) -> Option<DVector<f64>> {
+        for term in &self.terms {
+            let gains = LeftOut::new(&term.others, rows)?.gains(&term.groups, &term.without_term);
+            let (own, candidates) = gains.split_last()?;
+            if candidates.iter().any(|gain| *gain > own * (1.0 + BETTER)) {
+                return None;
+            }
+        }
+        Some(LeftOut::new(&self.basis, rows)?.solve(residual))
+    }
+}
+
 impl Scanned {
+    /// All columns but the term's own.
+    fn beside(&self, columns: usize) -> Vec<usize> {
+        let own = self.first..self.first + self.size;
+        (0..columns).filter(|k| !own.contains(k)).collect()
+    }
+
     /// Exchanges the term's columns for those of the setting that the seen rows like best.
     fn rescan(
         &self,
@@ -268,11 +343,10 @@ impl Scanned {
         residual: &mut DVector<f64>,
         raw_residual: &mut DVector<f64>,
     ) -> (Rc<Basis>, Vec<usize>) {
-        let own: Vec<usize> = (self.first..self.first + self.size).collect();
         // Residual and columns without the term.
         let put_back = white.columns(self.first, self.size) * &self.coefficients;
         let without = &*residual + put_back;
-        let places: Vec<usize> = (0..white.ncols()).filter(|k| !own.contains(k)).collect();
+        let places = self.beside(white.ncols());
         let others = Rc::new(Basis::new(&white.select_columns(&places)));
         let left = others.reject(&without);
         let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
@@ -285,7 +359,7 @@ impl Scanned {
             let columns = self.white.columns(from * self.size, some * self.size);
             let columns = columns.select_rows(seen);
             for (k, value) in beside(columns, self.size).into_iter().enumerate() {
-                if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
+                if value > best.map_or(of_now * (1.0 + BETTER), |b| b.0) {
                     best = Some((value, from + k));
                 }
             }

@@ -40,6 +40,7 @@ mod floor;
 mod free_curve;
 mod held_out;
 mod incomplete;
+mod left_out;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
 

@@ -22,15 +22,16 @@ pub(super) struct Restricted<'r> {
     /// For each axis its rows of columns and residual.
     parts: Vec<DMatrix<f64>>,
     p: usize,
-    /// The last sums: neighbouring noises differ along one axis only.
+    /// The last sums: neighbouring noises differ along one axis only, and a second search for the slow
+    /// part asks for those of the first.
     known: RefCell<Vec<Known>>,
 }
 
 /// Axis, time constant and variance, and their sums.
 type Known = ((usize, u64, u64), Rc<AxisSums>);
 
-/// Sums that are kept.
-const MOST_KNOWN: usize = 12;
+/// Numbers of the sums that are kept (32 MiB).
+const MOST_KNOWN: usize = 4 << 20;
 
 impl<'r> Restricted<'r> {
     pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
@@ -77,7 +78,8 @@ impl<'r> Restricted<'r> {
                 }
                 let sums = Rc::new(self.sums_along(*axis, part, tau, ratio));
                 let mut known = self.known.borrow_mut();
-                if known.len() >= MOST_KNOWN {
+                let full = (known.len() + 1) * sums.gram.len() > MOST_KNOWN;
+                if full && !known.is_empty() {
                     known.remove(0);
                 }
                 let key = (at, tau.to_bits(), ratio.to_bits());

@@ -25,8 +25,14 @@ impl Noise {
     /// noise is clearly likelier.
     pub(super) fn slowest(&self, restricted: &Restricted, white: f64) -> Option<Trial> {
         let mut best: Option<Trial> = None;
+        let mut tried: Vec<Trial> = Vec::new();
         let mut keep = |tau: f64, ratio: [f64; 3]| {
+            // The ways closer meet again.
+            if tried.iter().any(|known| (known.1, known.2) == (tau, ratio)) {
+                return (false, best);
+            }
             let value = self.likelihood_of(restricted, tau, ratio);
+            tried.push((value, tau, ratio));
             let better = value.is_finite() && best.is_none_or(|b| value > b.0);
             if better {
                 best = Some((value, tau, ratio));

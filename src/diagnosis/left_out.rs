@@ -1,0 +1,185 @@
+//! A fit without some of its rows, from the fit of all of them.
+//!
+//! With `Q` the orthonormal columns over all rows, `Q_B` the rows that are left out and `A_B` those of
+//! any other columns, everything over the rows that stay is a sum over all less one over those (Woodbury
+//! 1950):
+//!
+//! ```text
+//! S = 1 − Q_Bᵀ Q_B = L Lᵀ,   W = L⁻¹ (Qᵀ A − Q_Bᵀ A_B),
+//! what the others leave of A:  Aᵀ A − A_Bᵀ A_B − Wᵀ W
+//! ```
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::linear::{Basis, gram, small_cholesky, small_gain};
+
+/// A direction of which less than this share (of its square) is seen in the rows that stay is not told by them.
+const LEAST_SEEN: f64 = 1e-10;
+/// A column of which the others leave less than this (of its square) adds nothing.
+const LEAST_LEFT: f64 = 1e-10;
+
+/// A basis of which some rows are left out.
+pub(super) struct LeftOut<'b> {
+    basis: &'b Basis,
+    rows: &'b [usize],
+    /// `Q_Bᵀ`.
+    own: DMatrix<f64>,
+    /// `L⁻¹`.
+    inverse_root: DMatrix<f64>,
+}
+
+impl<'b> LeftOut<'b> {
+    /// `None` where the rows that stay do not tell all columns.
+    pub(super) fn new(basis: &'b Basis, rows: &'b [usize]) -> Option<Self> {
+        let rank = basis.rank();
+        let own = basis.q.select_rows(rows);
+        let seen = DMatrix::identity(rank, rank) - gram(&own);
+        let root = seen.cholesky()?.unpack();
+        if root.diagonal().iter().any(|l| l * l < LEAST_SEEN) {
+            return None;
+        }
+        Some(Self {
+            basis,
+            rows,
+            own: own.transpose(),
+            inverse_root: root.solve_lower_triangular(&DMatrix::identity(rank, rank))?,
+        })
+    }
+
+    /// `W` of some columns: `along` is `Qᵀ A`, `without` is `A_B`.
+    fn along(&self, along: &DMatrix<f64>, without: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut seen = along.clone();
+        seen.gemm(-1.0, &self.own, without, 1.0);
+        &self.inverse_root * seen
+    }
+
+    fn along_one(&self, y: &DVector<f64>) -> DVector<f64> {
+        let seen = self.basis.q.tr_mul(y) - &self.own * y.select_rows(self.rows);
+        &self.inverse_root * seen
+    }
+
+    /// The coefficients that bring the columns closest to `y` in the rows that stay.
+    pub(super) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
+        let along = self.inverse_root.tr_mul(&self.along_one(y));
+        self.basis.coefficients(along)
+    }
+
+    /// By how much each group of columns would lower the sum of squares that the basis leaves of `y` in
+    /// the rows that stay.
+    pub(super) fn gains(&self, groups: &Groups, y: &DVector<f64>) -> Vec<f64> {
+        let Groups { columns, size, .. } = groups;
+        let without = columns.select_rows(self.rows);
+        let along = self.along(&groups.along, &without);
+        let own = self.along_one(y);
+        let left = y.select_rows(self.rows);
+        let mut pulls = groups.pulls.clone();
+        pulls.gemv_tr(-1.0, &without, &left, 1.0);
+        pulls.gemv_tr(-1.0, &along, &own, 1.0);
+        let firsts = (0..columns.ncols()).step_by((*size).max(1));
+        firsts
+            .zip(&groups.grams)
+            .map(|(first, whole)| {
+                let without = without.columns(first, *size);
+                let along = along.columns(first, *size);
+                let free = whole - without.tr_mul(&without) - along.tr_mul(&along);
+                let least: Vec<f64> = whole.diagonal().iter().map(|g| LEAST_LEFT * g).collect();
+                // Symmetric: by rows as by columns.
+                let mut factor = free.as_slice().to_vec();
+                small_cholesky(&mut factor, *size, &least);
+                let mut pull = pulls.as_slice()[first..first + size].to_vec();
+                small_gain(&factor, *size, &mut pull)
+            })
+            .collect()
+    }
+}
+
+/// Groups of columns, with what does not depend on the rows that are left out.
+pub(super) struct Groups {
+    columns: DMatrix<f64>,
+    size: usize,
+    grams: Vec<DMatrix<f64>>,
+    /// `Qᵀ A`.
+    along: DMatrix<f64>,
+    /// `Aᵀ y`.
+    pulls: DVector<f64>,
+}
+
+impl Groups {
+    /// Groups of `size` columns beside a basis and what is to be explained.
+    pub(super) fn new(
+        columns: DMatrix<f64>,
+        size: usize,
+        basis: &Basis,
+        y: &DVector<f64>,
+    ) -> Self {
+        let firsts = (0..columns.ncols()).step_by(size.max(1));
+        let gram = |first| {
+            let own = columns.columns(first, size);
+            own.tr_mul(&own)
+        };
+        Self {
+            grams: firsts.map(gram).collect(),
+            along: basis.q.transpose() * &columns,
+            pulls: columns.tr_mul(y),
+            columns,
+            size,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wild(rows: usize, columns: usize, seed: f64) -> DMatrix<f64> {
+        DMatrix::from_fn(rows, columns, |i, j| {
+            ((i * i * 7 + i * j * 13 + j) as f64 * 0.37 + seed).sin()
+        })
+    }
+
+    #[test]
+    fn what_is_left_out_might_as_well_never_have_been_there() {
+        let (a, more) = (wild(60, 5, 0.0), wild(60, 6, 1.0));
+        let y = wild(60, 1, 2.0).column(0).into_owned();
+        let out: Vec<usize> = (0..60).filter(|i| i % 4 == 1).collect();
+        let stay: Vec<usize> = (0..60).filter(|i| i % 4 != 1).collect();
+        let basis = Basis::new(&a);
+        let left_out = LeftOut::new(&basis, &out).expect("told");
+
+        let anew = Basis::new(&a.select_rows(&stay));
+        let seen = y.select_rows(&stay);
+        assert!((left_out.solve(&y) - anew.solve(&seen)).amax() < 1e-9);
+
+        let gains = left_out.gains(&Groups::new(more.clone(), 2, &basis, &y), &y);
+        for (group, gain) in gains.iter().enumerate() {
+            let mut both = a.clone().resize_horizontally(7, 0.0);
+            both.columns_mut(5, 2)
+                .copy_from(&more.columns(2 * group, 2));
+            let both = Basis::new(&both.select_rows(&stay));
+            let fall = anew.reject(&seen).norm_squared() - both.reject(&seen).norm_squared();
+            assert!((gain - fall).abs() < 1e-9, "{group}: {gain} {fall}");
+        }
+    }
+
+    #[test]
+    fn columns_that_only_the_missing_rows_tell_are_refused() {
+        let mut a = wild(20, 3, 0.0);
+        for i in 5..20 {
+            a[(i, 2)] = 0.0;
+        }
+        let basis = Basis::new(&a);
+        assert!(LeftOut::new(&basis, &[0, 1, 2, 3, 4]).is_none());
+        assert!(LeftOut::new(&basis, &[0, 1]).is_some());
+    }
+
+    #[test]
+    fn a_copy_of_the_columns_gains_nothing() {
+        let a = wild(40, 4, 0.0);
+        let y = wild(40, 1, 2.0).column(0).into_owned();
+        let basis = Basis::new(&a);
+        let left_out = LeftOut::new(&basis, &[3, 9, 11]).expect("told");
+        let copy = a.columns(1, 2) * DMatrix::from_row_slice(2, 2, &[1.0, 2.0, -1.0, 0.5]);
+        let gains = left_out.gains(&Groups::new(copy, 2, &basis, &y), &y);
+        assert_eq!(gains, [0.0]);
+    }
+}
