@@ -90,7 +90,7 @@ impl Basis {
 
     fn end(mut self) -> Self {
         let rank = self.kept.len();
-        self.q = self.q.columns(0, rank).into_owned();
+        self.q = self.q.resize_horizontally(rank, 0.0);
         self.r = self.r.view((0, 0), (rank, rank)).into_owned();
         self
     }

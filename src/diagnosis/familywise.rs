@@ -91,9 +91,13 @@ impl Regression<'_> {
         self.family_p_beside(minus_ln_p, fit, false)
     }
 
-    /// The same on the way there, where the null of any model of the same size is good enough.
-    pub(crate) fn rough_family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {
-        self.family_p_beside(minus_ln_p, fit, true)
+    /// Whether noise alone reaches it with more than this chance, on the way there, where the null of any
+    /// model of the same size is good enough.
+    pub(crate) fn reached_by_noise(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
+        // One candidate alone does already; the others only add to it.
+        let weights = self.table.candidates.iter().map(weight_of);
+        let least = weights.fold(f64::INFINITY, f64::min);
+        (-minus_ln_p - least).exp() > chance || self.family_p_beside(minus_ln_p, fit, true).p > chance
     }
 
     fn family_p_beside(&self, minus_ln_p: f64, fit: &Fit, rough: bool) -> FamilyP {

@@ -161,7 +161,8 @@ impl Search<'_, '_> {
         let mattering = scores.iter().filter(|s| self.matters(s.gain, fit));
         // Nearly equal candidates: the first few are looked at closely.
         for (score, next) in self.possible(fit, mattering).take(4) {
-            if self.regression.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
+            let found = score.minus_ln_p;
+            if self.regression.reached_by_noise(found, CHANCE, &next) {
                 continue;
             }
             if self.unseen(&next) < unseen {

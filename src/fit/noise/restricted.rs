@@ -142,12 +142,14 @@ impl<'r> Restricted<'r> {
         let Some((factor, step, _)) = self.solved(sums, sigma) else {
             return vec![(1.0, n); self.axes.len()];
         };
+        let inverse = factor.inverse();
         let one = |(own, axis): (&Rc<AxisSums>, &usize)| {
             let weight = 1.0 / sigma[*axis].powi(2);
             let inner = own.gram.view((0, 0), (p, p)).into_owned();
             let pull = own.gram.view((0, p), (p, 1)).column(0).into_owned();
             let square = own.gram[(p, p)] - 2.0 * step.dot(&pull) + step.dot(&(&inner * &step));
-            let spent = factor.solve(&inner).trace() * weight;
+            // Both are symmetric: the trace of their product.
+            let spent = inverse.dot(&inner) * weight;
             let freedom = (n - spent).max(1.0);
             (square.max(0.0) * weight / freedom, freedom)
         };
