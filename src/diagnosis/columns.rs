@@ -22,6 +22,9 @@ const ROUNDING: f64 = 1e-12;
 /// A product of matrices with fewer rows is slower than products of vectors.
 const FEW: usize = 8;
 
+/// So many numbers of columns stay near the processor (128 KiB) while all vectors go over them.
+const NEAR: usize = 1 << 14;
+
 /// Columns with one direction, or row by row.
 #[derive(Debug, Clone)]
 struct Group {
@@ -225,10 +228,18 @@ impl Columns {
                 own.gemm(1.0, g, &group.values.columns(from, count), 0.0);
                 continue;
             }
-            let mut of_one = vec![0.0; count];
-            for (g, mut row) in g.transpose().column_iter().zip(own.row_iter_mut()) {
-                linear::products(g.as_slice(), group.flat(from, count), &mut of_one);
-                row.copy_from_slice(&of_one);
+            let by_vector = g.transpose();
+            let near = (NEAR / by_vector.nrows().max(1)).max(1);
+            let mut of_one = vec![0.0; near];
+            for at in (0..count).step_by(near) {
+                let some = near.min(count - at);
+                let block = group.flat(from + at, some);
+                for (k, g) in by_vector.column_iter().enumerate() {
+                    linear::products(g.as_slice(), block, &mut of_one[..some]);
+                    for (j, product) in of_one[..some].iter().enumerate() {
+                        own[(k, at + j)] = *product;
+                    }
+                }
             }
         }
         all
