@@ -10,8 +10,10 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::{Setting, Term};
 
 use super::columns::Among;
+use super::evidence::PRICE_OF_A_NAME;
 use super::projected::unit_beside;
-use super::regression::{Fit, PRICE_OF_A_NAME, Regression, Score};
+use super::regression::{Fit, Regression};
+use super::scores::Score;
 use super::search::{by_odds, compatible};
 use crate::linear::{small_cholesky, small_gain};
 

@@ -29,7 +29,8 @@ pub(crate) use crate::answers::diagnosis::FamilyP;
 use super::candidates::Candidate;
 use super::columns::Among;
 use super::projected::Projected;
-use super::regression::{Fit, Regression, weight_of};
+use super::regression::{Fit, Regression};
+use super::scores::weight_of;
 use super::significance::{Significance, Tests};
 use crate::effects::rank as rank_in_catalogue;
 use crate::linear::Basis;
@@ -97,7 +98,8 @@ impl Regression<'_> {
         // One candidate alone does already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
-        (-minus_ln_p - least).exp() > chance || self.family_p_beside(minus_ln_p, fit, true).p > chance
+        (-minus_ln_p - least).exp() > chance
+            || self.family_p_beside(minus_ln_p, fit, true).p > chance
     }
 
     fn family_p_beside(&self, minus_ln_p: f64, fit: &Fit, rough: bool) -> FamilyP {

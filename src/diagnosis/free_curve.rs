@@ -7,8 +7,9 @@
 
 use crate::effects::{Over, Term};
 
+use super::evidence::PRICE_OF_A_NAME;
 use super::prepare::Prepared;
-use super::regression::{Fit, PRICE_OF_A_NAME, Regression};
+use super::regression::{Fit, Regression};
 use super::search::Found;
 use super::smooth;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};

@@ -171,9 +171,7 @@ impl Folds {
         let mut left = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
         for fold in 0..self.count {
-            let unseen: Vec<usize> = (0..rows)
-                .filter(|row| self.fold[row % n] == fold)
-                .collect();
+            let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
             let mut keep = |row: usize, e: f64| {
                 let mm = regression.rows.mm(row) * e;
                 left[row] = e;
@@ -211,7 +209,10 @@ impl Folds {
             };
             let step = basis.solve(&fold_residual);
             for row in unseen {
-                keep(row, fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step));
+                keep(
+                    row,
+                    fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step),
+                );
             }
         }
         let lengths = regression.rows.lengths();
@@ -297,7 +298,10 @@ impl Whole {
             let own = white.columns(term.first, term.size);
             let without_term = residual + own * &term.coefficients;
             let width = term.white.ncols();
-            let mut columns = term.white.clone().resize_horizontally(width + term.size, 0.0);
+            let mut columns = term
+                .white
+                .clone()
+                .resize_horizontally(width + term.size, 0.0);
             columns.columns_mut(width, term.size).copy_from(&own);
             terms.push(Beside {
                 groups: Groups::new(columns, term.size, &others, &without_term),

@@ -106,12 +106,7 @@ pub(super) struct Groups {
 
 impl Groups {
     /// Groups of `size` columns beside a basis and what is to be explained.
-    pub(super) fn new(
-        columns: DMatrix<f64>,
-        size: usize,
-        basis: &Basis,
-        y: &DVector<f64>,
-    ) -> Self {
+    pub(super) fn new(columns: DMatrix<f64>, size: usize, basis: &Basis, y: &DVector<f64>) -> Self {
         let firsts = (0..columns.ncols()).step_by(size.max(1));
         let gram = |first| {
             let own = columns.columns(first, size);

@@ -10,7 +10,8 @@ pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
 use super::columns::Among;
-use super::regression::{Fit, Regression, weight_of};
+use super::regression::{Fit, Regression};
+use super::scores::weight_of;
 use super::search::CHANCE;
 
 /// Limits of every name that was tried and is not in the model.

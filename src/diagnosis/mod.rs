@@ -25,6 +25,7 @@
 pub(crate) mod aliases;
 pub(crate) mod candidates;
 pub(crate) mod columns;
+mod evidence;
 pub(crate) mod familywise;
 pub(crate) mod limits;
 mod memo;
@@ -41,6 +42,7 @@ mod free_curve;
 mod held_out;
 mod incomplete;
 mod left_out;
+mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
 
@@ -48,6 +50,7 @@ pub(crate) mod prepare;
 pub(crate) mod projected;
 mod remainder;
 mod robust;
+mod scores;
 pub(crate) mod search;
 mod selection;
 mod shapes;

@@ -2,8 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use std::fs;
-use std::path::{Path, PathBuf};
+#[cfg(feature = "gui")]
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
 use std::process::{Command, Output};
 
 fn truepose(arguments: &[&str]) -> Output {

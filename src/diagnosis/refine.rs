@@ -1,0 +1,132 @@
+//! The settings of a candidate, fitted finely to what a fit leaves: where a shape stands, and the order
+//! of a wave that need not be whole.
+
+use crate::effects::{Setting, Term};
+use crate::linear::Basis;
+use crate::model::shapes::{Profile, Shape};
+
+use super::candidates::What;
+use super::placed::Placed;
+use super::regression::{Fit, Regression};
+
+impl Regression<'_> {
+    /// A candidate with its shape fitted finely to what is left.
+    pub(super) fn refined(&self, fit: &Fit, candidate: usize) -> What {
+        match &self.table.candidates[candidate].what {
+            What::Anonymous(shape) => What::Anonymous(self.refined_shape(fit, *shape)),
+            What::Named(term) if term.effect.about().setting.takes_fractions() => {
+                What::Named(self.refined_order(fit, term))
+            }
+            named @ What::Named(_) => named.clone(),
+        }
+    }
+
+    /// A wave at its likeliest order: the whole number, unless a fraction is worth its price.
+    fn refined_order(&self, fit: &Fit, term: &Term) -> Term {
+        let Setting::Order { from, to } = term.effect.about().setting else {
+            return term.clone();
+        };
+        let at = |order: f64| Term {
+            setting: order,
+            ..term.clone()
+        };
+        let gain = |order: f64| self.gain_of_term(fit, &at(order));
+        let whole = gain(term.setting);
+        let (mut best, mut most) = (term.setting, whole);
+        let mut step = 0.5;
+        for _ in 0..8 {
+            for order in [best - step, best + step] {
+                let inside = order >= f64::from(from) && order <= f64::from(to);
+                if inside && (order - term.setting).abs() < 1.5 {
+                    let value = gain(order);
+                    if value > most {
+                        (best, most) = (order, value);
+                    }
+                }
+            }
+            step *= 0.5;
+        }
+        let nearest = best.round().clamp(f64::from(from), f64::from(to));
+        let of_whole = if nearest == term.setting {
+            whole
+        } else {
+            gain(nearest)
+        };
+        let worth = |gain: f64| {
+            let share = (gain / fit.rss.max(1e-300)).min(1.0 - 1e-12);
+            -0.5 * self.m() * (-share).ln_1p()
+        };
+        if worth(most) - worth(of_whole) > self.price_of_a_fraction() {
+            at(best)
+        } else {
+            at(nearest)
+        }
+    }
+
+    fn refined_shape(&self, fit: &Fit, start: Shape) -> Shape {
+        let gain = |shape: &Shape| {
+            let placed = self.placed(*shape);
+            gain_of(&placed, fit)
+        };
+        let range = self.table.space.range(start.variable);
+        let span = range.1 - range.0;
+        let mut best = (start, gain(&start));
+        let mut step = match start.profile {
+            Profile::Bump { width, .. } => 0.5 * width,
+            Profile::Plateau { .. } => 0.04 * span,
+            Profile::Kink { .. } => 0.05 * span,
+            Profile::Periodic { .. } if span > 0.0 => 0.2 * std::f64::consts::TAU / span,
+            _ => return start,
+        };
+        for _ in 0..6 {
+            for (first, second) in [(step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step)] {
+                let Some(profile) = moved(best.0.profile, first, second) else {
+                    continue;
+                };
+                let shape = Shape { profile, ..best.0 };
+                let value = gain(&shape);
+                if value > best.1 {
+                    best = (shape, value);
+                }
+            }
+            step *= 0.6;
+        }
+        best.0
+    }
+}
+
+/// A profile with its two settings moved; `None` where it makes no sense any more.
+fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
+    match profile {
+        Profile::Bump { centre, width } => {
+            let width = width + 0.6 * second;
+            (width > 0.0).then_some(Profile::Bump {
+                centre: centre + first,
+                width,
+            })
+        }
+        Profile::Plateau { from, to } => {
+            let (from, to) = (from + first, to + second);
+            (from < to).then_some(Profile::Plateau { from, to })
+        }
+        Profile::Kink { at, below } => (second == 0.0).then_some(Profile::Kink {
+            at: at + first,
+            below,
+        }),
+        Profile::Periodic { cycles, harmonics } => (second == 0.0 && cycles + first > 0.0)
+            .then_some(Profile::Periodic {
+                cycles: cycles + first,
+                harmonics,
+            }),
+        _ => None,
+    }
+}
+
+/// By how much a shape would lower the sum of squares of a fit.
+fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
+    let along = fit.basis.q.tr_mul(&placed.white);
+    let mut own = placed.white.clone();
+    own.gemm(-1.0, &fit.basis.q, &along, 1.0);
+    let basis = Basis::new(&own);
+    basis.q.tr_mul(&fit.residual).norm_squared()
+}

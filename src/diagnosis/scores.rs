@@ -1,0 +1,181 @@
+//! What each candidate would do beside a fit.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::{Form, Term};
+use crate::linear::{Basis, small_cholesky, small_gain};
+
+use super::candidates::{Candidate, What};
+use super::columns::Among;
+use super::evidence::{PRICE_OF_A_NAME, choices, price_of, subsets};
+use super::projected::{Grams, Projected};
+use super::regression::{Fit, Regression, lengthened};
+
+/// What one candidate would do beside a fit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Score {
+    pub(crate) candidate: usize,
+    /// By how much the sum of squares would fall.
+    pub(crate) gain: f64,
+    /// −ln p, less what the settings tried cost: the scale of the family-wise test.
+    pub(crate) minus_ln_p: f64,
+    /// Change of the logarithm of the evidence.
+    pub(crate) ln_odds: f64,
+}
+
+/// By how much a candidate lowers the sum of squares.
+struct Gain {
+    all: f64,
+    rank: usize,
+    /// The same for some of a vector's components alone: how many, and how much.
+    parts: Vec<(usize, f64)>,
+}
+
+impl Regression<'_> {
+    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    pub(crate) fn scan(&self, fit: &Fit, among: Among) -> Vec<Score> {
+        let beside = |among: Among| self.scan_beside(&self.projected(&fit.basis, among), fit);
+        match among {
+            Among::Names => self.scores_of_names.of(fit, || beside(Among::Names)),
+            Among::Shapes => self.scores_of_shapes.of(fit, || beside(Among::Shapes)),
+            Among::All => {
+                let mut all = self.scan(fit, Among::Names);
+                all.extend(self.scan(fit, Among::Shapes));
+                all
+            }
+        }
+    }
+
+    /// The same with the table projected already.
+    fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
+        let pulls = projected.pulls(&fit.residual);
+        let m = self.m();
+        let freedom = m - fit.basis.rank() as f64;
+        let total = self.rounded(fit.rss);
+        let mut scores = Vec::new();
+        let candidates = self.table.candidates.iter().enumerate();
+        for (index, candidate) in candidates.filter(|c| projected.has(c.1)) {
+            let Some(Gain {
+                all: gain,
+                rank,
+                parts,
+            }) = Self::gain(projected, candidate, &pulls)
+            else {
+                continue;
+            };
+            let nu = freedom - rank as f64;
+            if nu < 2.0 {
+                continue;
+            }
+            let test = self.tests.of(rank, nu);
+            let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
+            let worth = |gain: f64, rank: usize| {
+                let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
+                -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln()
+            };
+            let best_part = parts
+                .iter()
+                .map(|(size, gain)| worth(*gain, *size) - choices(rank, *size))
+                .fold(worth(gain, rank), f64::max);
+            scores.push(Score {
+                candidate: index,
+                gain,
+                minus_ln_p: test.of(r2) - weight_of(candidate),
+                ln_odds: best_part
+                    - candidate.tried.max(1.0).ln()
+                    - match &candidate.what {
+                        What::Named(_) => PRICE_OF_A_NAME,
+                        What::Anonymous(shape) => price_of(shape),
+                    },
+            });
+        }
+        scores
+    }
+
+    /// The table's columns without what a basis explains.
+    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis, among: Among) -> Projected<'r> {
+        let (columns, filter) = (&self.table.columns, &self.filter);
+        let make = || Grams::new(columns, filter, &self.table.candidates);
+        let table = (columns, filter, self.grams.get_or_init(make));
+        let along = self.of_base().along(columns, filter, basis, among);
+        Projected::new(table, basis, along, among)
+    }
+
+    /// By how much a term that is absent so far would lower the sum of squares of a fit.
+    pub(crate) fn gain_of_term(&self, fit: &Fit, term: &Term) -> f64 {
+        let absent = Term::absent(term.effect, term.joint, term.setting);
+        let model = fit.model.with_term(absent.clone());
+        let before = model.terms().iter().take_while(|t| !t.same_column(&absent));
+        let first: usize = before.map(|t| t.coefficients.len()).sum();
+        let (_, columns) = self.rows.extract(&model);
+        let own = columns
+            .columns(first, absent.coefficients.len())
+            .into_owned();
+        let white = lengthened(self.noise.whitened(&self.rows, &own), self.beside);
+        let along = fit.basis.q.tr_mul(&white);
+        let mut free = white;
+        free.gemm(-1.0, &fit.basis.q, &along, 1.0);
+        Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
+    }
+
+    /// Whitened columns of some candidates, with the rows of the priors.
+    pub(crate) fn white_columns(&self, candidates: &[&Candidate]) -> DMatrix<f64> {
+        let width = candidates.iter().map(|c| c.size).sum();
+        let mut raw = DMatrix::zeros(self.rows.len(), width);
+        let mut at = 0;
+        for candidate in candidates {
+            let own = self.table.columns.raw(candidate.first, candidate.size);
+            raw.columns_mut(at, candidate.size).copy_from(&own);
+            at += candidate.size;
+        }
+        self.filter.whiten(raw.as_mut_slice());
+        lengthened(raw, self.beside)
+    }
+
+    /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
+    /// where it would have to be negative and cannot.
+    fn gain(projected: &Projected, candidate: &Candidate, pulls: &DVector<f64>) -> Option<Gain> {
+        let k = candidate.size;
+        let (factor, rank) = projected.factor(candidate);
+        if rank == 0 {
+            return None;
+        }
+        let pull = &pulls.as_slice()[candidate.first..candidate.first + k];
+        let about = candidate.what.term().map(|t| t.effect.about());
+        if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
+            return None;
+        }
+        let all = small_gain(&factor, k, &mut pull.to_vec());
+        let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
+        let mut parts = Vec::new();
+        if vector {
+            let gram = |i: usize, j: usize| -> f64 {
+                (0..=i.min(j))
+                    .map(|l| factor[i * k + l] * factor[j * k + l])
+                    .sum()
+            };
+            // All components of full rank are the whole, which is `all`; of a lower rank, as many as the
+            // rank may be any of them.
+            for kept in subsets(k).filter(|s| s.len() < rank || s.len() == rank && rank < k) {
+                let size = kept.len();
+                let mut own: Vec<f64> = (0..size * size)
+                    .map(|x| gram(kept[x / size], kept[x % size]))
+                    .collect();
+                let tolerance: Vec<f64> = (0..size).map(|i| 1e-9 * own[i * size + i]).collect();
+                if small_cholesky(&mut own, size, &tolerance) == size {
+                    let mut h: Vec<f64> = kept.iter().map(|i| pull[*i]).collect();
+                    parts.push((size, small_gain(&own, size, &mut h)));
+                }
+            }
+        }
+        Some(Gain { all, rank, parts })
+    }
+}
+
+/// What a candidate pays in the family-wise test for the settings of its kind: the square root of
+/// their number, so that plain effects keep power beside the hundreds of gear orders; shapes pay
+/// three times as much as names.
+pub(crate) fn weight_of(candidate: &Candidate) -> f64 {
+    let anonymous = if candidate.named() { 0.0 } else { 3.0_f64.ln() };
+    0.5 * candidate.tried.max(1.0).ln() + anonymous
+}
