@@ -6,7 +6,8 @@
 use super::about::{About, Form, Prior, Quantity, Role};
 use super::block::{Block, Turned};
 use super::units::Unit;
-use super::{Effect, Placed};
+use super::{Effect, Placed, Term};
+use crate::kinematics::{JointKind, Robot};
 
 pub(super) const ABOUT: About = About {
     id: "joint-zero-offset",
@@ -27,7 +28,22 @@ pub(super) const ABOUT: About = About {
     ..About::PLAIN
 };
 
-pub(super) static JOINT_ZERO_OFFSET: Effect = Effect::new(ABOUT, act);
+pub(super) static JOINT_ZERO_OFFSET: Effect = Effect {
+    remedy: Some(remedy),
+    ..Effect::new(ABOUT, act)
+};
+
+fn remedy(robot: &Robot, term: &Term) -> String {
+    let kind = robot.joints[term.joint].kind;
+    let beyond = kind.outer(term.coefficients[0]);
+    let unit = match kind {
+        JointKind::Revolute => "°",
+        JointKind::Prismatic => " mm",
+    };
+    format!(
+        "the joint stands {beyond:+.4}{unit} beyond its command: correct its zero in the controller, or home it again"
+    )
+}
 
 fn act(me: &Placed, block: &mut Block) {
     let offset = me.coefficients[0];

@@ -6,7 +6,7 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Question;
 use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::Subject;
-use crate::gui::core::overview::readable;
+use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::numeric::Ascending;
 
@@ -29,8 +29,8 @@ pub(crate) struct After {
     pub(crate) remainder: Arc<Remainder>,
     /// Ascending of what is left.
     pub(crate) lengths: Ascending,
-    /// The magnification at which what is left can be read.
-    pub(crate) readable: f64,
+    /// What decides at which magnification what is left can be read.
+    pub(crate) readable: Readable,
 }
 
 impl After {
@@ -39,7 +39,7 @@ impl After {
         Self {
             remainder: Arc::new(remainder),
             lengths: Ascending::new(&answer.lengths_mm),
-            readable: readable(subject.overview.radius_mm, &answer.lengths_mm),
+            readable: Readable::new(subject.overview.radius_mm, &answer.lengths_mm),
         }
     }
 }

@@ -28,7 +28,7 @@ pub(crate) struct Overview {
     /// Ascending of the deviations before.
     pub(crate) lengths: Ascending,
     /// The magnification at which the deviations before can be read.
-    pub(crate) readable: f64,
+    pub(crate) readable: Readable,
     /// Size of the workspace, mm.
     pub(crate) reach_mm: f64,
     /// From its middle to its edge, mm.
@@ -68,7 +68,7 @@ impl Overview {
             measured_mm,
             robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
             lengths: Ascending::new(lengths_mm),
-            readable: readable(radius_mm, lengths_mm),
+            readable: Readable::new(radius_mm, lengths_mm),
             reach_mm,
             radius_mm,
             usable,
@@ -94,31 +94,55 @@ fn extent(column: &[f64], usable: &[u32]) -> [f64; 2] {
 /// The part of the workspace's radius that a long deviation is drawn over.
 const LONG: f64 = 0.32;
 
-/// The part that the median one is drawn over: 25 points where the whole workspace is drawn on 310, as in a
-/// window of 1280 × 800.
-const USUAL: f64 = 0.16;
-/// The part over which the longer ones are drawn at most.
+/// The median one is drawn so long, points …
+const USUAL_POINTS: f64 = 25.0;
+/// … in a large plot longer, so that it is no less than this part of the radius: it would be lost there.
+const LEAST: f64 = 0.1;
+/// The part of the radius over which the longer ones are drawn at most.
 const LONGEST: f64 = 0.4;
 
-/// The magnification at which these deviations can be read: the median one is 20 to 30 points long where
-/// the whole workspace is in sight, and nine of ten stay within it.
-pub(crate) fn readable(radius_mm: f64, lengths_mm: &[f64]) -> f64 {
-    let step = stride(lengths_mm.len(), MOST_ARROWS);
-    let some = lengths_mm.iter().copied().step_by(step);
-    let mut some: Vec<f64> = some.filter(|l| l.is_finite()).collect();
-    if some.is_empty() {
-        return 1.0;
+/// The workspace is drawn over so many points where nothing is known of the plot: in a window of 1280 × 800.
+pub(crate) const ROOM: f64 = 310.0;
+
+/// What decides at which magnification deviations can be read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Readable {
+    radius_mm: f64,
+    median_mm: f64,
+    /// Nine of ten are shorter.
+    long_mm: f64,
+}
+
+impl Readable {
+    /// Of these deviations in a workspace of this radius.
+    pub(crate) fn new(radius_mm: f64, lengths_mm: &[f64]) -> Self {
+        let step = stride(lengths_mm.len(), MOST_ARROWS);
+        let some = lengths_mm.iter().copied().step_by(step);
+        let mut some: Vec<f64> = some.filter(|l| l.is_finite()).collect();
+        // One sample that is far off must not shrink all others.
+        let mut of_rank = |tenths: usize| {
+            let place = some.len().checked_sub(1).map(|last| last * tenths / 10);
+            place.map_or(0.0, |place| {
+                *some.select_nth_unstable_by(place, f64::total_cmp).1
+            })
+        };
+        Self {
+            radius_mm,
+            median_mm: of_rank(5),
+            long_mm: of_rank(9),
+        }
     }
-    // One sample that is far off must not shrink all others.
-    let mut of_rank = |tenths: usize| {
-        let place = (some.len() - 1) * tenths / 10;
-        *some.select_nth_unstable_by(place, f64::total_cmp).1
-    };
-    let (median, long) = (of_rank(5), of_rank(9));
-    if long < 1e-9 {
-        return 1.0;
+
+    /// The magnification at which the median one is some 25 points long where the workspace is drawn over
+    /// `room` points, and nine of ten stay within it.
+    pub(crate) fn magnification(&self, room: f64) -> f64 {
+        if self.long_mm < 1e-9 {
+            return 1.0;
+        }
+        let part = f64::max(2.0 * USUAL_POINTS / room, LEAST);
+        let usual = part / self.median_mm.max(1e-12);
+        round(f64::min(usual, LONGEST / self.long_mm) * self.radius_mm)
     }
-    round(f64::min(USUAL / median.max(1e-12), LONGEST / long) * radius_mm)
 }
 
 /// The deviation that is drawn long at this magnification, mm: the upper end of colour scales, so
@@ -133,18 +157,24 @@ mod tests {
 
     #[test]
     fn vectors_are_magnified_by_a_round_number_that_shows_the_longer_ones() {
-        assert_eq!(readable(250.0, &[13.8; 30]), 3.0);
-        assert_eq!(readable(250.0, &[0.05; 30]), 800.0);
+        let at = |lengths: &[f64], room| Readable::new(250.0, lengths).magnification(room);
+        assert_eq!(at(&[13.8; 30], ROOM), 3.0);
+        assert_eq!(at(&[0.05; 30], ROOM), 800.0);
         // A part of them that is long stays within the workspace.
         let mixed: Vec<f64> = (0..30)
             .map(|k| if k % 5 == 0 { 5.0 } else { 0.1 })
             .collect();
-        assert_eq!(readable(250.0, &mixed), 20.0);
+        assert_eq!(at(&mixed, ROOM), 20.0);
         let exact: Vec<f64> = (0..30)
             .map(|k| if k % 5 == 0 { 5.0 } else { 0.0 })
             .collect();
-        assert_eq!(readable(250.0, &exact), 20.0);
-        assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
-        assert_eq!(readable(250.0, &[]), 1.0);
+        assert_eq!(at(&exact, ROOM), 20.0);
+        assert_eq!(at(&[f64::NAN, 0.0], ROOM), 1.0);
+        assert_eq!(at(&[], ROOM), 1.0);
+        // Half the room: twice as much, as far as the longer ones allow.
+        assert_eq!(at(&[0.05; 30], 0.5 * ROOM), 1500.0);
+        assert_eq!(at(&mixed, 0.5 * ROOM), 20.0);
+        // In a large plot a tenth of the radius.
+        assert_eq!(at(&[0.05; 30], 5.0 * ROOM), 500.0);
     }
 }

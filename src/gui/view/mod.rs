@@ -20,6 +20,7 @@ use std::path::PathBuf;
 use crate::gui::core::boundary_entry::Typed;
 use crate::gui::core::disk::Fate;
 use crate::gui::core::loaded_session::Component;
+use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::preferences::Preferences;
 
@@ -126,6 +127,8 @@ pub(crate) struct ViewState {
     pub(crate) pose: Option<Vec<f64>>,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
+    /// The workspace is drawn over so many points where all of it is in sight.
+    pub(crate) room: f64,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
     /// What the colour of error vectors says.
@@ -203,6 +206,7 @@ impl Default for ViewState {
             camera: Camera::default(),
             pose: None,
             magnification: None,
+            room: ROOM,
             blend: 1.0,
             colouring: Colouring::default(),
             heat: false,

@@ -257,12 +257,13 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             let after = answer.identification.gap.after.rms_mm;
             widgets::fact_of(ui, "export-model-and-measurement", units.length(after));
         }
-        if made.gap.is_some() {
+        // A robot's description carries what joint commands cannot correct.
+        if made.export.robot.is_some() {
+            return;
+        }
+        if let Some(gap) = made.gap {
             widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
-            if made
-                .gap
-                .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)
-            {
+            if gap.rms_mm < made.remainder.rms_mm {
                 let says = say!("export-the-model-says-that-more");
                 widgets::hint(ui, says);
             }

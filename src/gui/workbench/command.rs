@@ -158,6 +158,8 @@ pub(crate) enum Command {
     LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
+    /// The workspace is drawn over so many points where all of it is in sight.
+    Room(f64),
     /// From before, 0, to after, 1.
     Blend(f32),
     /// Let the colour of error vectors say this.

@@ -285,6 +285,7 @@ impl Workbench {
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
+            Command::Room(points) if points.is_finite() => view.room = points.clamp(20.0, 1e5),
             Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
             Command::Colour(colouring) => view.colouring = colouring,
             Command::Heat(shown) => view.heat = shown,

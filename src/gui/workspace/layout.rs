@@ -55,6 +55,12 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
     [low.map(|v| v - margin), high.map(|v| v + margin)]
 }
 
+/// Points for each mm where a plot of this size shows all of it.
+pub(crate) fn fitted([low, high]: [[f64; 2]; 2], size: [f64; 2]) -> f64 {
+    let side = |k: usize| size[k] / (high[k] - low[k]).max(1e-9);
+    f64::min(side(0), side(1))
+}
+
 /// The corners of a sector as quadrilaterals, mm.
 pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
     let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)

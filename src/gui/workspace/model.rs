@@ -223,9 +223,10 @@ pub(crate) fn readable(workbench: &Workbench) -> f64 {
     let left = workbench
         .after()
         .filter(|_| workbench.found_base().is_some());
-    left.map_or(workbench.subject().overview.readable, |after| {
+    let readable = left.map_or(workbench.subject().overview.readable, |after| {
         after.readable
-    })
+    });
+    readable.magnification(workbench.view().room)
 }
 
 /// The deviation that is shown of a sample, mm: e = before + t (after − before).
@@ -297,7 +298,7 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     match workbench.after() {
         Some(after) if view.heat && view.magnification.is_none() => {
             let t = f64::from(view.blend);
-            before + t * (long_mm(radius_mm, after.readable) - before)
+            before + t * (long_mm(radius_mm, after.readable.magnification(view.room)) - before)
         }
         _ => before,
     }

@@ -320,7 +320,8 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     };
     let subject = workbench.subject();
-    let (before, left) = (subject.overview.readable, after.readable);
+    let room = workbench.view().room;
+    let [before, left] = [subject.overview.readable, after.readable].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
     let says = say!("toolbar-how-long-vectors-are-drawn");
     caption(ui, say!("toolbar-scale")).on_hover_text(says);

@@ -439,6 +439,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         107..=112 => Command::GoTo(pick(random, &Step::ALL)),
         113 | 114 => Command::Look(pick(random, &Plane::ALL)),
         115 => Command::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
+        116 if random.random() => Command::Room(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300])),
         116 => Command::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
         117 => Command::Colour(pick(random, &Colouring::ALL)),
         118 => Command::Heat(random.random()),

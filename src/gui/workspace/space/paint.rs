@@ -10,13 +10,14 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{CloudLayer, Frame, Layer, SpaceLayer};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::view::{Ball, Canvas, Facing};
+use crate::gui::view::{Ball, Camera, Canvas, Facing};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::trimmed;
 
 use super::super::drawn::{arrows, emphasis, path, points, ring};
 use super::super::model::{Scene, ball};
 use super::super::notes::Notes;
+use super::super::paint::tell_room;
 use super::super::pointer::{REACH, hover, marked};
 use super::super::robot::{self, Drawn, FAINT};
 use super::super::{label_layout, layout, legend};
@@ -24,6 +25,9 @@ use super::ground::{Triad, frame, grid, square_mm};
 use super::robot::Pen;
 use super::surface::Face;
 use super::{joints, looking, pick, surface};
+
+/// A direction in space is drawn so much shorter on average.
+const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Width of the sliders that pose the robot, points.
 const SLIDERS: f32 = 176.0;
@@ -45,6 +49,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let space = Space::new(workbench, rect);
     let transform = &space.transform;
+    let whole = Camera {
+        zoom: 1.0,
+        ..workbench.view().camera
+    };
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let seen = FORESHORTENED * whole.points_per_mm(&space.ball, size);
+    tell_room(workbench, seen, commands);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
