@@ -173,7 +173,7 @@ impl<'p> Field<'p> {
     /// them.
     pub(crate) fn comparison(&self, truth: &Model, other: &Model, enough: f64) -> Comparison {
         let seen = self.predictions(truth, other);
-        Comparison::new(seen, &self.gram(other), enough)
+        Comparison::new(&seen, &self.gram(other), enough)
     }
 
     /// The same where `truth` was there already while the samples were measured, and `other` was fitted to
@@ -192,7 +192,7 @@ impl<'p> Field<'p> {
         let white = noise.whitened(rows, &columns);
         let known = white.tr_mul(&white) * weight;
         let seen = self.predictions(truth, other);
-        let mut comparison = Comparison::new(seen, &known, enough);
+        let mut comparison = Comparison::new(&seen, &known, enough);
         let pull = white.tr_mul(&difference) * weight;
         let at_first = &comparison.information.covariance * &pull;
         let explained = at_first.dot(&pull);
@@ -275,8 +275,8 @@ pub(crate) struct Comparison {
 
 impl Comparison {
     /// `gram` is that of the refitted model's columns over what was measured already.
-    pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, enough: f64) -> Self {
-        let covariance = covariance_of(gram, &predictions);
+    pub(crate) fn new(predictions: &[Prediction], gram: &DMatrix<f64>, enough: f64) -> Self {
+        let covariance = covariance_of(gram, predictions);
         let mut first = vec![0];
         first.extend(predictions.iter().scan(0, |end, one| {
             *end += one.difference.len();
@@ -398,7 +398,7 @@ mod tests {
     fn delta_is_what_a_least_squares_refit_leaves() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
         let known = DMatrix::from_element(1, 1, 4.0);
-        let mut comparison = Comparison::new(predictions_of(&rows), &known, 1.0);
+        let mut comparison = Comparison::new(&predictions_of(&rows), &known, 1.0);
         let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
             let gain = comparison.gain(k);
@@ -420,7 +420,7 @@ mod tests {
     #[test]
     fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
         let rows = [(3.0, 1.0), (6.0, 2.0)];
-        let comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
+        let comparison = Comparison::new(&predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
         let mut parting = Parting::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
         let delta = parting.comparisons[0].delta();

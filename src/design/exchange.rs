@@ -13,7 +13,7 @@
 //! (Fedorov 1972; Cook & Nachtsheim 1980). Both ways C and all J C Jᵀ change by as many ranks as a
 //! pose has rows, and nothing is inverted anew.
 
-use nalgebra::DMatrix;
+use nalgebra::{Cholesky, DMatrix};
 
 /// What poses are worth.
 pub(crate) trait Criterion {
@@ -108,7 +108,7 @@ impl Information {
         let innovation = DMatrix::from_fn(size, size, |i, j| {
             f64::from(u8::from(i == j)) + sign * self.spread[(first + i, j)]
         });
-        innovation.cholesky().map(|factor| factor.unpack())
+        innovation.cholesky().map(Cholesky::unpack)
     }
 
     /// What a candidate would add, whether it is taken or not.

@@ -144,75 +144,31 @@ impl Folds {
                 rows: DVector::zeros(regression.rows.len()),
             };
         }
-        let (raw_residual, raw_columns) = regression.raw(&fit.model);
-        let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
-        let own = raw_columns.ncols();
-        let width = own + fit.shapes.iter().map(|s| s.raw.ncols()).sum::<usize>();
-        let mut raw = DMatrix::zeros(regression.rows.len(), width);
-        raw.columns_mut(0, own).copy_from(&raw_columns);
-        let mut at = own;
-        for shape in &fit.shapes {
-            raw.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
-            at += shape.raw.ncols();
-        }
-        let mut white = DMatrix::zeros(regression.height(), width);
-        white.columns_mut(0, own).copy_from(&own_white);
-        let mut at = own;
-        for shape in &fit.shapes {
-            white
-                .columns_mut(at, shape.white.ncols())
-                .copy_from(&shape.white);
-            at += shape.white.ncols();
-        }
+        let all = Whitened::of(regression, fit);
         let scanned = scanned_terms(regression, fit);
-        let whole = Whole::new(&scanned, &white, &residual);
+        let whole = Whole::new(&scanned, &all);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
         for fold in 0..self.count {
             let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
-            let mut keep = |row: usize, e: f64| {
+            let anew;
+            let (of_fold, step) = if let Some(step) = whole.without(&unseen, &all.residual) {
+                (&all, step)
+            } else {
+                let seen = |row: &usize| *row >= rows || self.fold[row % n] != fold;
+                let seen: Vec<usize> = (0..regression.height()).filter(seen).collect();
+                let (fitted, step) = all.fitted_anew(regression, &scanned, &seen);
+                anew = fitted;
+                (&anew, step)
+            };
+            for row in unseen {
+                let e = of_fold.raw_residual[row] - of_fold.raw.row(row).tr_dot(&step);
                 let mm = regression.rows.mm(row) * e;
                 left[row] = e;
                 sum += e * e;
                 sum_mm += mm * mm;
-            };
-            if let Some(step) = whole.without(&unseen, &residual) {
-                for row in unseen {
-                    keep(row, raw_residual[row] - raw.row(row).tr_dot(&step));
-                }
-                continue;
-            }
-            let seen: Vec<usize> = (0..regression.height())
-                .filter(|row| *row >= rows || self.fold[row % n] != fold)
-                .collect();
-            let mut fold_white = white.select_rows(&seen);
-            let mut fold_raw = raw.clone();
-            let mut fold_residual = residual.select_rows(&seen);
-            let mut fold_raw_residual = raw_residual.clone();
-            let mut others = None;
-            for term in &scanned {
-                others = Some(term.rescan(
-                    regression,
-                    &seen,
-                    &mut fold_white,
-                    &mut fold_raw,
-                    &mut fold_residual,
-                    &mut fold_raw_residual,
-                ));
-            }
-            // The columns beside the term that was scanned last are orthonormal already.
-            let basis = match others {
-                Some((others, places)) => Basis::extending(&others, &places, &fold_white),
-                None => Basis::new(&fold_white),
-            };
-            let step = basis.solve(&fold_residual);
-            for row in unseen {
-                keep(
-                    row,
-                    fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step),
-                );
             }
         }
         let lengths = regression.rows.lengths();
@@ -221,6 +177,62 @@ impl Folds {
             rms_mm: (sum_mm / lengths as f64).sqrt(),
             rows: left,
         }
+    }
+}
+
+/// Residuals and columns of a fit, its shapes at the end, whitened and as they are.
+struct Whitened {
+    residual: DVector<f64>,
+    white: DMatrix<f64>,
+    raw_residual: DVector<f64>,
+    raw: DMatrix<f64>,
+}
+
+impl Whitened {
+    fn of(regression: &Regression, fit: &Fit) -> Self {
+        let (raw_residual, mut raw) = regression.raw(&fit.model);
+        let (residual, mut white) = regression.whitened(&fit.model, &raw_residual, &raw);
+        for shape in &fit.shapes {
+            for (all, own) in [(&mut raw, &shape.raw), (&mut white, &shape.white)] {
+                let at = all.ncols();
+                let wider = std::mem::take(all).resize_horizontally(at + own.ncols(), 0.0);
+                *all = wider;
+                all.columns_mut(at, own.ncols()).copy_from(own);
+            }
+        }
+        Self {
+            residual,
+            white,
+            raw_residual,
+            raw,
+        }
+    }
+
+    /// With the whitened rows that are seen alone, every scanned term at the setting that they like best,
+    /// and the step of the fit to them.
+    fn fitted_anew(
+        &self,
+        regression: &Regression,
+        scanned: &[Scanned],
+        seen: &[usize],
+    ) -> (Self, DVector<f64>) {
+        let mut own = Self {
+            residual: self.residual.select_rows(seen),
+            white: self.white.select_rows(seen),
+            raw_residual: self.raw_residual.clone(),
+            raw: self.raw.clone(),
+        };
+        let mut others = None;
+        for term in scanned {
+            others = Some(term.rescan(regression, seen, &mut own));
+        }
+        // The columns beside the term that was scanned last are orthonormal already.
+        let basis = match others {
+            Some((others, places)) => Basis::extending(&others, &places, &own.white),
+            None => Basis::new(&own.white),
+        };
+        let step = basis.solve(&own.residual);
+        (own, step)
     }
 }
 
@@ -289,7 +301,12 @@ struct Beside {
 const BETTER: f64 = 1e-9;
 
 impl Whole {
-    fn new(scanned: &[Scanned], white: &DMatrix<f64>, residual: &DVector<f64>) -> Self {
+    fn new(
+        scanned: &[Scanned],
+        Whitened {
+            residual, white, ..
+        }: &Whitened,
+    ) -> Self {
         let mut basis = None;
         let mut terms = Vec::with_capacity(scanned.len());
         for term in scanned {
@@ -342,19 +359,16 @@ impl Scanned {
         &self,
         regression: &Regression,
         seen: &[usize],
-        white: &mut DMatrix<f64>,
-        raw: &mut DMatrix<f64>,
-        residual: &mut DVector<f64>,
-        raw_residual: &mut DVector<f64>,
+        rows: &mut Whitened,
     ) -> (Rc<Basis>, Vec<usize>) {
         // Residual and columns without the term.
-        let put_back = white.columns(self.first, self.size) * &self.coefficients;
-        let without = &*residual + put_back;
-        let places = self.beside(white.ncols());
-        let others = Rc::new(Basis::new(&white.select_columns(&places)));
+        let put_back = rows.white.columns(self.first, self.size) * &self.coefficients;
+        let without = &rows.residual + put_back;
+        let places = self.beside(rows.white.ncols());
+        let others = Rc::new(Basis::new(&rows.white.select_columns(&places)));
         let left = others.reject(&without);
         let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
-        let now = white.columns(self.first, self.size).into_owned();
+        let now = rows.white.columns(self.first, self.size).into_owned();
         let of_now = beside(now, self.size).first().copied().unwrap_or(0.0);
         let mut best: Option<(f64, usize)> = None;
         let count = self.candidates.len();
@@ -372,15 +386,16 @@ impl Scanned {
             return (others, places);
         };
         let candidate = &regression.table.candidates[self.candidates[at]];
-        *residual = without;
-        let raw_back = raw.columns(self.first, self.size) * &self.coefficients;
-        *raw_residual += raw_back;
+        rows.residual = without;
+        let raw_back = rows.raw.columns(self.first, self.size) * &self.coefficients;
+        rows.raw_residual += raw_back;
         let own = self.white.columns(at * self.size, self.size);
-        white
+        let own = own.select_rows(seen);
+        rows.white
             .columns_mut(self.first, self.size)
-            .copy_from(&own.select_rows(seen));
+            .copy_from(&own);
         let own = regression.table.columns.raw(candidate.first, self.size);
-        raw.columns_mut(self.first, self.size).copy_from(&own);
+        rows.raw.columns_mut(self.first, self.size).copy_from(&own);
         (others, places)
     }
 }
