@@ -497,11 +497,14 @@ fn kurtosis(values: &DVector<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnosis::Options;
     use crate::diagnosis::candidates::What;
     use crate::diagnosis::columns::Gathering;
+    use crate::diagnosis::prepare::Prepared;
     use crate::diagnosis::projected::Grams;
     use crate::effects::{Term, joint_zero};
     use crate::fit::noise::Noise;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
 
     const ROWS: usize = 300;
 
@@ -566,5 +569,32 @@ mod tests {
         let far = tail.from + 12.0;
         let bound = TAIL * (tail.from - far).exp();
         assert!(tail.chance(far) <= bound && tail.chance(far) > 0.3 * bound);
+    }
+
+    #[test]
+    fn what_one_candidate_reaches_by_chance_needs_no_simulation() {
+        let stops: Vec<String> = (0..40)
+            .map(|k| format!(r#"{{"q_deg":[{}]}}"#, 7 * k - 140))
+            .collect();
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"noise","robot":{{"name":"r","joints":[
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}}],
+            "tool":{{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},"effects":[],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":4}}"#,
+            stops.join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let session = simulate(&scenario, 1, unwatched).unwrap().0;
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let base = regression.fit(&regression.base, Vec::new());
+        // e⁻⁵ alone is 0.007.
+        assert!(regression.reached_by_noise(5.0, 0.002, &base));
+        assert!(regression.familywise.borrow().null.is_empty());
+        // Simulations say the same, and the opposite of what is far beyond.
+        assert!(regression.family_p(5.0, &base).p > 0.007);
+        assert!(!regression.reached_by_noise(16.0, 0.002, &base));
+        assert!(!regression.familywise.borrow().null.is_empty());
     }
 }

@@ -18,6 +18,7 @@ mod paint;
 mod pointer;
 mod polar;
 mod robot;
+mod room;
 mod scales;
 mod space;
 mod toolbar;

@@ -14,10 +14,8 @@ use super::notes::Notes;
 use super::pointer::{REACH, hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
+use super::room::tell_room;
 use super::{handles, label_layout, layers, layout, legend, toolbar};
-
-/// The room has to be another by this share for vectors to be drawn for it.
-const ANOTHER: f64 = 0.03;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -46,15 +44,6 @@ fn around(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             });
             ui.allocate_space(ui.available_size());
         }
-    }
-}
-
-/// Says over how many points the workspace is drawn where all of it is in sight, if that is not known.
-pub(crate) fn tell_room(workbench: &Workbench, points_per_mm: f64, commands: &mut Vec<Command>) {
-    let room = 2.0 * workbench.subject().overview.radius_mm * points_per_mm;
-    let known = workbench.view().room;
-    if room.is_finite() && room > 0.0 && (room / known - 1.0).abs() > ANOTHER {
-        commands.push(Command::Room(room));
     }
 }
 
