@@ -218,10 +218,17 @@ mod tests {
     fn an_exchange_never_loses_and_ends_where_no_single_exchange_helps() {
         let (all, first) = rows(40, 5);
         let start = DMatrix::identity(5, 5) * 100.0;
-        let mut information = Information::new(all, first, start);
+        let mut information = Information::new(all.clone(), first, start);
         let mut order = choose(&mut information, 6);
         let greedy = information.covariance.determinant();
         exchange(&mut information, &mut order, 50);
+        // What is known is what the places that are taken tell, each once.
+        let mut whole = DMatrix::identity(5, 5) / 100.0;
+        for place in &order {
+            whole += all.rows(2 * place, 2).transpose() * all.rows(2 * place, 2);
+        }
+        let inverse = whole.try_inverse().expect("regular");
+        assert!((&information.covariance - inverse).norm() < 1e-6);
         assert!(information.covariance.determinant() <= greedy * (1.0 + 1e-9));
         for place in 0..order.len() {
             let mut without = information.clone();
