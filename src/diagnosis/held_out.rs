@@ -12,7 +12,7 @@ use crate::effects::Setting;
 
 use super::left_out::{Groups, LeftOut};
 use super::regression::{Fit, Regression};
-use crate::linear::{Basis, small_cholesky, small_gain};
+use crate::linear::Basis;
 use crate::sessions::cells::{cells, folds_of_groups};
 
 /// Which fold each sample of the rows is in.
@@ -222,15 +222,12 @@ impl Whitened {
             raw_residual: self.raw_residual.clone(),
             raw: self.raw.clone(),
         };
-        let mut others = None;
+        let mut last = None;
         for term in scanned {
-            others = Some(term.rescan(regression, seen, &mut own));
+            last = Some(term.rescan(regression, seen, &mut own));
         }
         // The columns beside the term that was scanned last are orthonormal already.
-        let basis = match others {
-            Some((others, places)) => Basis::extending(&others, &places, &own.white),
-            None => Basis::new(&own.white),
-        };
+        let basis = last.map_or_else(|| Basis::new(&own.white), |term| term.with_term(&own.white));
         let step = basis.solve(&own.residual);
         (own, step)
     }
@@ -291,132 +288,99 @@ struct Whole {
 /// A scanned term's candidates beside everything else.
 struct Beside {
     others: Rc<Basis>,
+    /// Where the others' columns stand.
+    places: Vec<usize>,
     /// The candidates' columns, and the term's own at the end.
     groups: Groups,
-    /// What the others leave with the term out.
+    /// What there is to explain with the term out.
     without_term: DVector<f64>,
 }
 
 /// A setting has to be better than the fit's by this share of its gain.
 const BETTER: f64 = 1e-9;
 
-impl Whole {
-    fn new(
-        scanned: &[Scanned],
-        Whitened {
-            residual, white, ..
-        }: &Whitened,
-    ) -> Self {
-        let mut basis = None;
-        let mut terms = Vec::with_capacity(scanned.len());
-        for term in scanned {
-            let places = term.beside(white.ncols());
-            let others = Rc::new(Basis::new(&white.select_columns(&places)));
-            let own = white.columns(term.first, term.size);
-            let without_term = residual + own * &term.coefficients;
-            let width = term.white.ncols();
-            let mut columns = term
-                .white
-                .clone()
-                .resize_horizontally(width + term.size, 0.0);
-            columns.columns_mut(width, term.size).copy_from(&own);
-            terms.push(Beside {
-                groups: Groups::new(columns, term.size, &others, &without_term),
-                without_term,
-                others: Rc::clone(&others),
-            });
-            basis = Some(Basis::extending(&others, &places, white));
-        }
+impl Beside {
+    /// Of these rows; `candidates` are the whitened columns of every setting in them.
+    fn new(term: &Scanned, rows: &Whitened, candidates: DMatrix<f64>) -> Self {
+        let own = rows.white.columns(term.first, term.size);
+        let others_at = |k: &usize| !(term.first..term.first + term.size).contains(k);
+        let places: Vec<usize> = (0..rows.white.ncols()).filter(others_at).collect();
+        let others = Rc::new(Basis::new(&rows.white.select_columns(&places)));
+        let without_term = &rows.residual + own * &term.coefficients;
+        let width = candidates.ncols();
+        let mut columns = candidates.resize_horizontally(width + term.size, 0.0);
+        columns.columns_mut(width, term.size).copy_from(&own);
         Self {
-            basis: basis.unwrap_or_else(|| Basis::new(white)),
-            terms,
+            groups: Groups::new(columns, term.size, &others, &without_term),
+            without_term,
+            others,
+            places,
         }
+    }
+
+    /// The setting that is better than the fit's in all rows but these; `Err` where the rest does not
+    /// tell the other columns.
+    fn better(&self, left_out: &[usize]) -> Result<Option<usize>, Untold> {
+        let rest = LeftOut::new(&self.others, left_out).ok_or(Untold)?;
+        let gains = rest.gains(&self.groups, &self.without_term);
+        let (own, candidates) = gains.split_last().ok_or(Untold)?;
+        let mut best = (own * (1.0 + BETTER), None);
+        for (k, gain) in candidates.iter().enumerate() {
+            if *gain > best.0 {
+                best = (*gain, Some(k));
+            }
+        }
+        Ok(best.1)
+    }
+
+    /// The basis of all columns, once the term's are as they are to be.
+    fn with_term(&self, white: &DMatrix<f64>) -> Basis {
+        Basis::extending(&self.others, &self.places, white)
+    }
+}
+
+/// The rows do not tell all columns.
+struct Untold;
+
+impl Whole {
+    fn new(scanned: &[Scanned], rows: &Whitened) -> Self {
+        let beside = |term: &Scanned| Beside::new(term, rows, term.white.clone());
+        let terms: Vec<Beside> = scanned.iter().map(beside).collect();
+        let last = terms.last();
+        let basis = last.map_or_else(
+            || Basis::new(&rows.white),
+            |term| term.with_term(&rows.white),
+        );
+        Self { basis, terms }
     }
 
     /// The step of a fit without these rows; `None` where one of the settings would be another there, or
     /// the other rows do not tell all columns.
     fn without(&self, rows: &[usize], residual: &DVector<f64>) -> Option<DVector<f64>> {
-        for term in &self.terms {
-            let gains = LeftOut::new(&term.others, rows)?.gains(&term.groups, &term.without_term);
-            let (own, candidates) = gains.split_last()?;
-            if candidates.iter().any(|gain| *gain > own * (1.0 + BETTER)) {
-                return None;
-            }
+        let stays = |term: &Beside| matches!(term.better(rows), Ok(None));
+        if !self.terms.iter().all(stays) {
+            return None;
         }
         Some(LeftOut::new(&self.basis, rows)?.solve(residual))
     }
 }
 
 impl Scanned {
-    /// All columns but the term's own.
-    fn beside(&self, columns: usize) -> Vec<usize> {
-        let own = self.first..self.first + self.size;
-        (0..columns).filter(|k| !own.contains(k)).collect()
-    }
-
     /// Exchanges the term's columns for those of the setting that the seen rows like best.
-    fn rescan(
-        &self,
-        regression: &Regression,
-        seen: &[usize],
-        rows: &mut Whitened,
-    ) -> (Rc<Basis>, Vec<usize>) {
-        // Residual and columns without the term.
-        let put_back = rows.white.columns(self.first, self.size) * &self.coefficients;
-        let without = &rows.residual + put_back;
-        let places = self.beside(rows.white.ncols());
-        let others = Rc::new(Basis::new(&rows.white.select_columns(&places)));
-        let left = others.reject(&without);
-        let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
-        let now = rows.white.columns(self.first, self.size).into_owned();
-        let of_now = beside(now, self.size).first().copied().unwrap_or(0.0);
-        let mut best: Option<(f64, usize)> = None;
-        let count = self.candidates.len();
-        for from in (0..count).step_by(AT_ONCE) {
-            let some = AT_ONCE.min(count - from);
-            let columns = self.white.columns(from * self.size, some * self.size);
-            let columns = columns.select_rows(seen);
-            for (k, value) in beside(columns, self.size).into_iter().enumerate() {
-                if value > best.map_or(of_now * (1.0 + BETTER), |b| b.0) {
-                    best = Some((value, from + k));
-                }
-            }
-        }
-        let Some((_, at)) = best else {
-            return (others, places);
+    fn rescan(&self, regression: &Regression, seen: &[usize], rows: &mut Whitened) -> Beside {
+        let beside = Beside::new(self, rows, self.white.select_rows(seen));
+        let Ok(Some(at)) = beside.better(&[]) else {
+            return beside;
         };
         let candidate = &regression.table.candidates[self.candidates[at]];
-        rows.residual = without;
+        rows.residual.copy_from(&beside.without_term);
         let raw_back = rows.raw.columns(self.first, self.size) * &self.coefficients;
         rows.raw_residual += raw_back;
-        let own = self.white.columns(at * self.size, self.size);
-        let own = own.select_rows(seen);
-        rows.white
-            .columns_mut(self.first, self.size)
-            .copy_from(&own);
-        let own = regression.table.columns.raw(candidate.first, self.size);
-        rows.raw.columns_mut(self.first, self.size).copy_from(&own);
-        (others, places)
+        let (first, size) = (self.first, self.size);
+        let own = self.white.columns(at * size, size).select_rows(seen);
+        rows.white.columns_mut(first, size).copy_from(&own);
+        let own = regression.table.columns.raw(candidate.first, size);
+        rows.raw.columns_mut(first, size).copy_from(&own);
+        beside
     }
-}
-
-/// Candidates that are projected at once.
-const AT_ONCE: usize = 64;
-
-/// By how much each group of `size` columns would lower the sum of squares of what a basis leaves.
-fn gains(beside: &Basis, left: &DVector<f64>, columns: &DMatrix<f64>, size: usize) -> Vec<f64> {
-    let along = beside.q.transpose() * columns;
-    let mut free = columns.clone();
-    free.gemm(-1.0, &beside.q, &along, 1.0);
-    let groups = (0..free.ncols()).step_by(size.max(1));
-    groups
-        .map(|first| {
-            let own = free.columns(first, size);
-            let mut gram: Vec<f64> = own.tr_mul(&own).iter().copied().collect();
-            let tolerance: Vec<f64> = (0..size).map(|i| 1e-12 * gram[i * size + i]).collect();
-            small_cholesky(&mut gram, size, &tolerance);
-            let mut pull: Vec<f64> = own.tr_mul(left).iter().copied().collect();
-            small_gain(&gram, size, &mut pull)
-        })
-        .collect()
 }
