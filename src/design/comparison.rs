@@ -169,15 +169,8 @@ impl<'p> Field<'p> {
         white.tr_mul(&white)
     }
 
-    /// `truth` against `other`, refitted to what the samples say already, and to nothing of `truth` in
-    /// them.
-    pub(crate) fn comparison(&self, truth: &Model, other: &Model, enough: f64) -> Comparison {
-        let seen = self.predictions(truth, other);
-        Comparison::new(&seen, &self.gram(other), enough)
-    }
-
-    /// The same where `truth` was there already while the samples were measured, and `other` was fitted to
-    /// what it made of them; the samples count so much.
+    /// `truth` against `other` where it was there already while the samples were measured, and `other` was
+    /// fitted to what it made of them; the samples count so much.
     pub(crate) fn comparison_from_the_start(
         &self,
         truth: &Model,
@@ -196,9 +189,10 @@ impl<'p> Field<'p> {
         let pull = white.tr_mul(&difference) * weight;
         let at_first = &comparison.information.covariance * &pull;
         let explained = at_first.dot(&pull);
-        comparison.delta = (difference.norm_squared() * weight - explained).max(0.0);
-        let shown = comparison.information.rows() * at_first;
-        comparison.left -= shown;
+        let shown = comparison.information.shown(&at_first);
+        let apart = &mut comparison.apart[0];
+        apart.delta = (difference.norm_squared() * weight - explained).max(0.0);
+        apart.left -= shown;
         comparison
     }
 }
@@ -223,6 +217,20 @@ impl Refit {
             risen: DVector::zeros(draws),
             predictions,
         }
+    }
+
+    /// Refitted to what others show, each with how far apart the two have to be. The differences of all are
+    /// from the same model.
+    pub(crate) fn comparison<'r>(
+        &'r self,
+        others: impl Iterator<Item = (&'r Self, f64)>,
+    ) -> Comparison {
+        let apart = others.map(|(other, enough)| {
+            let pairs = self.predictions.iter().zip(&other.predictions);
+            let differences: Vec<_> = pairs.map(|(a, b)| &a.difference - &b.difference).collect();
+            Apart::new(differences.iter(), enough)
+        });
+        Comparison::of(&self.predictions, self.covariance.clone(), apart.collect())
     }
 
     /// What a candidate leaves in every draw, and its covariance.
@@ -261,75 +269,106 @@ impl Refit {
     }
 }
 
-/// Two models, one of which is refitted to what the other shows at the candidates that are taken.
+/// A model that is refitted to what each of some others shows at the candidates that are taken. What it
+/// knows of itself is the same beside all of them.
 #[derive(Clone)]
 pub(crate) struct Comparison {
     /// What is known of the one that is refitted.
     information: Information,
-    /// What it leaves as it is fitted now, in the rows of all candidates.
+    pub(crate) apart: Vec<Apart>,
+}
+
+/// How far one of the others is from what is refitted.
+#[derive(Clone)]
+pub(crate) struct Apart {
+    /// What the refit leaves as it is now, in the rows of all candidates.
     left: DVector<f64>,
-    delta: f64,
+    pub(crate) delta: f64,
     /// How far apart the models have to be.
     pub(crate) enough: f64,
 }
 
-impl Comparison {
-    /// `gram` is that of the refitted model's columns over what was measured already.
-    pub(crate) fn new(predictions: &[Prediction], gram: &DMatrix<f64>, enough: f64) -> Self {
-        let covariance = covariance_of(gram, predictions);
-        let mut first = vec![0];
-        first.extend(predictions.iter().scan(0, |end, one| {
-            *end += one.difference.len();
-            Some(*end)
-        }));
-        let all = first[predictions.len()];
-        let mut rows = DMatrix::zeros(all, gram.ncols());
-        let mut left = DVector::zeros(all);
-        for (one, from) in predictions.iter().zip(&first) {
-            let size = one.difference.len();
-            rows.rows_mut(*from, size).copy_from(&one.columns);
-            left.rows_mut(*from, size).copy_from(&one.difference);
-        }
+impl Apart {
+    /// Of what another model shows as compared with the one that is refitted.
+    fn new<'d>(differences: impl Iterator<Item = &'d DVector<f64>>, enough: f64) -> Self {
+        let left: Vec<f64> = differences.flat_map(|d| d.iter().copied()).collect();
         Self {
-            information: Information::new(rows, first, covariance),
-            left,
+            left: left.into(),
             delta: 0.0,
             enough,
         }
     }
 
-    /// How far apart the models are so far.
-    pub(crate) fn delta(&self) -> f64 {
-        self.delta
+    /// Whether the odds will do.
+    pub(crate) fn decided(&self) -> bool {
+        self.delta >= self.enough
     }
 
-    /// What a candidate leaves, in independent units of what it is known to.
-    fn white(&self, candidate: usize, root: &DMatrix<f64>) -> Option<DVector<f64>> {
+    /// How much of what is needed there is.
+    pub(crate) fn share(&self) -> f64 {
+        (self.delta / self.enough).min(1.0)
+    }
+}
+
+impl Comparison {
+    /// Against one other model; `gram` is that of the refitted model's columns over what was measured
+    /// already.
+    pub(crate) fn new(predictions: &[Prediction], gram: &DMatrix<f64>, enough: f64) -> Self {
+        let differences = predictions.iter().map(|one| &one.difference);
+        let apart = vec![Apart::new(differences, enough)];
+        Self::of(predictions, covariance_of(gram, predictions), apart)
+    }
+
+    fn of(predictions: &[Prediction], covariance: DMatrix<f64>, apart: Vec<Apart>) -> Self {
+        let mut first = vec![0];
+        first.extend(predictions.iter().scan(0, |end, one| {
+            *end += one.columns.nrows();
+            Some(*end)
+        }));
+        let mut rows = DMatrix::zeros(first[predictions.len()], covariance.ncols());
+        for (one, from) in predictions.iter().zip(&first) {
+            rows.rows_mut(*from, one.columns.nrows())
+                .copy_from(&one.columns);
+        }
+        Self {
+            information: Information::new(&rows, first, covariance),
+            apart,
+        }
+    }
+
+    /// Sum over the other models of what one pose more is worth; `worth` is told by how much it would part
+    /// each.
+    pub(crate) fn worth(&self, candidate: usize, worth: impl Fn(&Apart, f64) -> f64) -> f64 {
+        let Some(root) = self.information.innovation(candidate, 1.0) else {
+            return 0.0;
+        };
+        let of = |one| worth(one, self.gain(one, candidate, &root));
+        self.apart.iter().map(of).sum()
+    }
+
+    fn gain(&self, one: &Apart, candidate: usize, root: &DMatrix<f64>) -> f64 {
         let (first, size) = self.information.place(candidate);
-        root.solve_lower_triangular(&self.left.rows(first, size))
-    }
-
-    /// By how much one pose more would part the models.
-    pub(crate) fn gain(&self, candidate: usize) -> f64 {
-        let root = self.information.innovation(candidate, 1.0);
-        let white = root.and_then(|root| self.white(candidate, &root));
+        // What the candidate leaves, in independent units of what it is known to.
+        let white = root.solve_lower_triangular(&one.left.rows(first, size));
         white.map_or(0.0, |white| white.norm_squared())
     }
 
     /// Measures a pose.
     pub(crate) fn take(&mut self, candidate: usize) {
+        let (first, size) = self.information.place(candidate);
         let update = self.information.update(candidate, 1.0);
         let Some((root, moved)) = update else { return };
-        let Some(white) = self.white(candidate, &root) else {
-            return;
-        };
-        self.delta += white.norm_squared();
-        self.left.gemv(-1.0, &moved, &white, 1.0);
+        for one in &mut self.apart {
+            let white = root.solve_lower_triangular(&one.left.rows(first, size));
+            let Some(white) = white else { continue };
+            one.delta += white.norm_squared();
+            one.left.gemv(-1.0, &moved, &white, 1.0);
+        }
     }
 
     /// Whether the odds will do.
     pub(crate) fn decided(&self) -> bool {
-        self.delta() >= self.enough
+        self.apart.iter().all(Apart::decided)
     }
 }
 
@@ -401,10 +440,10 @@ mod tests {
         let mut comparison = Comparison::new(&predictions_of(&rows), &known, 1.0);
         let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
-            let gain = comparison.gain(k);
-            let before = comparison.delta();
+            let gain = comparison.worth(k, |_, gain| gain);
+            let before = comparison.apart[0].delta;
             comparison.take(k);
-            assert!((comparison.delta() - before - gain).abs() < 1e-9);
+            assert!((comparison.apart[0].delta - before - gain).abs() < 1e-9);
             // In the second draw twice the difference is measured.
             let measured = DMatrix::from_row_slice(1, 2, &[0.0, rows[k].0]);
             refit.take(k, Some(&measured));
@@ -412,7 +451,7 @@ mod tests {
         // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
         let expected = 14.0 - 4.0 / 7.0;
         let [once, twice] = [refit.risen[0], refit.risen[1]];
-        assert!((comparison.delta() - expected).abs() < 1e-6);
+        assert!((comparison.apart[0].delta - expected).abs() < 1e-6);
         assert!((once - expected).abs() < 1e-6, "{once}");
         assert!((twice - 4.0 * expected).abs() < 1e-6, "{twice}");
     }
@@ -423,7 +462,7 @@ mod tests {
         let comparison = Comparison::new(&predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
         let mut parting = Parting::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
-        let delta = parting.comparisons[0].delta();
+        let delta = parting.comparisons[0].apart[0].delta;
         assert!(delta < 1e-6, "{order:?}: {delta}");
     }
 

@@ -20,7 +20,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::{Field, Prediction, Refit};
+use super::comparison::{Comparison, Field, Prediction, Refit};
 use crate::diagnosis::regression::Fit;
 
 /// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
@@ -109,9 +109,18 @@ impl Decision {
         }
     }
 
-    /// Whether a diagnosis has to tell one explanation from another.
-    pub(crate) fn differ(&self, one: usize, other: usize) -> bool {
-        self.differ[one][other]
+    /// Every explanation, refitted to what each shows that may be true and is to be told from it;
+    /// `enough` is how far apart the true one and the other have to be.
+    pub(crate) fn comparisons(&self, enough: impl Fn(usize, usize) -> f64) -> Vec<Comparison> {
+        let of = |other: usize| {
+            let truths = self.truths.iter().map(|truth| truth.index);
+            let truths = truths.filter(|truth| self.differ[*truth][other]);
+            let pair = |truth: usize| (&self.refits[truth], enough(truth, other));
+            self.refits[other].comparison(truths.map(pair))
+        };
+        let mut all: Vec<Comparison> = (0..self.refits.len()).map(of).collect();
+        all.retain(|comparison| !comparison.apart.is_empty());
+        all
     }
 
     /// Measures a pose in every draw.

@@ -13,7 +13,9 @@
 //! (Fedorov 1972; Cook & Nachtsheim 1980). Both ways C and all J C Jᵀ change by as many ranks as a
 //! pose has rows, and nothing is inverted anew.
 
-use nalgebra::{Cholesky, DMatrix};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use crate::linear::products;
 
 /// What poses are worth.
 pub(crate) trait Criterion {
@@ -51,10 +53,13 @@ fn best(worths: &[f64]) -> Option<usize> {
     (0..worths.len()).max_by(|a, b| worths[*a].total_cmp(&worths[*b]).then(b.cmp(a)))
 }
 
+/// Rows of candidates that several directions are multiplied with while they are at hand.
+const AT_ONCE: usize = 32;
+
 /// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
 #[derive(Clone)]
 pub(crate) struct Information {
-    /// Rows of all candidates, in units of the noise.
+    /// Rows of all candidates, in units of the noise; each stands in a column.
     rows: DMatrix<f64>,
     /// First row of each candidate, and the end.
     first: Vec<usize>,
@@ -66,12 +71,12 @@ pub(crate) struct Information {
 
 impl Information {
     /// Candidates with their rows (`first` says where each begins, and the end), beside what is known.
-    pub(crate) fn new(rows: DMatrix<f64>, first: Vec<usize>, covariance: DMatrix<f64>) -> Self {
+    pub(crate) fn new(rows: &DMatrix<f64>, first: Vec<usize>, covariance: DMatrix<f64>) -> Self {
         let most = first.windows(2).map(|w| w[1] - w[0]).max().unwrap_or(0);
         let mut new = Self {
             spread: DMatrix::zeros(rows.nrows(), most),
             taken: vec![false; first.len().saturating_sub(1)],
-            rows,
+            rows: rows.transpose(),
             first,
             covariance,
         };
@@ -81,10 +86,12 @@ impl Information {
 
     /// Every J C Jᵀ from the covariance as it is now.
     fn refresh(&mut self) {
-        let carried = &self.rows * &self.covariance;
+        let carried = &self.covariance * &self.rows;
         for pair in self.first.windows(2) {
             let size = pair[1] - pair[0];
-            let own = carried.rows(pair[0], size) * self.rows.rows(pair[0], size).transpose();
+            let own = carried
+                .columns(pair[0], size)
+                .tr_mul(&self.rows.columns(pair[0], size));
             self.spread
                 .view_mut((pair[0], 0), (size, size))
                 .copy_from(&own);
@@ -95,11 +102,6 @@ impl Information {
     pub(crate) fn place(&self, candidate: usize) -> (usize, usize) {
         let first = self.first[candidate];
         (first, self.first[candidate + 1] - first)
-    }
-
-    /// Rows of all candidates, in units of the noise.
-    pub(crate) fn rows(&self) -> &DMatrix<f64> {
-        &self.rows
     }
 
     /// Lower triangular root of 1 ± J C Jᵀ of a candidate.
@@ -119,6 +121,29 @@ impl Information {
         })
     }
 
+    /// What each of some directions of the parameters, in rows, shows in the rows of all candidates: a
+    /// column a direction. The candidates are read once.
+    fn shown_by_each(&self, directions: &DMatrix<f64>) -> DMatrix<f64> {
+        let p = self.rows.nrows();
+        let directions = directions.transpose();
+        let mut shown = DMatrix::zeros(self.rows.ncols(), directions.ncols());
+        for first in (0..self.rows.ncols()).step_by(AT_ONCE) {
+            let some = AT_ONCE.min(self.rows.ncols() - first);
+            let rows = &self.rows.as_slice()[first * p..(first + some) * p];
+            for (k, direction) in directions.column_iter().enumerate() {
+                let start = k * shown.nrows() + first;
+                let out = &mut shown.as_mut_slice()[start..start + some];
+                products(direction.as_slice(), rows, out);
+            }
+        }
+        shown
+    }
+
+    /// What one direction of the parameters shows in the rows of all candidates.
+    pub(crate) fn shown(&self, direction: &DVector<f64>) -> DVector<f64> {
+        self.rows.tr_mul(direction)
+    }
+
     /// Takes the rows of a candidate in (`sign` 1) or out (−1). With L the root of its innovation: L and
     /// J C Jᵤᵀ L⁻ᵀ, by which what all candidates show moves with what this one does.
     pub(crate) fn update(
@@ -127,12 +152,12 @@ impl Information {
         sign: f64,
     ) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
         let (first, size) = self.place(candidate);
-        let carried = self.rows.rows(first, size) * &self.covariance;
+        let carried = self.rows.columns(first, size).tr_mul(&self.covariance);
         let root = self.innovation(candidate, sign)?;
         let carried = root.solve_lower_triangular(&carried)?;
         self.taken[candidate] = sign > 0.0;
         self.covariance.gemm_tr(-sign, &carried, &carried, 1.0);
-        let moved = &self.rows * carried.transpose();
+        let moved = self.shown_by_each(&carried);
         for pair in self.first.windows(2) {
             for i in pair[0]..pair[1] {
                 for j in pair[0]..pair[1] {
@@ -195,7 +220,7 @@ mod tests {
     #[test]
     fn updates_by_rank_are_the_inverse_of_the_whole_and_can_be_taken_back() {
         let (all, first) = rows(12, 4);
-        let mut information = Information::new(all.clone(), first, DMatrix::identity(4, 4));
+        let mut information = Information::new(&all, first, DMatrix::identity(4, 4));
         let before = information.covariance.clone();
         let (gain_3, gain_7) = (information.gain(3), {
             information.take(3);
@@ -218,7 +243,7 @@ mod tests {
     fn an_exchange_never_loses_and_ends_where_no_single_exchange_helps() {
         let (all, first) = rows(40, 5);
         let start = DMatrix::identity(5, 5) * 100.0;
-        let mut information = Information::new(all.clone(), first, start);
+        let mut information = Information::new(&all, first, start);
         let mut order = choose(&mut information, 6);
         let greedy = information.covariance.determinant();
         exchange(&mut information, &mut order, 50);

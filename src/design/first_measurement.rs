@@ -67,7 +67,7 @@ pub(crate) fn design(
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let columns = Columns::new(robot, targets, ranges, n, &mut random);
     let covariance = columns.known(&known(&columns.model));
-    let nothing = Information::new(DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
+    let nothing = Information::new(&DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
     let mut slots = Slots {
         schedule: schedule(robot, targets.len(), request, &mut random),
         kinds: robot.joints.iter().map(|j| j.kind).collect(),

@@ -293,7 +293,7 @@ impl Shown {
         known.gemm_tr(1.0, &measured, &measured, 1.0);
         known += &self.beside;
         let first = self.first[before..].iter().map(|f| f - from).collect();
-        Information::new(new.into_owned(), first, inverse(&known))
+        Information::new(&new.into_owned(), first, inverse(&known))
     }
 }
 

@@ -145,7 +145,7 @@ impl Columns {
     ) -> Information {
         let travel = travels(before, candidates);
         let (rows, first) = self.of_choices(candidates, Some(travel));
-        Information::new(rows, first, covariance)
+        Information::new(&rows, first, covariance)
     }
 }
 

@@ -14,7 +14,7 @@ use crate::diagnosis::regression::Fit;
 use crate::effects::{Condition, Over, Term};
 
 use super::candidates::{Arrival, Conditions, Offer};
-use super::comparison::{Comparison, Field, enough_for};
+use super::comparison::{Apart, Field, enough_for};
 use super::decision::{Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
@@ -141,24 +141,22 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
 fn attempt(prepared: &Prepared, offer: Offer, all: &[Explanation], most: usize) -> Attempt {
     let field = Field::new(prepared, &offer);
     let decision = Decision::new(&field, all, UNDECIDED);
-    let mut comparisons = Vec::new();
-    for (i, truth) in all.iter().enumerate().filter(|(_, e)| e.open) {
-        let others = all.iter().enumerate();
-        for (_, other) in others.filter(|(j, _)| decision.differ(i, *j)) {
-            let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
-            let enough = enough_for(UNDECIDED, lead);
-            comparisons.push(field.comparison(&truth.fit.model, &other.fit.model, enough));
-        }
-    }
-    let enough: Vec<f64> = comparisons.iter().map(|c| c.enough.max(1.0)).collect();
+    let comparisons = decision.comparisons(|truth, other| {
+        let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
+        enough_for(UNDECIDED, lead)
+    });
     let mut parting = Parting::new(comparisons, offer.candidates.len(), REPEATS);
+    let enough: Vec<f64> = parting.apart().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);
     let mut order = choose(&mut parting, most);
-    let needed = parting.decision.map(|decision| decision.needed(SURE));
+    let needed = parting
+        .decision
+        .as_ref()
+        .map(|decision| decision.needed(SURE));
     let (poses, unparted, probability) = needed.unwrap_or_default();
     order.truncate(poses);
-    let share = |(c, enough): (&Comparison, &f64)| (c.delta() / enough).min(1.0);
-    let shares = parting.comparisons.iter().zip(&enough).map(share);
+    let share = |(c, enough): (&Apart, &f64)| (c.delta / enough).min(1.0);
+    let shares = parting.apart().zip(&enough).map(share);
     Attempt {
         score: probability + shares.sum::<f64>() / enough.len().max(1) as f64,
         decides: unparted == 0 && probability >= SURE,

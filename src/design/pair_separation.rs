@@ -16,7 +16,7 @@ use crate::effects::{Term, find};
 use crate::model::Model;
 
 use super::candidates::{Offer, ranges};
-use super::comparison::{Comparison, Field, Prediction, enough_for, inverse};
+use super::comparison::{Apart, Comparison, Field, Prediction, enough_for, inverse};
 use super::exchange::choose;
 use super::information::standing;
 use super::next_poses::conditions;
@@ -161,11 +161,9 @@ fn attempt(
         }
         shares.left[1][*k] = posed.pair.worst(&all).0;
     }
-    let comparisons = &parting.comparisons;
-    let share = |c: &Comparison| (c.delta() / c.enough).min(1.0);
     let attempt = Attempt {
-        decides: !comparisons.is_empty() && comparisons.iter().all(Comparison::decided),
-        score: comparisons.iter().map(share).fold(1.0, f64::min),
+        decides: !parting.comparisons.is_empty() && parting.parted(),
+        score: parting.apart().map(Apart::share).fold(1.0, f64::min),
         unparted: 0,
         order,
         offer,

@@ -8,7 +8,7 @@ use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 
 use super::candidates::{Offer, other_reflectors};
-use super::comparison::Comparison;
+use super::comparison::{Apart, Comparison};
 use super::decision::{Decision, SURE};
 use super::exchange::Criterion;
 
@@ -36,18 +36,22 @@ impl Parting {
         }
     }
 
-    fn parted(&self) -> bool {
+    /// Each pair of models.
+    pub(crate) fn apart(&self) -> impl Iterator<Item = &Apart> {
+        self.comparisons.iter().flat_map(|c| &c.apart)
+    }
+
+    pub(crate) fn parted(&self) -> bool {
         self.comparisons.iter().all(Comparison::decided)
     }
 }
 
 impl Criterion for Parting {
     fn worths(&self) -> Vec<f64> {
-        let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
         // The gain of each comparison counts up to where it is decided.
-        let one =
-            |c: &Comparison, k: usize| c.gain(k).min(c.enough - c.delta()) / (1.0 + c.delta());
-        let worth = |k: usize| open.iter().map(|c| one(c, k)).sum();
+        let one = |c: &Apart, gain: f64| gain.min(c.enough - c.delta).max(0.0) / (1.0 + c.delta);
+        let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
+        let worth = |k: usize| open.iter().map(|c| c.worth(k, one)).sum();
         let free = |k: usize| self.taken[k] < self.repeats;
         let all = 0..self.taken.len();
         all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
@@ -71,10 +75,10 @@ impl Criterion for Parting {
             return true;
         }
         // All are far enough apart and still too few draws are decided: further apart, then.
-        let can = |c: &Comparison| c.enough < MOST_SEPARATION;
-        while !self.comparisons.is_empty() && self.parted() && self.comparisons.iter().all(can) {
-            for comparison in &mut self.comparisons {
-                comparison.enough = 1.3 * comparison.enough.max(1.0);
+        let can = |c: &Apart| c.enough < MOST_SEPARATION;
+        while !self.comparisons.is_empty() && self.parted() && self.apart().all(can) {
+            for apart in self.comparisons.iter_mut().flat_map(|c| &mut c.apart) {
+                apart.enough = 1.3 * apart.enough.max(1.0);
             }
         }
         false

@@ -44,9 +44,12 @@ impl OfBase {
     ) -> Option<Basis> {
         let own = places(base, model)?;
         let near = own.iter().enumerate().all(|(k, at)| {
-            let before = self.columns.column(k);
-            let apart = (all.column(*at) - before).norm_squared();
-            apart <= NEAR * NEAR * before.norm_squared()
+            let (now, before) = (all.column(*at), self.columns.column(k));
+            let pairs = now.iter().zip(&before);
+            let (apart, norm) = pairs.fold((0.0, 0.0), |(apart, norm), (a, b)| {
+                (apart + (a - b) * (a - b), norm + b * b)
+            });
+            apart <= NEAR * NEAR * norm
         });
         near.then(|| Basis::extending(&self.basis, &own, all))
     }

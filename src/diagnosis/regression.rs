@@ -190,8 +190,7 @@ impl<'a> Regression<'a> {
             let (residual, jacobian) = self.whitened(&model, &raw, &columns);
             let own = jacobian.ncols();
             let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-            let mut all = DMatrix::zeros(self.height(), width);
-            all.columns_mut(0, own).copy_from(&jacobian);
+            let mut all = jacobian.resize_horizontally(width, 0.0);
             let mut at = own;
             for shape in &shapes {
                 all.columns_mut(at, shape.white.ncols())
@@ -205,7 +204,7 @@ impl<'a> Regression<'a> {
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
-            let moved = (&jacobian * step.rows(0, own)).norm_squared();
+            let moved = (all.columns(0, own) * step.rows(0, own)).norm_squared();
             model = model.stepped(&step.as_slice()[..own]);
             let mut at = own;
             for shape in &mut shapes {

@@ -155,7 +155,7 @@ impl Search<'_, '_> {
     /// The likeliest candidate that is significant, holds on unseen samples and matters.
     fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
         let mut scores = self.regression.scan(fit, allow.among());
-        scores.retain(|s| self.may_join(fit, s, allow));
+        self.may_join(fit, allow, &mut scores);
         by_odds(&mut scores);
         let unseen = self.unseen(fit);
         let mattering = scores.iter().filter(|s| self.matters(s.gain, fit));
@@ -206,11 +206,14 @@ impl Search<'_, '_> {
         self.unseen.of(fit, work)
     }
 
-    fn may_join(&self, fit: &Fit, score: &Score, allow: Allow) -> bool {
-        match &self.regression.table.candidates[score.candidate].what {
-            What::Named(term) => compatible(&self.regression.added(fit), term),
+    /// The candidates that may stand beside what a fit has.
+    fn may_join(&self, fit: &Fit, allow: Allow, scores: &mut Vec<Score>) {
+        let there = self.regression.added(fit);
+        let candidates = &self.regression.table.candidates;
+        scores.retain(|score| match &candidates[score.candidate].what {
+            What::Named(term) => compatible(&there, term),
             What::Anonymous(_) => allow == Allow::Everything,
-        }
+        });
     }
 
     /// Whether a fall of the sum of squares by `gain` matters in practice.
@@ -266,8 +269,8 @@ impl Search<'_, '_> {
 
     fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
         let mut scores = self.regression.scan(rest, allow.among());
-        scores
-            .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
+        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - 3.0);
+        self.may_join(rest, allow, &mut scores);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
         for (_, next) in self.possible(rest, scores.iter()).take(3) {
@@ -441,7 +444,7 @@ mod tests {
         };
         let base = regression.fit(&regression.base, Vec::new());
         let mut scores = regression.scan(&base, Allow::Names.among());
-        scores.retain(|s| search.may_join(&base, s, Allow::Names));
+        search.may_join(&base, Allow::Names, &mut scores);
         by_odds(&mut scores);
         let first = search.regression.refined(&base, scores[0].candidate);
         let first = regression.with(&base, &first);

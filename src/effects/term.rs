@@ -306,9 +306,9 @@ impl Term {
 
     /// Whether two terms are the same effect on the same joint at the same setting.
     pub fn same_column(&self, other: &Self) -> bool {
-        self.effect.about().id == other.effect.about().id
-            && self.joint == other.joint
+        self.joint == other.joint
             && self.setting == other.setting
+            && self.effect.about().id == other.effect.about().id
     }
 }
 
