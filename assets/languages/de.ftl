@@ -1508,6 +1508,7 @@ grip-width = Breite: { $name }
 ## text
 
 text-usually = üblich: { $usual_size }
+text-size-from-to = { $from } bis { $to }
 text-what-means = Bedeutung von { $word }
 
 ## sample
@@ -1814,3 +1815,555 @@ figure-b-mean = Dasselbe im Mittel entlang der Achse
 figure-ap = Posegenauigkeit: vom Sollpunkt zur Mitte der gemessenen Punkte
 figure-rp = Pose-Wiederholgenauigkeit: Radius der Kugel, die die Rückkehren zu einer Pose enthält, Mittel plus drei Standardabweichungen
 figure-vap = Wie weit die Mitten auseinanderliegen, wenn eine Pose von verschiedenen Seiten angefahren wird
+
+## what the core says
+
+finding-expected = { $found }; erwartet: { $expected }
+finding-at = { $place }: { $found }
+
+# The core: causes of effects
+
+core-the-column-does-not-stand-upright = die Säule steht nicht senkrecht auf dem Sockel
+core-the-bearings-raceways-are-wavy-so = die Laufbahnen des Lagers sind wellig, sodass die Achse beim Drehen kippt
+core-play-between-gear-teeth-in-a = Spiel zwischen Zähnen, in einer Kupplung oder einer Passfeder
+core-the-measuring-frame-was-surveyed-to = das Messkoordinatensystem wurde auf einen Punkt neben der Achse eingemessen
+core-raceways-or-seats-of-the-bearing = Laufbahnen oder Sitze des Lagers sind unrund
+core-the-encoders-ring-or-the-gear = der Ring des Encoders oder das Zahnrad, das ihn treibt, sitzt außermittig
+core-the-encoder-ring-is-tilted-or = der Encoderring ist verkippt oder oval, oder eine Kupplung zwischen Encoder und Welle ist verbogen
+core-the-pedestal-the-floor-or-the = der Sockel, der Boden oder die Schrauben des Fußes geben unter dem Moment von Last und Arm nach
+core-the-tripod-settles-or-the-base = das Stativ setzt sich, oder der Fuß kriecht
+core-somebody-touched-the-tripod-or-the = jemand hat das Stativ berührt, oder der Fuß ist verrutscht
+core-tooth-or-wavegenerator-errors-in-the = Fehler der Verzahnung oder des Wellengenerators im Getriebe; die Ordnung sagt, welches Rad
+core-the-instruments-distance-scale-or-its = der Maßstab des Messgeräts oder seine Werte für Lufttemperatur und Luftdruck stimmen nicht
+core-reducer-bearing-and-shaft-wind-up = Getriebe, Lager und Welle verdrehen sich unter dem Gewicht, das am Gelenk hängt
+core-the-gear-ratio-or-the-encoders = die Übersetzung oder die Encoderschritte je Umdrehung sind nicht ganz richtig eingetragen
+core-the-reference-mark-or-the-homing = die Referenzmarke oder die Referenzposition ist nicht dort, wo die Steuerung sie annimmt
+core-the-link-or-the-structure-bends = der Arm oder die Struktur biegt sich unter der Last
+core-links-are-longer-or-shorter-than = Arme sind länger oder kürzer als gezeichnet, Achsen sind nicht rechtwinklig oder nicht parallel
+core-the-tool-or-the-link-is = Werkzeug oder Arm ist länger oder kürzer als in den Daten der Steuerung
+core-friction-in-the-reducer-winds-the = Reibung im Getriebe verspannt den Antrieb nach jeder Umkehr
+core-the-instrument-stands-where-it-was = das Messgerät steht, wo es aufgestellt wurde
+core-the-thread-of-the-screw-is = das Gewinde der Spindel ist ungleichmäßig, oder ihr Lager oder der Encoder darauf läuft unrund
+core-the-arm-grows-as-it-warms = der Arm dehnt sich bei Erwärmung: Stahl um etwa 12 ppm/K, Aluminium um 23
+core-the-encoders-mounting-or-the-reducer = die Encoderbefestigung oder das Getriebe dreht sich bei Erwärmung ein wenig
+core-the-tool-is-mounted-beside-the = das Werkzeug sitzt neben dem Radius, den die Steuerung annimmt
+core-the-tool-is-mounted-turned-or = das Werkzeug ist verdreht montiert, oder seine Daten in der Steuerung sind es
+core-the-tool-data-in-the-controller = die Werkzeugdaten der Steuerung oder der Ort des Reflektors am Werkzeug
+core-the-position-loop-follows-late-or = der Lageregler folgt verspätet, oder die Uhren von Messgerät und Steuerung weichen ab
+core-unknown-no-effect-of-the-catalogue = unbekannt: kein Effekt des Katalogs erklärt es
+core-the-drive-of-one-joint-turns = der Antrieb eines Gelenks dreht ein anderes mit, und das Verhältnis dafür in der Steuerung ist nicht genau
+
+# The core: what to check
+
+core-shim-the-columns-foot-level-it = den Fuß der Säule unterlegen; entlang x und y ausrichten
+core-the-bearings-axial-seat-and-preload = axialer Sitz und Vorspannung des Lagers
+core-preload-and-wear-of-the-reducer = Vorspannung und Verschleiß des Getriebes; den Abtrieb bei gehaltenem Antrieb von Hand hin und her bewegen
+core-survey-the-base-again = den Sockel neu einmessen
+core-the-bearings-seat-and-preload = Sitz und Vorspannung des Lagers
+core-centre-the-encoder-ring-or-average = den Encoderring zentrieren oder mit einem zweiten Lesekopf bei 180° mitteln
+core-check-the-rings-mounting-face-for = die Anlagefläche des Rings auf Verkippung und den Ring auf Rundheit prüfen
+core-the-bolts-and-the-pedestal-a = die Schrauben und den Sockel; eine Messuhr am Fuß, während der belastete Arm herumschwenkt
+core-tripod-clamps-and-the-sun-on = Stativ, Klemmen und Sonne auf den Stativbeinen
+core-return-to-the-datum-points-after = nach dem Sprung die Bezugspunkte wieder messen; Klemmen und Stativ
+core-compare-the-order-with-the-reducers = die Ordnung mit den Zähnezahlen des Getriebes vergleichen, dann Vorspannung und Schmierung
+core-measure-a-scale-bar-the-instruments = einen Maßstab messen; die Wetterstation des Messgeräts
+core-the-payload-entered-in-the-controller = die Nutzlast in der Steuerung; die Steifigkeit des Getriebes laut Datenblatt
+core-compare-the-gear-ratio-and-the = Übersetzung und Schritte je Umdrehung in der Steuerung mit den Datenblättern vergleichen
+core-home-the-joint-again-and-repeat = das Gelenk neu referenzieren und drei Posen wiederholen
+core-the-bolts-between-base-column-and = die Schrauben zwischen Sockel, Säule und Arm
+core-the-kinematic-data-in-the-controller = die kinematischen Daten in der Steuerung
+core-the-tool-data-in-the-controller-2 = die Werkzeugdaten in der Steuerung
+core-lubrication-and-preload-of-the-reducer = Schmierung und Vorspannung des Getriebes
+core-measure-reference-points-on-the-base = in jeder Aufstellung Referenzpunkte am Sockel messen
+core-the-screws-runout-and-its-thrust = der Rundlauf der Spindel und ihr Axiallager; die Kupplung und der Encoder auf der Spindel
+core-let-the-machine-warm-up-before = die Maschine vor dem Messen warmlaufen lassen oder die Dehnung des Arms in der Steuerung eintragen
+core-let-the-machine-warm-up-before-homing = die Maschine vor dem Referenzieren warmlaufen lassen; nach einer Wärmequelle am Encoder suchen
+core-the-tool-flange-and-the-tool = der Werkzeugflansch und die Werkzeugdaten in der Steuerung
+core-measure-the-targets-on-the-tool = die Reflektoren am Werkzeug einmessen
+core-synchronise-the-clocks-then-the-loops = die Uhren synchronisieren, dann Geschwindigkeitsverstärkung und Vorsteuerung des Reglers
+core-look-at-the-machine-where-the = die Maschine dort ansehen, wo das Gelenk in diesem Bereich steht: Maßstab, Lager, Kabel, Abdeckung
+core-the-coupling-ratio-in-the-controllers = das Kopplungsverhältnis in den Daten der Steuerung
+
+# The core: usual sizes
+
+core-any = beliebig
+core-10-m-of-eccentricity-on-a = 10 µm Exzentrizität an einem Ring mit 50 mm Radius sind 0.011°
+core-005-to-1-mm-005-to = 0.05 bis 1 mm, 0.05 bis 2 mrad
+core-012-to-023-mm-per-metre = 0.12 bis 0.23 mm je Meter und 10 K
+
+# The core: parameters
+
+core-about-x = um x
+core-about-y = um y
+core-about-z = um z
+core-amplitude = Amplitude
+core-compliance = Nachgiebigkeit
+core-delay = Verzögerung
+core-delta = Änderung
+core-fade = Abklingen
+core-from-joint = vom Gelenk
+core-lead = Steigung
+core-offset = Versatz
+core-order = Ordnung
+core-phase = Phase
+core-rate = Rate
+core-ratio = Verhältnis
+core-scale = Maßstab
+core-time = Zeit
+core-width = Breite
+
+# The core: what stays, and what to do about it
+
+core-of-joint-leaves = { $a } von Gelenk { $b } lässt { $c } übrig: { $d }
+core-leaves = { $a } lässt { $b } übrig: { $c }
+core-its-part-along-the-radius-belongs = sein Anteil entlang des Radius gehört in die Werkzeugdaten (l1) oder die Basisdaten der Steuerung; das volle Modell sagt, in welche
+core-needs-a-mechanical-repair = braucht eine mechanische Reparatur: { $a }
+core-let-the-machine-warm-up-or = die Maschine warmlaufen lassen oder die Dehnung des Arms in der Steuerung eintragen
+core-move-the-tool-in-the-controllers = das Werkzeug in den Werkzeugdaten der Steuerung um { $a } quer zum Radius verschieben
+core-turn-the-base-in-the-controller = die Basis in der Steuerung um { $a } um x und { $b } um y drehen oder den Fuß der Säule unterlegen
+core-along-the-radius-set-the-tools = entlang des Radius; den Werkzeugradius (l1) in der Steuerung von { $a } auf { $b } setzen
+core-move-the-base-in-the-controller = die Basis in der Steuerung um { $a } verschieben oder neu einmessen
+core-the-joint-stands-beyond-its-command = das Gelenk steht { $a } jenseits seines Sollwerts: den Nullpunkt in der Steuerung korrigieren oder neu referenzieren
+core-move-the-tools-point-in-the = den Werkzeugpunkt in der Steuerung um { $a } im Werkzeugkoordinatensystem verschieben
+
+# The core: tables
+
+core-the-numbers-are-corrections-add-them = die Zahlen sind Korrekturen: Sie werden zum Sollwert addiert, damit der Roboter dort ankommt, wohin er sollte (die Abweichung, gemessen − befohlen, hat das andere Vorzeichen)
+core-the-numbers-are-deviations-actual-commanded = die Zahlen sind Abweichungen, Ist − Soll: Die Steuerung zieht sie vom Sollwert ab (die Korrektur, die addiert wird, hat das andere Vorzeichen)
+core-commanded-robot-reached-table-says-send = befohlen { $a }, der Roboter erreichte { $b }, die Tabelle sagt { $c }: senden Sie { $d }
+core-with-this-table-the-controller-leaves = mit dieser Tabelle lässt die Steuerung { $a } über den gemessenen Bereich übrig, eine genaue Korrektur { $b }; { $c }
+core-its-entries-add-less-than = ihre { $a } Einträge tragen { $b } bei, weniger als { $c } ({ $d })
+core-its-entries-add-more-than-the = ihre { $a } Einträge tragen { $b } bei, mehr als { $c } ({ $d }): die Schrittweite ist groß
+core-its-entries-add-more-than-takes = ihre { $a } Einträge tragen { $b } bei, mehr als { $c } ({ $d }): { $e } nimmt höchstens { $f }
+core-1-of-the-tolerance = 1 % der Toleranz
+core-1-of-001-mm-as-there = 1 % von 0.01 mm, da es keine Toleranz gibt
+core-1-of-the-models-rms-error = 1 % des RMS-Fehlers des Modells, da es keine Toleranz gibt
+core-the-joint-has-no-limits-the = das Gelenk hat keine Grenzen: Die Tabelle deckt den gemessenen Bereich ab
+core-a-step-of-does-not-divide = eine Schrittweite von { $a } teilt den Verfahrweg nicht: Die Schritte sind { $b }
+core-measured-from-to-outside-the-correction = gemessen von { $a } bis { $b }; außerhalb gilt die Korrektur am Ende dieses Bereichs weiter
+core-the-of-this-joint-depends-on = { $a } dieses Gelenks hängt von den anderen Gelenken ab: Sie stehen hier in der Grundstellung
+core-the-correction-jumps-at-the-boundaries = die Korrektur springt an den Grenzen der Regionen; zwischen zwei Einträgen macht die Tabelle daraus eine Rampe
+core-up-to-of-it-is-an = bis zu { $a } davon sind eine unerklärte glatte Korrektur, gemessen von { $b } bis { $c }: Kein Effekt des Katalogs erklärt sie, und außerhalb gelten ihre Endwerte weiter
+
+# The core: targets and programs
+
+core-poses-for-which-the-file-declares = Posen, für die die Datei kein Koordinatensystem nennt, werden { $a } gelesen; das Werkzeug der Steuerung muss das des Modells sein, wo die Datei nur ein Werkzeug hat
+core-in-the-robots-base-frame = im Basiskoordinatensystem des Roboters
+core-in-the-frame-that-was-stated = im angegebenen Koordinatensystem
+core-the-robots-base-is-the-frame = die Basis des Roboters ist das Koordinatensystem, in dem gemessen wurde
+core-the-robots-base-is-where-its = die Basis des Roboters ist dort, wo seine erste Achse ist; das Messkoordinatensystem steht { $a } und { $b } davon entfernt (--measured-frame korrigiert auf dieses)
+core-targets-without-a-load-are-corrected = Zielpunkte ohne Last werden für { $a } korrigiert
+core-targets-without-a-temperature-are-corrected = Zielpunkte ohne Temperatur werden für { $a } korrigiert
+
+# The core: tolerance
+
+core-pass = Bestanden
+core-fail = Nicht bestanden
+core-neither-pass-nor-fail-is-proven = Weder bestanden noch nicht bestanden ist nachgewiesen
+core-largest-deviation-expanded-uncertainty-u-k = größte Abweichung { $a } ({ $b }), erweiterte Unsicherheit U = { $c } (k = 2), Toleranz { $d }; Entscheidungsregel: { $e }
+core-predicted-with-corrected-commands = vorhergesagt mit korrigierten Sollwerten
+core-as-measured-with-the-table-active = wie mit aktiver Tabelle gemessen
+core-simple-acceptance-jcgm-106-82 = einfache Annahme (JCGM 106, 8.2)
+core-no-position-was-measured = es wurde keine Position gemessen
+core-no-command-can-be-corrected = kein Sollwert kann korrigiert werden
+core-the-noise-of-the-instrument-is = das Rauschen des Messgeräts ist nicht bekannt
+
+# The core: noise and fit
+
+core-the-measuring-frame-wanders-by-root = das Messkoordinatensystem wandert um { $a } (quadratisches Mittel) innerhalb von { $b }
+core-a-part-of-the-remaining-error = ein Teil des Restfehlers setzt sich von Messpunkt zu Messpunkt fort, { $a } (quadratisches Mittel) innerhalb von { $b }: Eine Diagnose sucht darin nach Effekten
+core-as-found-as-stated-for-the = σ = { $a } wie gefunden, { $b } wie für das Messgerät angegeben ({ $c }-fach)
+core-a-joint-value-or-a-coordinate = ein Gelenkwert oder eine Koordinate fehlt
+core-the-instrument-lost-the-reflector-it = das Messgerät hat den Reflektor verloren: Es schrieb 0, 0, 0
+core-by-hand = von Hand
+core-converged = konvergiert
+core-there-was-nothing-to-solve-for = es gab nichts zu bestimmen
+core-stopped-after-the-largest-number-of = nach der größten Zahl von Schritten angehalten: Das Ergebnis kann grob sein
+core-stopped-where-no-step-made-the = angehalten, wo kein Schritt die Anpassung verbesserte: Das Ergebnis kann grob sein
+core-cancelled = abgebrochen
+core-z-is-not-used-the-method = z wird nicht verwendet: Das Verfahren arbeitet in der Ebene, in der die Achse das Werkzeug bewegt
+core-corrections-are-constant-in-the-base = Korrekturen sind innerhalb einer Region im Basissystem konstant: Ein konstanter Fehler des Gelenks sieht in jeder Region anders aus, und ein Teil bleibt; das volle Modell hat keine dieser Grenzen
+core-no-sample-in-region-no-correction = kein Messpunkt in Region { $a }: dort keine Korrektur
+core-samples-lie-in-no-region-and = { $a } Messpunkte liegen in keiner Region und wurden nicht verwendet
+core-the-targets-do-not-sit-where = die Reflektoren sitzen nicht innerhalb von targets_sigma_mm dort, wo die Messung sagt: Ihre Orte werden frei angepasst
+core-beyond-what-is-usual-by-more = mehr als das Vierfache des Üblichen und ohne Vorwissen angepasst: { $a }
+core-the-measuring-frame-was-never-aligned = das Messkoordinatensystem wurde nie auf die Basis des Roboters ausgerichtet (gedreht um { $a }, verschoben um { $b }): Es wird frei angepasst
+core-the-samples-do-not-depend-on = die Messpunkte hängen nicht davon ab: Es wird auf null gehalten
+core-the-samples-do-not-depend-on-it = die Messpunkte hängen nicht davon ab
+core-the-samples-show-only-their-sum = die Messpunkte zeigen nur ihre Summe: { $a } wird auf null gehalten, die anderen tragen es
+core-the-samples-show-only-their-sum-a = die Messpunkte zeigen nur ihre Summe: Eine Änderung des einen können die anderen aufheben
+core-overall-size-all-lengths-of-the = Gesamtgröße: alle Längen des Roboters und der Orte zusammen
+core-the-base-is-open-what-was = die Basis ist offen: Was gemessen wurde, bezieht sich auf unbekannte Orte und sagt nicht, wo der Roboter steht; sie bleibt, wo sie ist, und die Orte tragen es
+
+# The core: a model on other samples
+
+core-the-sessions-robot-has-than-the = der Roboter der Messung hat { $a } als der des Modells: Der nominelle Roboter des Modells wird verwendet
+core-another-tool = ein anderes Werkzeug
+core-other-axes = andere Achsen
+core-the-session-was-measured-with-this = gemessen wurde mit der aktiven Tabelle dieses Modells: Die Messung zeigt, was bleibt, und wird nicht ein zweites Mal korrigiert
+core-the-session-was-measured-with-another = gemessen wurde mit der aktiven Tabelle eines anderen Modells: Die Messung wird nicht ein zweites Mal korrigiert, und dieses Modell weiß nicht, was jene Tabelle tat
+core-belong-to-the-session-that-the = { $a } gehören zu der Messung, aus der das Modell stammt, und werden weggelassen
+core-the-model-knows-no-setup-its = das Modell kennt keine Aufstellung { $a }: Ihr Koordinatensystem wird an diese Messpunkte angepasst
+core-not-known-to-the-model-and = dem Modell unbekannt und neben ihm bestimmt: { $a }
+
+# The core: tables of several joints
+
+core-the-table-cancels-what-joint-does = die Tabelle hebt auf, was Gelenk { $a } an seinem eigenen { $b } bewirkt; Fehler der Geometrie hängen von allen Gelenken ab und gehören in die kinematischen Daten der Steuerung
+core-angle = Winkel
+core-travel = Weg
+
+# The core: held out
+
+core-each-fifth-of-the-measurements-of = jedes Fünftel der Messungen, je Bezug ein eigenes, vorhergesagt von einer Anpassung, die es nicht gesehen hat
+core-each-of-cells-of-the-workspace = jede von { $a } Zellen des Arbeitsraums vorhergesagt von einer Anpassung, die sie nicht gesehen hat
+core-each-fifth-of-the-cells-of = jedes Fünftel der Zellen des Arbeitsraums vorhergesagt von einer Anpassung, die es nicht gesehen hat
+core-the-samples-that-the-session-marks = die Messpunkte, die die Messung als zurückgehalten kennzeichnet; keine Anpassung hat sie berührt
+core-too-few-samples-to-hold-any = zu wenige Messpunkte, um welche zurückzuhalten
+
+# The core: what is left without a name
+
+core-no-effect-of-the-catalogue-explains = { $a }; kein Effekt des Katalogs erklärt es
+core-the-base-model-does-not-fit = das Grundmodell passt nicht: Achsen, Werkzeug oder Massen; { $a }
+core-what-is-left-looks-most-like = was bleibt, sieht am ehesten aus wie { $a }
+core-the-search-stopped-at-its-limit = die Suche endete an ihrer Grenze von { $a } Effekten; { $b }
+core-the-remaining-error-of-is-times = der Restfehler von { $a } ist das { $b }-Fache dessen, was { $c }, ohne eine Struktur, die die Suche kennt
+core-the-remaining-error-is-times-what = der Restfehler ist das { $a }-Fache dessen, was { $b }, ohne eine Struktur, die die Suche kennt
+core-returns-to-the-same-pose-show = Rückkehren zur selben Pose zeigen
+core-returns-to-the-same-pose-show-2 = Rückkehren zur selben Pose zeigen ({ $a })
+core-is-stated-for-the-instrument = für das Messgerät angegeben ist
+core-is-stated-for-the-instrument-2 = für das Messgerät angegeben ist ({ $a })
+core-over-the-value-of-joint = { $a } über dem Wert von Gelenk { $b }, { $c }
+core-over-time = { $a } über der Zeit, { $b }
+core-over-the-side-from-which-joint = { $a } über der Seite, von der Gelenk { $b } kam, { $c }
+core-over-the-speed-of-joint = { $a } über der Geschwindigkeit von Gelenk { $b }, { $c }
+core-over-the-load = { $a } über der Last, { $b }
+core-over-temperature = { $a } über der Temperatur, { $b }
+core-of-one-reflector-against-the-others = { $a } eines Reflektors gegen die anderen, { $b }
+core-a-constant = eine Konstante
+core-a-straight-slope = eine gerade Steigung
+core-a-slope-away-from-the-middle = eine Steigung von der Mitte weg
+core-a-parabola = eine Parabel
+core-a-curve-of-no-known-form = eine Kurve ohne bekannte Form
+core-a-local-bump = eine örtliche Beule
+core-a-step-or-plateau = eine Stufe oder ein Plateau
+core-a-slope-from-one-value-on = eine Steigung ab einem Wert
+core-a-wave = eine Welle
+core-a-periodic-pattern-with-harmonics = ein periodisches Muster mit Oberwellen
+core-a-wave-of-one-turn-in = eine anteilige Welle von einer Umdrehung
+core-along-the-motion-of-joint = entlang der Bewegung von Gelenk { $a }
+core-along-the-radius = entlang des Radius
+core-along-the-axis = entlang der Achse
+core-in-the-measuring-frame = im Messkoordinatensystem
+core-with-the-moving-body = mit dem bewegten Körper
+core-joint-from-to = Gelenk { $a } von { $b } bis { $c }
+core-speed-of-joint-from-to = Geschwindigkeit von Gelenk { $a } von { $b } bis { $c }
+core-time-from-to = Zeit von { $a } bis { $b }
+core-load-from-to = Last von { $a } bis { $b }
+core-temperature-from-to = Temperatur von { $a } bis { $b }
+core-cycles-per-turn-of = { $a } Perioden je Umdrehung von { $b }
+core-cycles-per-metre-of = { $a } Perioden je Meter von { $b }
+core-joint = Gelenk { $a }
+core-speed-of-joint = Geschwindigkeit von Gelenk { $a }
+core-side-from-which-joint-came = Seite, von der Gelenk { $a } kam
+core-load = Last
+core-temperature = Temperatur
+
+# The core: what tells explanations apart
+
+core-measure-the-proposed-pose = die vorgeschlagene Pose messen
+core-measure-the-proposed-pose-with = die vorgeschlagene Pose mit { $a } messen
+core-measure-the-proposed-poses = die { $a } vorgeschlagenen Posen messen
+core-measure-the-proposed-poses-with = die { $a } vorgeschlagenen Posen mit { $b } messen
+core-a-reflector-at-another-radius = einem Reflektor auf anderem Radius
+core-other-speeds = anderen Geschwindigkeiten
+core-other-loads = anderen Lasten
+core-another-temperature = anderer Temperatur
+core-no-pose-within-the-limits-tells = keine Pose innerhalb der Grenzen unterscheidet sie; { $a }
+core-approach-the-same-places-from-both = dieselben Stellen von beiden Seiten anfahren
+core-measure-in-motion-at-two-speeds = auch in Bewegung bei zwei Geschwindigkeiten messen
+core-measure-without-and-with-a-load = ohne und mit Last messen
+core-measure-with-the-machine-cold-and = bei kalter und warmer Maschine messen, und noch einmal, während sie abkühlt
+core-spread-the-poses-over-the-whole = die Posen über den ganzen Verfahrweg verteilen
+core-mount-a-second-reflector-at-another = einen zweiten Reflektor auf anderem Radius anbringen
+core-write-down-the-time-of-every = die Zeit jedes Messpunkts aufschreiben (time_s)
+core-measure-z-as-well = auch z messen
+core-give-the-direction-of-gravity-in = die Richtung der Schwerkraft in der Roboterdatei angeben (gravity_m_s2)
+core-the-joint-turns-the-effect-needs = das Gelenk dreht, der Effekt braucht ein schiebendes
+core-the-joint-slides-the-effect-needs = das Gelenk schiebt, der Effekt braucht ein drehendes
+core-the-joint-was-measured-at-different = das Gelenk wurde bei { $a } verschiedenen Werten gemessen, mindestens { $b } sind nötig
+core-the-session-does-not-say-from = die Messung sagt nicht, von welcher Seite die Posen angefahren wurden
+core-every-pose-was-approached-from-the = jede Pose wurde von derselben Seite angefahren
+core-the-session-does-not-say-how = die Messung sagt nicht, wie schnell sich das Gelenk beim Messen bewegte
+core-every-pose-was-measured-at-standstill = jede Pose wurde im Stillstand gemessen
+core-every-pose-was-measured-at-the = jede Pose wurde bei derselben Geschwindigkeit gleichen Vorzeichens gemessen
+core-the-session-has-no-temperature = die Messung hat keine Temperatur
+core-the-temperature-never-changed = die Temperatur hat sich nie geändert
+core-the-session-has-no-time = die Messung hat keine Zeit
+core-every-sample-has-the-same-time = jeder Messpunkt hat dieselbe Zeit
+core-the-direction-of-gravity-is-not = die Richtung der Schwerkraft ist nicht angegeben
+core-the-session-has-no-load = die Messung hat keine Last
+core-the-load-never-changed = die Last hat sich nie geändert
+core-the-robot-has-several-joints-link = der Roboter hat mehrere Gelenke: Die Armgeometrie tritt an seine Stelle
+core-the-tool-lies-on-the-axis = das Werkzeug liegt auf der Achse und hat keinen Radius
+core-z-was-not-measured-and-the = z wurde nicht gemessen, und der Effekt wirkt entlang der Achse
+core-in-these-samples-it-cannot-be = in diesen Messpunkten lässt es sich nicht von der Geometrie unterscheiden: Koordinatensystem, Nullpunkte, Arme und Werkzeug
+core-in-these-samples-it-cannot-be-told = in diesen Messpunkten lässt es sich nicht von Nullpunktverschiebung und Armlänge unterscheiden
+
+# The core: mistakes of the set-up
+
+core-in-these-samples-the-same-as = { $a }; in diesen Messpunkten dasselbe wie: { $b }
+core-joint-counts-the-other-way-round = Gelenk { $a } zählt andersherum
+core-reverse-the-sign-of-joint-in = das Vorzeichen von Gelenk { $a } in der Roboterbeschreibung oder in den Messpunkten umkehren
+core-joints-and-are-exchanged = die Gelenke { $a } und { $b } sind vertauscht
+core-exchange-the-columns-of-joints-and = die Spalten der Gelenke { $a } und { $b } vertauschen
+core-the-measured-points-follow-the-joint = die gemessenen Punkte folgen den rückgelesenen Gelenkwerten, nicht den befohlenen
+core-start-from-the-values-read-back = von den rückgelesenen Werten ausgehen (--joint-values read) und prüfen, woher die Sollwerte kommen
+core-joints-and-are-coupled-parallelogram-but = die Gelenke { $a } und { $b } sind gekoppelt (Parallelogramm), wurden aber als ungekoppelt gelesen
+core-joints-and-are-uncoupled-but-were = die Gelenke { $a } und { $b } sind ungekoppelt, wurden aber als gekoppelt (Parallelogramm) gelesen
+core-the-home-position-of-joint-is = die Grundstellung von Gelenk { $a } liegt um { $b } daneben
+core-add-to-joint-at-home-or = zu Gelenk { $b } in der Grundstellung { $a } addieren oder das Gelenk neu referenzieren
+core-the-home-positions-of-joints-and = die Grundstellungen der Gelenke { $a } und { $b } liegen um 180° daneben
+core-correct-the-unit-in-the-headings = die Einheit in den Überschriften der Gelenke berichtigen
+core-correct-the-unit-in-the-heading = die Einheit in der Überschrift von { $a } berichtigen
+core-correct-the-unit-in-the-headings-of = die Einheit in den Überschriften von x, y und z berichtigen
+core-two-of-the-measured-axes-are = zwei der gemessenen Achsen sind vertauscht (etwa x und y), oder eine ist umgekehrt
+core-the-measured-axes-are-swapped = die gemessenen Achsen { $a } sind vertauscht
+core-x-and-y = x und y
+core-y-and-z = y und z
+core-x-and-z = x und z
+core-x-y-and-z-read-as = x, y und z (gelesen als y, z, x)
+core-x-y-and-z-read-as-z = x, y und z (gelesen als z, x, y)
+core-exchange-the-headings-of-the-measured = die Überschriften der gemessenen Spalten vertauschen
+core-exchange-the-headings-of-the-measured-columns = die Überschriften der gemessenen Spalten vertauschen oder eine davon umkehren
+core-the-measuring-frame-was-never-aligned-with = das Messkoordinatensystem wurde nie auf die Basis des Roboters ausgerichtet
+core-align-the-instrument-turned-by-moved = das Messgerät ausrichten (gedreht um { $a }, verschoben um { $b }) oder den Messpunkten eine Spalte `setup` geben, damit das Koordinatensystem angepasst wird
+core-with-the-frame-the-tool-and = mit angepasstem Koordinatensystem, Werkzeug und Nullpunkten ist der mittlere Fehler (Median) { $a } wie vorliegend und { $b } ohne den Irrtum
+core-with-zero-offset-and-link-length = mit angepasstem Nullpunkt und Armlänge ist der RMS-Fehler { $a } wie vorliegend und { $b } ohne den Irrtum
+core-far-beyond-what-adjusting-could-mend = weit jenseits dessen, was eine Anpassung beheben könnte
+core-the-median-error-is-as-it = der mittlere Fehler (Median) ist { $a } wie vorliegend und { $b } mit angepasstem Koordinatensystem
+core-no-geometry-fits-the-samples-as = keine Geometrie passt zu den Messpunkten, wie sie sind; mit angepasstem Koordinatensystem ist der mittlere Fehler (Median) { $a }
+core-the-instrument-lost-the-reflector-in = das Messgerät hat den Reflektor verloren in { $a }
+core-it-wrote-0-0-0 = es schrieb 0, 0, 0
+core-these-samples-are-left-out-measure = diese Messpunkte werden weggelassen; messen Sie sie neu
+core-the-instrument-saw-reflector-instead-in = das Messgerät sah stattdessen den Reflektor { $a } in { $b }
+core-the-points-lie-where-should-be = die Punkte liegen, wo { $a } sein sollte
+core-these-samples-are-left-out-correct = diese Messpunkte werden weggelassen; berichtigen Sie ihren Reflektor oder messen Sie sie neu
+core-the-instrument-was-locked-on-a = das Messgerät hing an einem Punkt fest, der sich nicht bewegt, in { $a }
+core-the-measured-point-stays-while-the = der gemessene Punkt bleibt, während sich der Roboter bewegt
+core-sample = Messpunkt { $a }
+core-samples = Messpunkte { $a }
+core-samples-and-more = Messpunkte { $a } und { $b } weitere
+core-the-values-read-back-from-joint = die rückgelesenen Werte von Gelenk { $a } hängen dem Sollwert um { $b } nach
+core-read-joint-back-at-standstill-taken = Gelenk { $a } im Stillstand rücklesen; so wie sie sind, sehen diese Werte nach Umkehrspiel oder Schleppfehler aus
+core-reverse-joint = Gelenk { $a } umkehren
+core-read-joint-as-degrees = Gelenk { $a } als Grad lesen
+core-read-joint-as-radians = Gelenk { $a } als Radiant lesen
+core-read-all-joints-as-degrees = Alle Gelenke als Grad lesen
+core-read-all-joints-as-radians = Alle Gelenke als Radiant lesen
+core-exchange-joints-and = Gelenke { $a } und { $b } vertauschen
+core-subtract-joint-from-joint = Gelenk { $a } von Gelenk { $b } abziehen
+core-add-joint-to-joint = Gelenk { $a } zu Gelenk { $b } addieren
+core-start-from-the-values-read-back-2 = Von den rückgelesenen Werten ausgehen
+core-turn-the-home-of-joint-by = Die Grundstellung von Gelenk { $a } um { $b } drehen
+core-read-the-coordinates-as-metres = Die Koordinaten als Meter lesen
+core-read-the-coordinates-as-inches = Die Koordinaten als Zoll lesen
+core-read-the-coordinates-as-micrometres = Die Koordinaten als Mikrometer lesen
+core-multiply-the-coordinates-by = Die Koordinaten mit { $a } multiplizieren
+core-exchange-x-and-y = x und y vertauschen
+core-read-x-y-z-from = x, y, z aus { $a } lesen
+core-fit-the-measuring-frame = Das Messkoordinatensystem anpassen
+core-remove = { $a } entfernen
+core-remove-this-sample = Diesen Messpunkt entfernen
+core-remove-these-samples = Diese { $a } Messpunkte entfernen
+core-add-joint-in-the-value-of = Gelenk { $a } in den Wert von Gelenk { $b } einrechnen (addieren)
+core-subtract-joint-in-the-value-of = Gelenk { $a } aus dem Wert von Gelenk { $b } herausrechnen (abziehen)
+
+# The core: findings about a session
+
+core-the-noise-of-the-instrument-is-not = das Rauschen des Messgeräts ist nicht angegeben: Es wird aus den Messpunkten geschätzt
+core-measured = gemessen: { $a }
+core-measured-with-the-table-of-model = mit der aktiven Tabelle des Modells { $a } gemessen: Die Messung zeigt, was bleibt, und nichts korrigiert sie ein zweites Mal
+core-regions-and-overlap = die Regionen { $a } und { $b } überlappen sich
+core-regions-that-touch-at-most-the = Regionen, die sich höchstens berühren; die zuerst genannte bekommt, was beide beanspruchen
+core-two-regions-are-called = zwei Regionen heißen { $a }
+core-a-name-of-its-own-for = für jede Region einen eigenen Namen
+core-a-name-of-its-own-for-each = für jedes Gelenk einen eigenen Namen
+core-regions-are-for-a-robot-with = Regionen gibt es für einen Roboter mit einem einzigen Drehgelenk: Sie werden nicht verwendet
+core-targets-but-no-column-target-every = { $a } Reflektoren, aber keine Spalte target: Jeder Messpunkt gilt als { $b }
+core-a-column-target = eine Spalte target
+core-no-sample-shows-this-target = kein Messpunkt zeigt diesen Reflektor
+core-no-sample-has-its-commanded-values = kein Messpunkt hat seine Sollwerte und etwas Gemessenes
+core-at-least-one-complete-sample = mindestens ein vollständiger Messpunkt
+core-of-samples-lack-a-commanded-value = { $a } von { $b } Messpunkten fehlt ein Sollwert oder alles Gemessene, sie sind nicht verwendbar: { $c }
+core-of-samples-are-excluded-by-hand = { $a } von { $b } Messpunkten sind von Hand ausgeschlossen und zählen in keiner Zahl: { $c }
+core-of-samples-lack-single-coordinates-the = { $a } von { $b } Messpunkten fehlen einzelne Koordinaten; die übrigen werden angepasst: { $c }
+core-no-column-for-the-measured-z = keine Spalte für das gemessene z: Die Messung ist eben
+core-every-sample-is-held-out-or = jeder Messpunkt ist zurückgehalten oder ausgeschlossen: Es bleibt nichts anzupassen
+core-some-samples-marked-fit = einige Messpunkte mit der Kennzeichnung fit
+core-measured-orientations-are-not-of-unit = { $a } gemessene Orientierungen haben nicht die Länge eins: { $b }
+core-unit-quaternions = Einheitsquaternionen
+core-samples-are-beyond-the-limits-of = { $a } Messpunkte liegen außerhalb der Grenzen von Gelenk { $b }: { $c }
+core-commands-within-the-limits = Sollwerte innerhalb der Grenzen
+core-negative-loads = negative Lasten: { $a }
+core-0-kg-or-more = 0 kg oder mehr
+core-temperatures-below-absolute-zero = Temperaturen unter dem absoluten Nullpunkt: { $a }
+core-the-time-does-not-increase-at = die Zeit nimmt nicht zu bei { $a }; die Reihenfolge der Datei gilt als Messreihenfolge
+core-setups-each-has-a-measuring-frame = { $a } Aufstellungen: Jede hat ihr eigenes Messkoordinatensystem
+core-the-instrument-lost-the-reflector-0 = das Messgerät hat den Reflektor in { $a } Messpunkten verloren (0, 0, 0): { $b }
+core-they-are-left-out = sie werden weggelassen
+
+# The core: figures of the standards
+
+core-samples-are-left-out-a-cell = { $a } Messpunkte sind weggelassen: Eine Zelle fehlt, der Reflektor ging verloren, oder sie sind von Hand ausgeschlossen
+core-no-point-was-measured-xmm-ymm = es wurde kein Punkt gemessen (x_mm, y_mm): Die Zahlen beider Normen gelten für gemessene Positionen an befohlenen; Abstände, Richtungen, Aufnahmen und Antastungen allein ergeben keine
+core-the-session-was-measured-with-a = gemessen wurde mit aktiver Tabelle: Die Zahlen gelten mit Kompensation, und nichts wird ein zweites Mal korrigiert
+core-samples-were-taken-in-motion-the = Messpunkte wurden in Bewegung aufgenommen; die Normen messen im Stillstand, sodass Schleppfehler in diesen Zahlen steckt
+core-poses-with-two-cycles-or-more = { $a } Posen mit zwei Zyklen oder mehr, { $b } aus mehreren Richtungen, { $c } Bahnen; von jeder Zahl die größte
+core-no-pose-was-reached-twice-from = keine Pose wurde zweimal aus derselben Richtung nach einer anderen Pose erreicht
+core-no-pose-was-repeated-from-several = keine Pose wurde aus mehreren Richtungen wiederholt
+core-z-was-not-measured-figures-are = z wurde nicht gemessen: Die Zahlen gelten in der Ebene
+
+# The core: import
+
+core-decimal-point = Dezimalpunkt
+core-decimal-comma = Dezimalkomma
+core-the-unit-of-the-joint-values = die Einheit der Gelenkwerte ist nicht angegeben
+
+# The core: units that were mistaken
+
+core-the-values-of-joint = die Werte von Gelenk { $a } { $b }
+core-the-values-of-all-joints = die Werte aller Gelenke { $a }
+core-are-in-degrees-but-were-read = sind in Grad, wurden aber als Radiant gelesen
+core-are-in-radians-but-were-read = sind in Radiant, wurden aber als Grad gelesen
+core-the-measured-coordinates-are = die gemessenen Koordinaten sind { $a }
+core-in-metres-but-were-read-as = in Metern, wurden aber als Millimeter gelesen
+core-in-micrometres-or-were-multiplied-by = in Mikrometern oder wurden mit 1000 multipliziert
+core-in-inches-but-were-read-as = in Zoll, wurden aber als Millimeter gelesen
+core-in-millimetres-but-were-read-as = in Millimetern, wurden aber als Zoll gelesen
+core-the-unit-of-x-y-z = die Einheit von x, y, z ist nicht angegeben: { $a }
+core-the-points-spread-over-as-m = die Punkte erstrecken sich über { $a }: als m wären das { $b }, als mm { $c }, als in { $d }; { $e }
+core-would-suit = { $a } würden passen, { $b }
+core-as-robots-are-mostly-as-large = da Roboter meist so groß wie Menschen sind
+core-beside-a-robot-that-reaches = neben einem Roboter mit { $a } Reichweite
+core-positions-each-approached-from-below-and = { $a }; { $b } Positionen, jede angefahren: { $c } von unten und { $d } von oben
+core-all-samples-alike = alle Messpunkte gleich
+core-reflector = Reflektor { $a }
+core-reflector-2 = Reflektor { $a }, { $b }
+core-load-2 = Last { $a }
+core-load-3 = Last { $a }, { $b }
+core-measured-at = gemessen bei { $a }
+core-measured-at-2 = gemessen bei { $a }, { $b }
+core-setup = Aufstellung { $a }
+core-setup-2 = Aufstellung { $a }, { $b }
+core-other-joints-at = andere Gelenke bei { $a }
+core-never = nie
+core-once-or-more = einmal oder öfter
+core-twice-or-more = zweimal oder öfter
+core-times-or-more = { $a }-mal oder öfter
+core-more-series-under-other-conditions-are = { $a } weitere Reihen unter anderen Bedingungen stehen in `standards --json`
+core-of-positions-have-fewer-approaches-than = { $a } von { $b } Positionen wurden seltener angefahren als die anderen und sind weggelassen
+core-not-every-position-was-approached-from = nicht jede Position wurde von { $a } angefahren: keine Zahl, die diese Seite braucht, und keine Umkehrspanne
+core-a-position-was-approached-once-from = eine Position wurde nur einmal von { $a } angefahren: keine Standardabweichung, also keine Wiederholpräzision und keine Genauigkeit
+core-below = unten
+core-above = oben
+core-approaches-from-each-side-the-standard = { $a } Anfahrten von jeder Seite; die Norm verlangt { $b }
+core-positions-over-the-standard-asks-for = { $a } Positionen über { $b }; die Norm verlangt { $c }
+core-paths-with-as-few-as-cycles = Bahnen mit nur { $a } Zyklen; die Norm verlangt { $b }
+core-poses-with-as-few-as-cycles = Posen mit nur { $a } Zyklen; die Norm verlangt { $b }
+core-no-pose-beside-the-paths-was = keine Pose neben den Bahnen wurde zweimal erreicht
+core-the-side-from-which-a-joint = die Seite, von der ein Gelenk kam, ist nicht bekannt: Seine Richtungen gelten als eine
+core-the-side-from-which-the-joint = die Seite, von der das Gelenk kam, ist nicht bekannt: Die Spalte { $a } fehlt
+core-metres = Meter
+core-millimetres = Millimeter
+core-inches = Zoll
+core-an-iso-2302-run-targets-and = ein Lauf nach ISO 230-2: Soll- und Istpositionen einer Achse
+core-a-camera-that-sees-a-calibration = eine Kamera, die eine Kalibriertafel sieht: rvec und tvec jedes Bilds
+core-a-tum-trajectory-time-position-quaternion = eine TUM-Trajektorie: Zeit, Position, Quaternion
+core-any-program-a-table-with-a = jedes Programm: eine Tabelle mit Kopfzeile oder mit unten gewählten Spalten
+core-an-mcap-recording-joint-states-and = eine MCAP-Aufzeichnung: Gelenkzustände und gemessene Posen
+core-a-ballbar-a-drawwire-or-an = Ballbar, Seilzugsensor oder Interferometer: Abstände
+core-a-laser-tracker-or-spatialanalyzer-names = ein Lasertracker oder SpatialAnalyzer: Namen, x, y, z
+
+# The core: places in files
+
+core-line-column = { $a }, Zeile { $b }, Spalte { $c }, { $d }
+core-line-column-2 = { $a }, Zeile { $b }, Spalte { $c }
+core-line = { $a }, Zeile { $b }
+core-line-column-3 = Zeile { $a }, Spalte { $b }
+core-line-2 = Zeile { $a }
+
+# The core: exports
+
+core-zeros-base-and-tool-frame = Nullpunkte, Basis und Werkzeug
+core-mjcf-with-corrected-bodies = MJCF mit korrigierten Körpern
+core-urdf-with-corrected-origins = URDF mit korrigierten Ursprüngen
+core-kinematics-of-urdescription = Kinematik von ur_description
+core-denavithartenberg-rows = Denavit-Hartenberg-Zeilen
+core-lerobot-motor-calibration-and-urdf = LeRobot-Motorkalibrierung und URDF
+core-c99-header-with-a-lookup-function = C99-Header mit Nachschlagefunktion
+core-csv-table-with-json-metadata = CSV-Tabelle mit JSON-Metadaten
+core-twincat-cnc-isg-list = TwinCAT-CNC-Liste (ISG)
+core-twincat-nc-structured-text = Strukturierter Text für TwinCAT NC
+core-the-numbers-are-the-corrected-geometry = die Zahlen sind die korrigierte Geometrie selbst: wo Gelenke und Werkzeug wirklich sind; zum Sollwert wird nichts addiert
+core-this-robot-carries-it-is-from = dieser Roboter trägt { $a }; er liegt über den gemessenen Bereich { $b } vom Modell entfernt (höchstens { $c }), der nominelle { $d } (quadratisches Mittel)
+core-zero-offsets-base-and-tool-frame = Nullpunkte, Basis und Werkzeug
+core-zero-offsets-base-and-tool-frame-and = Nullpunkte, Basis und Werkzeug sowie die Armgeometrie
+core-at-home-the-nominal-tool-is = in der Grundstellung ist das nominelle Werkzeug bei { $a }, dieser Roboter hat es bei { $b }
+core-has-no-place-in-at-standstill = { $a } hat keinen Platz in { $b }: im Stillstand, ohne Last und bei 20 °C lässt es nichts übrig
+core-has-no-place-in-it-leaves = { $a } hat keinen Platz in { $b }: Es lässt { $c } übrig
+core-the-zero-offsets-are-in-this = die Nullpunktverschiebungen sind in dieser Datei: Lassen Sie die Nullpunkte der Steuerung, wie sie sind
+core-no-joint-has-a-zero-offset = kein Gelenk hat eine Nullpunktverschiebung, die die Steuerung übernehmen müsste
+core-the-zero-offsets-are-left-to = die Nullpunktverschiebungen bleiben der Steuerung und sind nicht in dieser Datei: Ihre Gelenke stehen jenseits der Anzeige, { $a }; verschieben Sie ihre Nullpunkte so, dass sie um so viel mehr anzeigt
+core-the-zero-offsets-in-this-file = die Nullpunktverschiebungen in dieser Datei soll die Steuerung übernehmen: Sie muss um so viel mehr anzeigen, wie jedes Gelenk jenseits seines Sollwerts steht
+core-base-where-the-robot-really-stands = base: wo der Roboter wirklich steht, im Basissystem; tool: das wirkliche Werkzeug im System des nominellen (neue Werkzeugdaten = jetzige mal dieses); zeros: wie weit jedes Gelenk jenseits seines Sollwerts steht
+core-base-the-robots-base-in-the = base: die Basis des Roboters im Basissystem; tool: das wirkliche Werkzeug im System des nominellen
+core-the-geometry-of-the-links-is = die Armgeometrie steckt nicht in diesen Zahlen; dh, urdf oder mjcf tragen sie
+core-rows-cannot-say-where-the-first = Zeilen können nicht sagen, wo die erste Achse in der Basis steht: Geben Sie auch base ein
+core-base-the-frame-before-the-first = base: das System vor der ersten Zeile im Basissystem; tool: das Werkzeug im System hinter der letzten Zeile
+core-rows-in-the-convention = Zeilen nach der Konvention { $a }
+core-base-the-frame-that-the-first = base: das System, in dem das erste Glied angegeben ist; tool: der TCP im System von wrist_3
+core-set-the-tcp-to-with-the = setzen Sie den TCP auf { $a } mit dem Rotationsvektor { $b }: Das Werkzeug ist nicht Teil dieser Datei
+core-for-the-launch-argument-kinematicsparamsfile-the = für das Startargument kinematics_params_file; der Treiber vergleicht dessen Hash mit der eigenen Kalibrierung der Steuerung und warnt, dass sie abweichen
+core-masses-are-not-written-a-calibration = Massen werden nicht geschrieben: Eine Kalibrierung kennt die Trägheit eines Glieds nicht
+core-names-that-are-empty-or-not = leere oder mehrfache Namen wurden geändert: Die Datei braucht für jedes einen
+core-syntax-from-the-manual-not-tried = Syntax nach Handbuch, nicht an einer Steuerung erprobt
+core-the-motors-show-more-than-before = die Motoren zeigen mehr an als vorher, in Schritten: { $a }; ihre Bereiche verschieben sich mit: Bleiben Sie den Anschlägen fern, bis Sie es erprobt haben
+core-the-calibration-by-itself-with-the = die Kalibrierung allein, mit dem nominellen URDF, lässt { $a } über den gemessenen Bereich übrig (Stufe: Nullpunkte)
+core-feetech-present-actual-homingoffset-a-joint = Feetech: present = actual − homing_offset; ein Gelenk jenseits seines Sollwerts bekommt ein kleineres homing_offset
+core-dynamixel-present-actual-homingoffset-a-joint = Dynamixel: present = actual + homing_offset; ein Gelenk jenseits seines Sollwerts bekommt ein größeres homing_offset
+core-the-calibration-by-itself-carries-the = die Kalibrierung trägt die Nullpunkte; das URDF daneben trägt den Rest und passt nur zu dieser Motorkalibrierung
+core-the-zero-offsets-are-in-homingoffset = die Nullpunktverschiebungen stehen in homing_offset dieser Kalibrierung, in ganzen Schritten, und ihr Rest im URDF daneben: Nichts anderes soll sie übernehmen
+core-the-zero-offsets-are-in-the = die Nullpunktverschiebungen stehen im URDF neben dieser Kalibrierung, die bleibt, wie sie war
+core-no-calibration-was-given-the-homing = es wurde keine Kalibrierung angegeben: Die Homing-Offsets zählen ab 0, Nummern und Bereiche sind Platzhalter; geben Sie mit --reference die an, die beim Messen aktiv war
+core-in-the-ini-file-the-joint = in der INI-Datei: { $a }; das Gelenk hat { $b }
+core-backlash-is-ignored-while-compfile-is = BACKLASH wird ignoriert, solange COMP_FILE gesetzt ist: Die beiden Spalten tragen es
+core-in-the-machine-data-md38000-mmenccompmaxpoints = in den Maschinendaten: MD38000 MM_ENC_COMP_MAX_POINTS mindestens { $a }, nach dem Laden { $b }; die Achse muss { $c } heißen
+core-switched-on-after-referencing-the-axis = nach dem Referenzieren eingeschaltet, bewegt sich die Achse sofort um die Korrektur am Referenzpunkt, { $a } bei 0
+core-the-808d-holds-points-for-it = die 808D fasst { $a } Punkte; geben Sie für sie eine größere Schrittweite an
+core-ismodulo-1-is-for-a-modulo = IS_MODULO = 1 gilt für eine Moduloachse; für eine begrenzte auf 0 setzen
+core-modulo-1-is-for-a-modulo = modulo 1 gilt für eine Moduloachse; für eine begrenzte auf 0 setzen
+core-in-the-axis-list-have-to = in der Achsliste: { $a }; { $b } müssen die der Achse sein; keine andere Losekompensation daneben
+core-the-largest-value-needs-a-build = der größte Wert, { $a }, braucht eine Version mit 32-Bit-Werten; ältere haben 16
+core-in-the-plc-the-axis-counts = in der SPS: { $a }; die Achse zählt in { $b }
+core-no-joint-removes-root-mean-square = kein Gelenk beseitigt { $a } (quadratisches Mittel über den gemessenen Bereich)
+
+# The core: poses to measure next
+
+core-makes-and-more-testable = macht { $a } und { $b } weitere prüfbar: { $c }
+core-makes-testable = macht { $a } prüfbar: { $b }
+core-what-the-others-are-compared-with = womit die anderen verglichen werden
+core-tells-they-differ-most-at = unterscheidet { $a }: Sie weichen am meisten ab bei { $b }
+core-not-determined = nicht bestimmt
+core-implausibly-large-more-than-ten-times = unplausibel groß: mehr als das Zehnfache des Üblichen
+core-not-determined-by-these-samples = { $a }: durch diese Messpunkte nicht bestimmt
+core-any-size-there-is-no-noise = { $a }: jede Größe, es gibt kein Rauschen
+core-not-observable-with-these-poses = { $a }: mit diesen Posen nicht beobachtbar
+core-pose = Pose
+core-from = von
+core-reflector-3 = Reflektor
+core-conditions = Bedingungen
+core-second-time = zum zweiten Mal
+core-is-a-new-reflector-mount-it = { $a } ist ein neuer Reflektor: bei { $b } im Werkzeugsystem anbringen und einmessen, wo er wirklich ist
+core-with = mit
+core-joint-2 = Gelenk { $a } ({ $b })
+core-poses = Posen

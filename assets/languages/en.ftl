@@ -1508,6 +1508,7 @@ grip-width = width of { $name }
 ## text
 
 text-usually = usually { $usual_size }
+text-size-from-to = { $from } to { $to }
 text-what-means = what { $word } means
 
 ## sample
@@ -1814,3 +1815,555 @@ figure-b-mean = The same on average along the axis
 figure-ap = Pose accuracy: from the commanded point to the middle of the measured ones
 figure-rp = Pose repeatability: the radius of the sphere that holds the returns to one pose, mean plus three standard deviations
 figure-vap = How far the middles differ when one pose is approached from different sides
+
+## what the core says
+
+finding-expected = { $found }; expected { $expected }
+finding-at = { $place }: { $found }
+
+# The core: causes of effects
+
+core-the-column-does-not-stand-upright = the column does not stand upright on the base
+core-the-bearings-raceways-are-wavy-so = the bearing's raceways are wavy, so that the axis tilts as it turns
+core-play-between-gear-teeth-in-a = play between gear teeth, in a coupling or a key
+core-the-measuring-frame-was-surveyed-to = the measuring frame was surveyed to a point beside the axis
+core-raceways-or-seats-of-the-bearing = raceways or seats of the bearing are not round
+core-the-encoders-ring-or-the-gear = the encoder's ring or the gear that drives it is mounted off centre
+core-the-encoder-ring-is-tilted-or = the encoder ring is tilted or oval, or a coupling between encoder and shaft is bent
+core-the-pedestal-the-floor-or-the = the pedestal, the floor or the base's bolts give way under the moment of load and arm
+core-the-tripod-settles-or-the-base = the tripod settles, or the base creeps
+core-somebody-touched-the-tripod-or-the = somebody touched the tripod, or the base slipped
+core-tooth-or-wavegenerator-errors-in-the = tooth or wave-generator errors in the reducer; the order tells which wheel
+core-the-instruments-distance-scale-or-its = the instrument's distance scale, or its air temperature and pressure, is off
+core-reducer-bearing-and-shaft-wind-up = reducer, bearing and shaft wind up under the weight that hangs on the joint
+core-the-gear-ratio-or-the-encoders = the gear ratio or the encoder's counts per turn are entered slightly wrong
+core-the-reference-mark-or-the-homing = the reference mark or the homing position is not where the controller assumes it
+core-the-link-or-the-structure-bends = the link or the structure bends under the load
+core-links-are-longer-or-shorter-than = links are longer or shorter than drawn, axes are not square or not parallel
+core-the-tool-or-the-link-is = the tool or the link is longer or shorter than the controller's data
+core-friction-in-the-reducer-winds-the = friction in the reducer winds the drive up after each reversal
+core-the-instrument-stands-where-it-was = the instrument stands where it was put
+core-the-thread-of-the-screw-is = the thread of the screw is uneven, or the screw's bearing or the encoder on it runs out
+core-the-arm-grows-as-it-warms = the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23
+core-the-encoders-mounting-or-the-reducer = the encoder's mounting or the reducer turns a little as it warms up
+core-the-tool-is-mounted-beside-the = the tool is mounted beside the radius that the controller assumes
+core-the-tool-is-mounted-turned-or = the tool is mounted turned, or its data in the controller are
+core-the-tool-data-in-the-controller = the tool data in the controller, or the place of the target on the tool
+core-the-position-loop-follows-late-or = the position loop follows late, or the instrument's clock and the controller's differ
+core-unknown-no-effect-of-the-catalogue = unknown: no effect of the catalogue explains it
+core-the-drive-of-one-joint-turns = the drive of one joint turns another as well, and the controller's ratio for it is not exact
+
+# The core: what to check
+
+core-shim-the-columns-foot-level-it = shim the column's foot; level it along x and y
+core-the-bearings-axial-seat-and-preload = the bearing's axial seat and preload
+core-preload-and-wear-of-the-reducer = preload and wear of the reducer; rock the output by hand with the drive held
+core-survey-the-base-again = survey the base again
+core-the-bearings-seat-and-preload = the bearing's seat and preload
+core-centre-the-encoder-ring-or-average = centre the encoder ring, or average a second reading head at 180°
+core-check-the-rings-mounting-face-for = check the ring's mounting face for tilt and the ring for roundness
+core-the-bolts-and-the-pedestal-a = the bolts and the pedestal; a dial gauge at the base while the loaded arm swings round
+core-tripod-clamps-and-the-sun-on = tripod, clamps and the sun on the tripod's legs
+core-return-to-the-datum-points-after = return to the datum points after the step; clamps and tripod
+core-compare-the-order-with-the-reducers = compare the order with the reducer's tooth counts, then its preload and lubrication
+core-measure-a-scale-bar-the-instruments = measure a scale bar; the instrument's weather station
+core-the-payload-entered-in-the-controller = the payload entered in the controller; stiffness of the reducer in its data sheet
+core-compare-the-gear-ratio-and-the = compare the gear ratio and the counts per turn in the controller with the data sheets
+core-home-the-joint-again-and-repeat = home the joint again and repeat three poses
+core-the-bolts-between-base-column-and = the bolts between base, column and link
+core-the-kinematic-data-in-the-controller = the kinematic data in the controller
+core-the-tool-data-in-the-controller-2 = the tool data in the controller
+core-lubrication-and-preload-of-the-reducer = lubrication and preload of the reducer
+core-measure-reference-points-on-the-base = measure reference points on the base in every setup
+core-the-screws-runout-and-its-thrust = the screw's runout and its thrust bearing; the coupling and the encoder on the screw
+core-let-the-machine-warm-up-before = let the machine warm up before measuring, or enter the arm's expansion in the controller
+core-let-the-machine-warm-up-before-homing = let the machine warm up before homing; look for a heat source beside the encoder
+core-the-tool-flange-and-the-tool = the tool flange and the tool data in the controller
+core-measure-the-targets-on-the-tool = measure the targets on the tool
+core-synchronise-the-clocks-then-the-loops = synchronise the clocks, then the loop's velocity gain and feed-forward
+core-look-at-the-machine-where-the = look at the machine where the joint stands in that range: scale, bearing, cables, cover
+core-the-coupling-ratio-in-the-controllers = the coupling ratio in the controller's data
+
+# The core: usual sizes
+
+core-any = any
+core-10-m-of-eccentricity-on-a = 10 µm of eccentricity on a ring of 50 mm radius is 0.011°
+core-005-to-1-mm-005-to = 0.05 to 1 mm, 0.05 to 2 mrad
+core-012-to-023-mm-per-metre = 0.12 to 0.23 mm per metre and 10 K
+
+# The core: parameters
+
+core-about-x = about x
+core-about-y = about y
+core-about-z = about z
+core-amplitude = amplitude
+core-compliance = compliance
+core-delay = delay
+core-delta = delta
+core-fade = fade
+core-from-joint = from joint
+core-lead = lead
+core-offset = offset
+core-order = order
+core-phase = phase
+core-rate = rate
+core-ratio = ratio
+core-scale = scale
+core-time = time
+core-width = width
+
+# The core: what stays, and what to do about it
+
+core-of-joint-leaves = { $a } of joint { $b } leaves { $c }: { $d }
+core-leaves = { $a } leaves { $b }: { $c }
+core-its-part-along-the-radius-belongs = its part along the radius belongs into the tool data (l1) or the base data of the controller; the exact method says into which
+core-needs-a-mechanical-repair = needs a mechanical repair: { $a }
+core-let-the-machine-warm-up-or = let the machine warm up, or enter the arm's expansion in the controller
+core-move-the-tool-in-the-controllers = move the tool in the controller's tool data by { $a } across the radius
+core-turn-the-base-in-the-controller = turn the base in the controller by { $a } about x and { $b } about y, or shim the column's foot
+core-along-the-radius-set-the-tools = along the radius; set the tool's radius (l1) in the controller from { $a } to { $b }
+core-move-the-base-in-the-controller = move the base in the controller by { $a }, or survey it again
+core-the-joint-stands-beyond-its-command = the joint stands { $a } beyond its command: correct its zero in the controller, or home it again
+core-move-the-tools-point-in-the = move the tool's point in the controller by { $a } in the tool frame
+
+# The core: tables
+
+core-the-numbers-are-corrections-add-them = the numbers are corrections: add them to the command, so that the robot ends up where it was commanded (the deviation measured − commanded has the other sign)
+core-the-numbers-are-deviations-actual-commanded = the numbers are deviations, actual − commanded: the controller takes them away from the command (the correction, what is added to it, has the other sign)
+core-commanded-robot-reached-table-says-send = commanded { $a }, robot reached { $b }, table says { $c }: send { $d }
+core-with-this-table-the-controller-leaves = with this table the controller leaves { $a } over the measured range, where an exact correction leaves { $b }; { $c }
+core-its-entries-add-less-than = its { $a } entries add { $b }, less than { $c } ({ $d })
+core-its-entries-add-more-than-the = its { $a } entries add { $b }, more than { $c } ({ $d }): the step is wide
+core-its-entries-add-more-than-takes = its { $a } entries add { $b }, more than { $c } ({ $d }): { $e } takes at most { $f }
+core-1-of-the-tolerance = 1 % of the tolerance
+core-1-of-001-mm-as-there = 1 % of 0.01 mm, as there is no tolerance
+core-1-of-the-models-rms-error = 1 % of the model's RMS error, as there is no tolerance
+core-the-joint-has-no-limits-the = the joint has no limits: the table covers the measured range
+core-a-step-of-does-not-divide = a step of { $a } does not divide the travel: the steps are { $b }
+core-measured-from-to-outside-the-correction = measured from { $a } to { $b }; outside, the correction at the end of that range is held
+core-the-of-this-joint-depends-on = the { $a } of this joint depends on the other joints: they stand at home here
+core-the-correction-jumps-at-the-boundaries = the correction jumps at the boundaries of the regions; between two entries the table makes a ramp of it
+core-up-to-of-it-is-an = up to { $a } of it is an unexplained smooth correction, measured from { $b } to { $c }: no effect of the catalogue explains it, and outside that range its end values are held
+
+# The core: targets and programs
+
+core-poses-for-which-the-file-declares = poses for which the file declares no frame are read { $a }; the tool of the controller has to be the model's where the file has one tool only
+core-in-the-robots-base-frame = in the robot's base frame
+core-in-the-frame-that-was-stated = in the frame that was stated
+core-the-robots-base-is-the-frame = the robot's base is the frame in which the session was measured
+core-the-robots-base-is-where-its = the robot's base is where its first axis is; the measuring frame stands { $a } and { $b } from it (--measured-frame corrects to that frame)
+core-targets-without-a-load-are-corrected = targets without a load are corrected for { $a }
+core-targets-without-a-temperature-are-corrected = targets without a temperature are corrected for { $a }
+
+# The core: tolerance
+
+core-pass = Pass
+core-fail = Fail
+core-neither-pass-nor-fail-is-proven = Neither pass nor fail is proven
+core-largest-deviation-expanded-uncertainty-u-k = largest deviation { $a } ({ $b }), expanded uncertainty U = { $c } (k = 2), tolerance { $d }; decision rule: { $e }
+core-predicted-with-corrected-commands = predicted with corrected commands
+core-as-measured-with-the-table-active = as measured with the table active
+core-simple-acceptance-jcgm-106-82 = simple acceptance (JCGM 106, 8.2)
+core-no-position-was-measured = no position was measured
+core-no-command-can-be-corrected = no command can be corrected
+core-the-noise-of-the-instrument-is = the noise of the instrument is not known
+
+# The core: noise and fit
+
+core-the-measuring-frame-wanders-by-root = the measuring frame wanders by { $a } (root mean square) within { $b }
+core-a-part-of-the-remaining-error = a part of the remaining error goes on from sample to sample, { $a } (root mean square) within { $b }: a diagnosis looks for effects in it
+core-as-found-as-stated-for-the = σ = { $a } as found, { $b } as stated for the instrument ({ $c } times)
+core-a-joint-value-or-a-coordinate = a joint value or a coordinate is missing
+core-the-instrument-lost-the-reflector-it = the instrument lost the reflector: it wrote 0, 0, 0
+core-by-hand = by hand
+core-converged = converged
+core-there-was-nothing-to-solve-for = there was nothing to solve for
+core-stopped-after-the-largest-number-of = stopped after the largest number of steps: the result may be rough
+core-stopped-where-no-step-made-the = stopped where no step made the fit better: the result may be rough
+core-cancelled = cancelled
+core-z-is-not-used-the-method = z is not used: the method works in the plane in which the axis moves the tool
+core-corrections-are-constant-in-the-base = corrections are constant in the base frame within a region: one constant error of the joint looks different in every region, and a part of it stays; the exact method has neither limit
+core-no-sample-in-region-no-correction = no sample in region { $a }: no correction there
+core-samples-lie-in-no-region-and = { $a } samples lie in no region and were not used
+core-the-targets-do-not-sit-where = the targets do not sit where the session says within targets_sigma_mm: their places are fitted freely
+core-beyond-what-is-usual-by-more = beyond what is usual by more than four times, and fitted without a prior: { $a }
+core-the-measuring-frame-was-never-aligned = the measuring frame was never aligned with the robot's base (turned by { $a }, moved by { $b }): it is fitted freely
+core-the-samples-do-not-depend-on = the samples do not depend on it: it is held at zero
+core-the-samples-do-not-depend-on-it = the samples do not depend on it
+core-the-samples-show-only-their-sum = the samples show only their sum: { $a } is held at zero, the others carry it
+core-the-samples-show-only-their-sum-a = the samples show only their sum: a change of one can be undone by the others
+core-overall-size-all-lengths-of-the = overall size: all lengths of the robot and of the places together
+core-the-base-is-open-what-was = the base is open: what was measured refers to places that are not known, and does not say where the robot stands; it is held where it is, and the places carry it
+
+# The core: a model on other samples
+
+core-the-sessions-robot-has-than-the = the session's robot has { $a } than the model's: the model's nominal robot is used
+core-another-tool = another tool
+core-other-axes = other axes
+core-the-session-was-measured-with-this = the session was measured with this model's table active: it shows what is left, and is not compensated a second time
+core-the-session-was-measured-with-another = the session was measured with another model's table active: it is not compensated a second time, and this model does not know what that table did
+core-belong-to-the-session-that-the = { $a } belong to the session that the model came from and are left out
+core-the-model-knows-no-setup-its = the model knows no setup { $a }: its frame is fitted to these samples
+core-not-known-to-the-model-and = not known to the model, and located beside it: { $a }
+
+# The core: tables of several joints
+
+core-the-table-cancels-what-joint-does = the table cancels what joint { $a } does to its own { $b }; errors of the geometry depend on all joints and belong into the controller's kinematic data
+core-angle = angle
+core-travel = travel
+
+# The core: held out
+
+core-each-fifth-of-the-measurements-of = each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it
+core-each-of-cells-of-the-workspace = each of { $a } cells of the workspace predicted by a fit that has not seen it
+core-each-fifth-of-the-cells-of = each fifth of the cells of the workspace predicted by a fit that has not seen it
+core-the-samples-that-the-session-marks = the samples that the session marks as held out; no fit touched them
+core-too-few-samples-to-hold-any = too few samples to hold any out
+
+# The core: what is left without a name
+
+core-no-effect-of-the-catalogue-explains = { $a }; no effect of the catalogue explains it
+core-the-base-model-does-not-fit = the base model does not fit: axes, tool or masses; { $a }
+core-what-is-left-looks-most-like = what is left looks most like { $a }
+core-the-search-stopped-at-its-limit = the search stopped at its limit of { $a } effects; { $b }
+core-the-remaining-error-of-is-times = the remaining error of { $a } is { $b } times what { $c }, without a structure that the search knows
+core-the-remaining-error-is-times-what = the remaining error is { $a } times what { $b }, without a structure that the search knows
+core-returns-to-the-same-pose-show = returns to the same pose show
+core-returns-to-the-same-pose-show-2 = returns to the same pose show ({ $a })
+core-is-stated-for-the-instrument = is stated for the instrument
+core-is-stated-for-the-instrument-2 = is stated for the instrument ({ $a })
+core-over-the-value-of-joint = { $a } over the value of joint { $b }, { $c }
+core-over-time = { $a } over time, { $b }
+core-over-the-side-from-which-joint = { $a } over the side from which joint { $b } came, { $c }
+core-over-the-speed-of-joint = { $a } over the speed of joint { $b }, { $c }
+core-over-the-load = { $a } over the load, { $b }
+core-over-temperature = { $a } over temperature, { $b }
+core-of-one-reflector-against-the-others = { $a } of one reflector against the others, { $b }
+core-a-constant = a constant
+core-a-straight-slope = a straight slope
+core-a-slope-away-from-the-middle = a slope away from the middle
+core-a-parabola = a parabola
+core-a-curve-of-no-known-form = a curve of no known form
+core-a-local-bump = a local bump
+core-a-step-or-plateau = a step or plateau
+core-a-slope-from-one-value-on = a slope from one value on
+core-a-wave = a wave
+core-a-periodic-pattern-with-harmonics = a periodic pattern with harmonics
+core-a-wave-of-one-turn-in = a wave of one turn in proportion
+core-along-the-motion-of-joint = along the motion of joint { $a }
+core-along-the-radius = along the radius
+core-along-the-axis = along the axis
+core-in-the-measuring-frame = in the measuring frame
+core-with-the-moving-body = with the moving body
+core-joint-from-to = joint { $a } from { $b } to { $c }
+core-speed-of-joint-from-to = speed of joint { $a } from { $b } to { $c }
+core-time-from-to = time from { $a } to { $b }
+core-load-from-to = load from { $a } to { $b }
+core-temperature-from-to = temperature from { $a } to { $b }
+core-cycles-per-turn-of = { $a } cycles per turn of { $b }
+core-cycles-per-metre-of = { $a } cycles per metre of { $b }
+core-joint = joint { $a }
+core-speed-of-joint = speed of joint { $a }
+core-side-from-which-joint-came = side from which joint { $a } came
+core-load = load
+core-temperature = temperature
+
+# The core: what tells explanations apart
+
+core-measure-the-proposed-pose = measure the proposed pose
+core-measure-the-proposed-pose-with = measure the proposed pose with { $a }
+core-measure-the-proposed-poses = measure the { $a } proposed poses
+core-measure-the-proposed-poses-with = measure the { $a } proposed poses with { $b }
+core-a-reflector-at-another-radius = a reflector at another radius
+core-other-speeds = other speeds
+core-other-loads = other loads
+core-another-temperature = another temperature
+core-no-pose-within-the-limits-tells = no pose within the limits tells them apart; { $a }
+core-approach-the-same-places-from-both = approach the same places from both sides
+core-measure-in-motion-at-two-speeds = measure in motion at two speeds as well
+core-measure-without-and-with-a-load = measure without and with a load
+core-measure-with-the-machine-cold-and = measure with the machine cold and warm, and again while it cools down
+core-spread-the-poses-over-the-whole = spread the poses over the whole travel
+core-mount-a-second-reflector-at-another = mount a second reflector at another radius
+core-write-down-the-time-of-every = write down the time of every sample (time_s)
+core-measure-z-as-well = measure z as well
+core-give-the-direction-of-gravity-in = give the direction of gravity in the robot's file (gravity_m_s2)
+core-the-joint-turns-the-effect-needs = the joint turns, the effect needs one that slides
+core-the-joint-slides-the-effect-needs = the joint slides, the effect needs one that turns
+core-the-joint-was-measured-at-different = the joint was measured at { $a } different values, at least { $b } are needed
+core-the-session-does-not-say-from = the session does not say from which side the poses were approached
+core-every-pose-was-approached-from-the = every pose was approached from the same side
+core-the-session-does-not-say-how = the session does not say how fast the joint moved while it was measured
+core-every-pose-was-measured-at-standstill = every pose was measured at standstill
+core-every-pose-was-measured-at-the = every pose was measured at the same signed speed
+core-the-session-has-no-temperature = the session has no temperature
+core-the-temperature-never-changed = the temperature never changed
+core-the-session-has-no-time = the session has no time
+core-every-sample-has-the-same-time = every sample has the same time
+core-the-direction-of-gravity-is-not = the direction of gravity is not given
+core-the-session-has-no-load = the session has no load
+core-the-load-never-changed = the load never changed
+core-the-robot-has-several-joints-link = the robot has several joints: link geometry takes its place
+core-the-tool-lies-on-the-axis = the tool lies on the axis and has no radius
+core-z-was-not-measured-and-the = z was not measured, and the effect is along the axis
+core-in-these-samples-it-cannot-be = in these samples it cannot be told from the geometry: frame, zero offsets, links and tool
+core-in-these-samples-it-cannot-be-told = in these samples it cannot be told from joint-zero-offset and link-length
+
+# The core: mistakes of the set-up
+
+core-in-these-samples-the-same-as = { $a }; in these samples the same as: { $b }
+core-joint-counts-the-other-way-round = joint { $a } counts the other way round
+core-reverse-the-sign-of-joint-in = reverse the sign of joint { $a } in the robot's description or in the samples
+core-joints-and-are-exchanged = joints { $a } and { $b } are exchanged
+core-exchange-the-columns-of-joints-and = exchange the columns of joints { $a } and { $b }
+core-the-measured-points-follow-the-joint = the measured points follow the joint values that were read back, not the commanded ones
+core-start-from-the-values-read-back = start from the values read back (--joint-values read), and check where the commands come from
+core-joints-and-are-coupled-parallelogram-but = joints { $a } and { $b } are coupled (parallelogram) but were taken for uncoupled
+core-joints-and-are-uncoupled-but-were = joints { $a } and { $b } are uncoupled but were taken for coupled (parallelogram)
+core-the-home-position-of-joint-is = the home position of joint { $a } is off by { $b }
+core-add-to-joint-at-home-or = add { $a } to joint { $b } at home, or home the joint again
+core-the-home-positions-of-joints-and = the home positions of joints { $a } and { $b } are off by 180°
+core-correct-the-unit-in-the-headings = correct the unit in the headings of the joints
+core-correct-the-unit-in-the-heading = correct the unit in the heading of { $a }
+core-correct-the-unit-in-the-headings-of = correct the unit in the headings of x, y and z
+core-two-of-the-measured-axes-are = two of the measured axes are swapped (such as x and y), or one of them is reversed
+core-the-measured-axes-are-swapped = the measured axes { $a } are swapped
+core-x-and-y = x and y
+core-y-and-z = y and z
+core-x-and-z = x and z
+core-x-y-and-z-read-as = x, y and z (read as y, z, x)
+core-x-y-and-z-read-as-z = x, y and z (read as z, x, y)
+core-exchange-the-headings-of-the-measured = exchange the headings of the measured columns
+core-exchange-the-headings-of-the-measured-columns = exchange the headings of the measured columns, or reverse one of them
+core-the-measuring-frame-was-never-aligned-with = the measuring frame was never aligned with the robot's base
+core-align-the-instrument-turned-by-moved = align the instrument (turned by { $a }, moved by { $b }), or give the samples a `setup` column so that the frame is fitted
+core-with-the-frame-the-tool-and = with the frame, the tool and the zero offsets fitted the median error is { $a } as it stands and { $b } without the mistake
+core-with-zero-offset-and-link-length = with zero offset and link length fitted the RMS error is { $a } as it stands and { $b } without the mistake
+core-far-beyond-what-adjusting-could-mend = far beyond what adjusting could mend
+core-the-median-error-is-as-it = the median error is { $a } as it stands and { $b } with the frame fitted
+core-no-geometry-fits-the-samples-as = no geometry fits the samples as they stand; with the frame fitted the median error is { $a }
+core-the-instrument-lost-the-reflector-in = the instrument lost the reflector in { $a }
+core-it-wrote-0-0-0 = it wrote 0, 0, 0
+core-these-samples-are-left-out-measure = these samples are left out; measure them again
+core-the-instrument-saw-reflector-instead-in = the instrument saw reflector { $a } instead in { $b }
+core-the-points-lie-where-should-be = the points lie where { $a } should be
+core-these-samples-are-left-out-correct = these samples are left out; correct their target or measure them again
+core-the-instrument-was-locked-on-a = the instrument was locked on a point that does not move in { $a }
+core-the-measured-point-stays-while-the = the measured point stays while the robot moves
+core-sample = sample { $a }
+core-samples = samples { $a }
+core-samples-and-more = samples { $a } and { $b } more
+core-the-values-read-back-from-joint = the values read back from joint { $a } lag the command by { $b }
+core-read-joint-back-at-standstill-taken = read joint { $a } back at standstill; taken as they are, these values look like backlash or tracking lag
+core-reverse-joint = Reverse joint { $a }
+core-read-joint-as-degrees = Read joint { $a } as degrees
+core-read-joint-as-radians = Read joint { $a } as radians
+core-read-all-joints-as-degrees = Read all joints as degrees
+core-read-all-joints-as-radians = Read all joints as radians
+core-exchange-joints-and = Exchange joints { $a } and { $b }
+core-subtract-joint-from-joint = Subtract joint { $a } from joint { $b }
+core-add-joint-to-joint = Add joint { $a } to joint { $b }
+core-start-from-the-values-read-back-2 = Start from the values read back
+core-turn-the-home-of-joint-by = Turn the home of joint { $a } by { $b }
+core-read-the-coordinates-as-metres = Read the coordinates as metres
+core-read-the-coordinates-as-inches = Read the coordinates as inches
+core-read-the-coordinates-as-micrometres = Read the coordinates as micrometres
+core-multiply-the-coordinates-by = Multiply the coordinates by { $a }
+core-exchange-x-and-y = Exchange x and y
+core-read-x-y-z-from = Read x, y, z from { $a }
+core-fit-the-measuring-frame = Fit the measuring frame
+core-remove = Remove { $a }
+core-remove-this-sample = Remove this sample
+core-remove-these-samples = Remove these { $a } samples
+core-add-joint-in-the-value-of = add joint { $a } in the value of joint { $b }
+core-subtract-joint-in-the-value-of = subtract joint { $a } in the value of joint { $b }
+
+# The core: findings about a session
+
+core-the-noise-of-the-instrument-is-not = the noise of the instrument is not given: it is estimated from the samples
+core-measured = measured: { $a }
+core-measured-with-the-table-of-model = measured with the table of model { $a } active: it shows what is left, and nothing compensates it a second time
+core-regions-and-overlap = regions { $a } and { $b } overlap
+core-regions-that-touch-at-most-the = regions that touch at most; the one listed first owns what both claim
+core-two-regions-are-called = two regions are called { $a }
+core-a-name-of-its-own-for = a name of its own for each region
+core-a-name-of-its-own-for-each = a name of its own for each joint
+core-regions-are-for-a-robot-with = regions are for a robot with a single revolute joint: they will not be used
+core-targets-but-no-column-target-every = { $a } targets but no column target: every sample is taken to show { $b }
+core-a-column-target = a column target
+core-no-sample-shows-this-target = no sample shows this target
+core-no-sample-has-its-commanded-values = no sample has its commanded values and anything measured
+core-at-least-one-complete-sample = at least one complete sample
+core-of-samples-lack-a-commanded-value = { $a } of { $b } samples lack a commanded value or everything measured and cannot be used: { $c }
+core-of-samples-are-excluded-by-hand = { $a } of { $b } samples are excluded by hand and count in no figure: { $c }
+core-of-samples-lack-single-coordinates-the = { $a } of { $b } samples lack single coordinates; the others of them are fitted: { $c }
+core-no-column-for-the-measured-z = no column for the measured z: the session is planar
+core-every-sample-is-held-out-or = every sample is held out or excluded: nothing is left to fit
+core-some-samples-marked-fit = some samples marked fit
+core-measured-orientations-are-not-of-unit = { $a } measured orientations are not of unit length: { $b }
+core-unit-quaternions = unit quaternions
+core-samples-are-beyond-the-limits-of = { $a } samples are beyond the limits of joint { $b }: { $c }
+core-commands-within-the-limits = commands within the limits
+core-negative-loads = negative loads: { $a }
+core-0-kg-or-more = 0 kg or more
+core-temperatures-below-absolute-zero = temperatures below absolute zero: { $a }
+core-the-time-does-not-increase-at = the time does not increase at { $a }; file order is taken as measuring order
+core-setups-each-has-a-measuring-frame = { $a } setups: each has a measuring frame of its own
+core-the-instrument-lost-the-reflector-0 = the instrument lost the reflector (0, 0, 0) in { $a } samples: { $b }
+core-they-are-left-out = they are left out
+
+# The core: figures of the standards
+
+core-samples-are-left-out-a-cell = { $a } samples are left out: a cell is missing, the reflector was lost, or they are excluded by hand
+core-no-point-was-measured-xmm-ymm = no point was measured (x_mm, y_mm): the figures of both standards are of positions that were measured at commanded ones; distances, directions, sockets and touches alone give none
+core-the-session-was-measured-with-a = the session was measured with a table active: the figures are those with compensation, and nothing is compensated a second time
+core-samples-were-taken-in-motion-the = samples were taken in motion; the standards measure at standstill, so that lag is in these figures
+core-poses-with-two-cycles-or-more = { $a } poses with two cycles or more, { $b } from several directions, { $c } paths; the largest of each figure
+core-no-pose-was-reached-twice-from = no pose was reached twice from the same direction, after another pose
+core-no-pose-was-repeated-from-several = no pose was repeated from several directions
+core-z-was-not-measured-figures-are = z was not measured: figures are in the plane
+
+# The core: import
+
+core-decimal-point = decimal point
+core-decimal-comma = decimal comma
+core-the-unit-of-the-joint-values = the unit of the joint values is not said
+
+# The core: units that were mistaken
+
+core-the-values-of-joint = the values of joint { $a } { $b }
+core-the-values-of-all-joints = the values of all joints { $a }
+core-are-in-degrees-but-were-read = are in degrees but were read as radians
+core-are-in-radians-but-were-read = are in radians but were read as degrees
+core-the-measured-coordinates-are = the measured coordinates are { $a }
+core-in-metres-but-were-read-as = in metres but were read as millimetres
+core-in-micrometres-or-were-multiplied-by = in micrometres or were multiplied by 1000
+core-in-inches-but-were-read-as = in inches but were read as millimetres
+core-in-millimetres-but-were-read-as = in millimetres but were read as inches
+core-the-unit-of-x-y-z = the unit of x, y, z is not said: { $a }
+core-the-points-spread-over-as-m = the points spread over { $a }: as m that would be { $b }, as mm { $c }, as in { $d }; { $e }
+core-would-suit = { $a } would suit, { $b }
+core-as-robots-are-mostly-as-large = as robots are mostly as large as people
+core-beside-a-robot-that-reaches = beside a robot that reaches { $a }
+core-positions-each-approached-from-below-and = { $a }; { $b } positions, each approached { $c } from below and { $d } from above
+core-all-samples-alike = all samples alike
+core-reflector = reflector { $a }
+core-reflector-2 = reflector { $a }, { $b }
+core-load-2 = load { $a }
+core-load-3 = load { $a }, { $b }
+core-measured-at = measured at { $a }
+core-measured-at-2 = measured at { $a }, { $b }
+core-setup = setup { $a }
+core-setup-2 = setup { $a }, { $b }
+core-other-joints-at = other joints at { $a }
+core-never = never
+core-once-or-more = once or more
+core-twice-or-more = twice or more
+core-times-or-more = { $a } times or more
+core-more-series-under-other-conditions-are = { $a } more series under other conditions are in `standards --json`
+core-of-positions-have-fewer-approaches-than = { $a } of { $b } positions have fewer approaches than the others and are left out
+core-not-every-position-was-approached-from = not every position was approached from { $a }: no figure that needs that side, and no reversal
+core-a-position-was-approached-once-from = a position was approached once from { $a }: no standard deviation, so no repeatability and no accuracy
+core-below = below
+core-above = above
+core-approaches-from-each-side-the-standard = { $a } approaches from each side; the standard asks for { $b }
+core-positions-over-the-standard-asks-for = { $a } positions over { $b }; the standard asks for { $c }
+core-paths-with-as-few-as-cycles = paths with as few as { $a } cycles; the standard asks for { $b }
+core-poses-with-as-few-as-cycles = poses with as few as { $a } cycles; the standard asks for { $b }
+core-no-pose-beside-the-paths-was = no pose beside the paths was reached twice
+core-the-side-from-which-a-joint = the side from which a joint came is not known: its directions are taken to be one
+core-the-side-from-which-the-joint = the side from which the joint came is not known: column { $a } is missing
+core-metres = metres
+core-millimetres = millimetres
+core-inches = inches
+core-an-iso-2302-run-targets-and = an ISO 230-2 run: targets and positions of one axis
+core-a-camera-that-sees-a-calibration = a camera that sees a calibration board: rvec and tvec of each image
+core-a-tum-trajectory-time-position-quaternion = a TUM trajectory: time, position, quaternion
+core-any-program-a-table-with-a = any program: a table with a header, or with columns chosen below
+core-an-mcap-recording-joint-states-and = an MCAP recording: joint states and measured poses
+core-a-ballbar-a-drawwire-or-an = a ballbar, a draw-wire or an interferometer: distances
+core-a-laser-tracker-or-spatialanalyzer-names = a laser tracker or SpatialAnalyzer: names, x, y, z
+
+# The core: places in files
+
+core-line-column = { $a }, line { $b }, column { $c }, { $d }
+core-line-column-2 = { $a }, line { $b }, column { $c }
+core-line = { $a }, line { $b }
+core-line-column-3 = line { $a }, column { $b }
+core-line-2 = line { $a }
+
+# The core: exports
+
+core-zeros-base-and-tool-frame = Zeros, base and tool frame
+core-mjcf-with-corrected-bodies = MJCF with corrected bodies
+core-urdf-with-corrected-origins = URDF with corrected origins
+core-kinematics-of-urdescription = Kinematics of ur_description
+core-denavithartenberg-rows = Denavit–Hartenberg rows
+core-lerobot-motor-calibration-and-urdf = LeRobot motor calibration and URDF
+core-c99-header-with-a-lookup-function = C99 header with a lookup function
+core-csv-table-with-json-metadata = CSV table with JSON metadata
+core-twincat-cnc-isg-list = TwinCAT CNC (ISG) list
+core-twincat-nc-structured-text = TwinCAT NC structured text
+core-the-numbers-are-the-corrected-geometry = the numbers are the corrected geometry itself: where joints and tool really are; nothing is added to a command
+core-this-robot-carries-it-is-from = this robot carries { $a }; it is { $b } from the model over the measured range (largest { $c }), the nominal one { $d } (root mean square)
+core-zero-offsets-base-and-tool-frame = zero offsets, base and tool frame
+core-zero-offsets-base-and-tool-frame-and = zero offsets, base and tool frame, and the geometry of the links
+core-at-home-the-nominal-tool-is = at home the nominal tool is at { $a }, and this robot has it at { $b }
+core-has-no-place-in-at-standstill = { $a } has no place in { $b }: at standstill, without load and at 20 °C it leaves nothing
+core-has-no-place-in-it-leaves = { $a } has no place in { $b }: it leaves { $c }
+core-the-zero-offsets-are-in-this = the zero offsets are in this file: leave the zeros of the controller as they are
+core-no-joint-has-a-zero-offset = no joint has a zero offset for the controller to take
+core-the-zero-offsets-are-left-to = the zero offsets are left to the controller and are not in this file: its joints stand beyond what it shows, { $a }; move its zeros so that it shows as much more
+core-the-zero-offsets-in-this-file = the zero offsets in this file are the controller's to take: it has to show as much more as each joint stands beyond its command
+core-base-where-the-robot-really-stands = base: where the robot really stands, in the base frame; tool: the real tool in the frame of the nominal one (new tool data = present tool data times this); zeros: how far each joint stands beyond its command
+core-base-the-robots-base-in-the = base: the robot's base in the base frame; tool: the real tool in the frame of the nominal one
+core-the-geometry-of-the-links-is = the geometry of the links is not in these numbers; dh, urdf or mjcf carry it
+core-rows-cannot-say-where-the-first = rows cannot say where the first axis stands in the base: enter base as well
+core-base-the-frame-before-the-first = base: the frame before the first row in the base frame; tool: the tool in the frame behind the last row
+core-rows-in-the-convention = rows in the { $a } convention
+core-base-the-frame-that-the-first = base: the frame that the first link is told in; tool: the TCP in the frame of wrist_3
+core-set-the-tcp-to-with-the = set the TCP to { $a } with the rotation vector { $b }: the tool is not part of this file
+core-for-the-launch-argument-kinematicsparamsfile-the = for the launch argument kinematics_params_file; the driver compares its hash with the controller's own calibration and warns that they differ
+core-masses-are-not-written-a-calibration = masses are not written: a calibration does not know the inertia of a link
+core-names-that-are-empty-or-not = names that are empty or not unique were changed: the file needs one for each
+core-syntax-from-the-manual-not-tried = syntax from the manual, not tried on a controller
+core-the-motors-show-more-than-before = the motors show more than before, in ticks: { $a }; their ranges move by as much with it: keep away from the stops until you have tried it
+core-the-calibration-by-itself-with-the = the calibration by itself, with the nominal URDF, leaves { $a } over the measured range (level: zeros)
+core-feetech-present-actual-homingoffset-a-joint = Feetech: present = actual − homing_offset; a joint that stands beyond its command gets a smaller homing_offset
+core-dynamixel-present-actual-homingoffset-a-joint = Dynamixel: present = actual + homing_offset; a joint that stands beyond its command gets a larger homing_offset
+core-the-calibration-by-itself-carries-the = the calibration by itself carries the zeros; the URDF beside it carries the rest and agrees with this motor calibration only
+core-the-zero-offsets-are-in-homingoffset = the zero offsets are in homing_offset of this calibration, in whole ticks, and the rest of them in the URDF beside it: nothing else is to take them
+core-the-zero-offsets-are-in-the = the zero offsets are in the URDF beside this calibration, which is as it was
+core-no-calibration-was-given-the-homing = no calibration was given: the homing offsets count from 0, and ids and ranges are placeholders; give the one that was active while measuring with --reference
+core-in-the-ini-file-the-joint = in the INI file: { $a }; the joint has { $b }
+core-backlash-is-ignored-while-compfile-is = BACKLASH is ignored while COMP_FILE is set: the two columns carry it
+core-in-the-machine-data-md38000-mmenccompmaxpoints = in the machine data: MD38000 MM_ENC_COMP_MAX_POINTS at least { $a }, and after loading { $b }; the axis has to be called { $c }
+core-switched-on-after-referencing-the-axis = switched on after referencing, the axis moves at once by the correction at the reference point, { $a } at 0
+core-the-808d-holds-points-for-it = the 808D holds { $a } points; for it give a wider step
+core-ismodulo-1-is-for-a-modulo = IS_MODULO = 1 is for a modulo axis; for one that ends, set it to 0
+core-modulo-1-is-for-a-modulo = modulo 1 is for a modulo axis; for one that ends, set it to 0
+core-in-the-axis-list-have-to = in the axis list: { $a }; { $b } have to be those of the axis; no other backlash compensation beside it
+core-the-largest-value-needs-a-build = the largest value, { $a }, needs a build with values of 32 bits; older ones hold 16
+core-in-the-plc-the-axis-counts = in the PLC: { $a }; the axis counts in { $b }
+core-no-joint-removes-root-mean-square = no joint removes { $a } (root mean square over the measured range)
+
+# The core: poses to measure next
+
+core-makes-and-more-testable = makes { $a } and { $b } more testable: { $c }
+core-makes-testable = makes { $a } testable: { $b }
+core-what-the-others-are-compared-with = what the others are compared with
+core-tells-they-differ-most-at = tells { $a }: they differ most at { $b }
+core-not-determined = not determined
+core-implausibly-large-more-than-ten-times = implausibly large: more than ten times what is usual
+core-not-determined-by-these-samples = { $a }: not determined by these samples
+core-any-size-there-is-no-noise = { $a }: any size, there is no noise
+core-not-observable-with-these-poses = { $a }: not observable with these poses
+core-pose = pose
+core-from = from
+core-reflector-3 = reflector
+core-conditions = conditions
+core-second-time = second time
+core-is-a-new-reflector-mount-it = { $a } is a new reflector: mount it at { $b } in the tool frame, and survey where it really is
+core-with = with
+core-joint-2 = Joint { $a } ({ $b })
+core-poses = Poses

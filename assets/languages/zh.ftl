@@ -1480,6 +1480,7 @@ grip-width = { $name }的宽度
 ## text
 
 text-usually = 通常为 { $usual_size }
+text-size-from-to = { $from } 至 { $to }
 text-what-means = { $word }的含义
 
 ## sample
@@ -1786,3 +1787,555 @@ figure-b-mean = 沿轴平均的同一指标
 figure-ap = 位姿准确度：从指令点到实测点中心
 figure-rp = 位姿重复性：包含返回同一位姿各点的球的半径，均值加三倍标准差
 figure-vap = 从不同方向趋近同一位姿时各中心的差异
+
+## what the core says
+
+finding-expected = { $found }；应为：{ $expected }
+finding-at = { $place }：{ $found }
+
+# The core: causes of effects
+
+core-the-column-does-not-stand-upright = 立柱在底座上不垂直
+core-the-bearings-raceways-are-wavy-so = 轴承滚道有波纹，轴线在转动时倾斜
+core-play-between-gear-teeth-in-a = 齿轮、联轴器或键中存在间隙
+core-the-measuring-frame-was-surveyed-to = 测量坐标系被标定到轴线旁的一点
+core-raceways-or-seats-of-the-bearing = 轴承滚道或轴承座不圆
+core-the-encoders-ring-or-the-gear = 编码器码盘或驱动它的齿轮安装偏心
+core-the-encoder-ring-is-tilted-or = 编码器码盘倾斜或呈椭圆，或编码器与轴之间的联轴器弯曲
+core-the-pedestal-the-floor-or-the = 基座、地面或底座螺栓在负载和机械臂的力矩下变形
+core-the-tripod-settles-or-the-base = 三脚架下沉，或底座蠕变
+core-somebody-touched-the-tripod-or-the = 有人碰了三脚架，或底座滑动
+core-tooth-or-wavegenerator-errors-in-the = 减速器轮齿或波发生器误差；阶次指出是哪个轮
+core-the-instruments-distance-scale-or-its = 仪器的距离尺度，或其气温和气压值不准
+core-reducer-bearing-and-shaft-wind-up = 减速器、轴承和轴在关节所承重量下扭转
+core-the-gear-ratio-or-the-encoders = 传动比或编码器每转计数输入略有错误
+core-the-reference-mark-or-the-homing = 参考标记或回零位置不在控制器假定的位置
+core-the-link-or-the-structure-bends = 连杆或结构在负载下弯曲
+core-links-are-longer-or-shorter-than = 连杆比图纸长或短，轴线不垂直或不平行
+core-the-tool-or-the-link-is = 工具或连杆比控制器数据长或短
+core-friction-in-the-reducer-winds-the = 减速器摩擦使传动在每次换向后扭转
+core-the-instrument-stands-where-it-was = 仪器位于其架设处
+core-the-thread-of-the-screw-is = 丝杠螺纹不均匀，或丝杠轴承或其编码器有跳动
+core-the-arm-grows-as-it-warms = 机械臂升温后伸长：钢约 12 ppm/K，铝约 23 ppm/K
+core-the-encoders-mounting-or-the-reducer = 编码器安装座或减速器升温时略有转动
+core-the-tool-is-mounted-beside-the = 工具安装偏离控制器假定的半径方向
+core-the-tool-is-mounted-turned-or = 工具安装有转角，或控制器中的工具数据有转角
+core-the-tool-data-in-the-controller = 控制器中的工具数据，或靶标在工具上的位置
+core-the-position-loop-follows-late-or = 位置环跟随滞后，或仪器与控制器的时钟不一致
+core-unknown-no-effect-of-the-catalogue = 未知：目录中没有效应能解释
+core-the-drive-of-one-joint-turns = 一个关节的传动带动另一个关节，而控制器中的耦合比不准确
+
+# The core: what to check
+
+core-shim-the-columns-foot-level-it = 垫平立柱底脚；沿 x 和 y 调平
+core-the-bearings-axial-seat-and-preload = 轴承的轴向座面和预紧
+core-preload-and-wear-of-the-reducer = 减速器的预紧和磨损；固定驱动端，用手来回扳动输出端
+core-survey-the-base-again = 重新测量基座
+core-the-bearings-seat-and-preload = 轴承的座面和预紧
+core-centre-the-encoder-ring-or-average = 校正码盘中心，或在 180° 处加第二读数头取平均
+core-check-the-rings-mounting-face-for = 检查码盘安装面是否倾斜、码盘是否圆
+core-the-bolts-and-the-pedestal-a = 螺栓和基座；带载机械臂回转时在底座处用百分表检查
+core-tripod-clamps-and-the-sun-on = 三脚架、夹具，以及阳光是否照射三脚架
+core-return-to-the-datum-points-after = 突变之后重新测量基准点；夹具和三脚架
+core-compare-the-order-with-the-reducers = 将阶次与减速器齿数比较，再检查其预紧和润滑
+core-measure-a-scale-bar-the-instruments = 测量基准尺；检查仪器的气象站
+core-the-payload-entered-in-the-controller = 控制器中输入的负载；数据手册中减速器的刚度
+core-compare-the-gear-ratio-and-the = 将控制器中的传动比和每转计数与数据手册比较
+core-home-the-joint-again-and-repeat = 关节重新回零并重复三个位姿
+core-the-bolts-between-base-column-and = 底座、立柱和连杆之间的螺栓
+core-the-kinematic-data-in-the-controller = 控制器中的运动学数据
+core-the-tool-data-in-the-controller-2 = 控制器中的工具数据
+core-lubrication-and-preload-of-the-reducer = 减速器的润滑和预紧
+core-measure-reference-points-on-the-base = 每次架设都测量基座上的参考点
+core-the-screws-runout-and-its-thrust = 丝杠跳动及其推力轴承；丝杠上的联轴器和编码器
+core-let-the-machine-warm-up-before = 测量前让机器预热，或在控制器中输入机械臂的膨胀量
+core-let-the-machine-warm-up-before-homing = 回零前让机器预热；检查编码器附近的热源
+core-the-tool-flange-and-the-tool = 工具法兰和控制器中的工具数据
+core-measure-the-targets-on-the-tool = 测量工具上的靶标
+core-synchronise-the-clocks-then-the-loops = 先同步时钟，再检查控制环的速度增益和前馈
+core-look-at-the-machine-where-the = 在关节处于该范围时检查机器：刻度尺、轴承、电缆、护罩
+core-the-coupling-ratio-in-the-controllers = 控制器数据中的耦合比
+
+# The core: usual sizes
+
+core-any = 任意
+core-10-m-of-eccentricity-on-a = 半径 50 mm 的码盘偏心 10 µm 即 0.011°
+core-005-to-1-mm-005-to = 0.05 至 1 mm，0.05 至 2 mrad
+core-012-to-023-mm-per-metre = 每米每 10 K 为 0.12 至 0.23 mm
+
+# The core: parameters
+
+core-about-x = 绕 x
+core-about-y = 绕 y
+core-about-z = 绕 z
+core-amplitude = 幅值
+core-compliance = 柔度
+core-delay = 延迟
+core-delta = 变化量
+core-fade = 衰减
+core-from-joint = 来自关节
+core-lead = 导程
+core-offset = 偏移
+core-order = 阶次
+core-phase = 相位
+core-rate = 变化率
+core-ratio = 比值
+core-scale = 尺度
+core-time = 时间
+core-width = 宽度
+
+# The core: what stays, and what to do about it
+
+core-of-joint-leaves = 关节 { $b } 的{ $a }残留 { $c }：{ $d }
+core-leaves = { $a }残留 { $b }：{ $c }
+core-its-part-along-the-radius-belongs = 沿半径方向的部分应写入控制器的工具数据（l1）或基座数据；完整模型会指明是哪一个
+core-needs-a-mechanical-repair = 需要机械修理：{ $a }
+core-let-the-machine-warm-up-or = 让机器预热，或在控制器中输入机械臂的膨胀量
+core-move-the-tool-in-the-controllers = 在控制器的工具数据中将工具沿垂直半径方向移动 { $a }
+core-turn-the-base-in-the-controller = 在控制器中将基座绕 x 转 { $a }、绕 y 转 { $b }，或垫平立柱底脚
+core-along-the-radius-set-the-tools = 沿半径方向；在控制器中将工具半径（l1）由 { $a } 改为 { $b }
+core-move-the-base-in-the-controller = 在控制器中将基座移动 { $a }，或重新测量
+core-the-joint-stands-beyond-its-command = 关节超出指令 { $a }：在控制器中修正零位，或重新回零
+core-move-the-tools-point-in-the = 在控制器中将工具点在工具坐标系中移动 { $a }
+
+# The core: tables
+
+core-the-numbers-are-corrections-add-them = 数值为修正量：加到指令上，使机器人到达指令位置（偏差 = 实测 − 指令，符号相反）
+core-the-numbers-are-deviations-actual-commanded = 数值为偏差（实际 − 指令）：控制器从指令中减去（相加的修正量符号相反）
+core-commanded-robot-reached-table-says-send = 指令 { $a }，机器人到达 { $b }，表格给出 { $c }：应发送 { $d }
+core-with-this-table-the-controller-leaves = 使用此表，控制器在实测范围内残留 { $a }，精确修正残留 { $b }；{ $c }
+core-its-entries-add-less-than = 其 { $a } 个条目引入 { $b }，小于{ $c }（{ $d }）
+core-its-entries-add-more-than-the = 其 { $a } 个条目引入 { $b }，大于{ $c }（{ $d }）：步长较大
+core-its-entries-add-more-than-takes = 其 { $a } 个条目引入 { $b }，大于{ $c }（{ $d }）：{ $e } 最多接受 { $f }
+core-1-of-the-tolerance = 公差的 1 %
+core-1-of-001-mm-as-there = 0.01 mm 的 1 %（未给公差）
+core-1-of-the-models-rms-error = 模型 RMS 误差的 1 %（未给公差）
+core-the-joint-has-no-limits-the = 关节没有限位：表格覆盖实测范围
+core-a-step-of-does-not-divide = 步长 { $a } 不能整除行程：步长取 { $b }
+core-measured-from-to-outside-the-correction = 实测范围 { $a } 至 { $b }；范围之外保持端点的修正量
+core-the-of-this-joint-depends-on = 此关节的{ $a }取决于其他关节：这里它们处于零位
+core-the-correction-jumps-at-the-boundaries = 修正量在区域边界处跳变；表格在两个条目之间将其变为斜坡
+core-up-to-of-it-is-an = 其中最多 { $a } 为未解释的平滑修正，实测范围 { $b } 至 { $c }：目录中没有效应能解释，范围之外保持端点值
+
+# The core: targets and programs
+
+core-poses-for-which-the-file-declares = 文件未声明坐标系的位姿按{ $a }读取；文件只有一个工具时，控制器的工具必须与模型一致
+core-in-the-robots-base-frame = 机器人基坐标系
+core-in-the-frame-that-was-stated = 给定的坐标系
+core-the-robots-base-is-the-frame = 机器人基座即测量所用的坐标系
+core-the-robots-base-is-where-its = 机器人基座位于第一轴处；测量坐标系与其相差 { $a } 和 { $b }（--measured-frame 修正到该坐标系）
+core-targets-without-a-load-are-corrected = 未给负载的目标点按 { $a } 修正
+core-targets-without-a-temperature-are-corrected = 未给温度的目标点按 { $a } 修正
+
+# The core: tolerance
+
+core-pass = 合格
+core-fail = 不合格
+core-neither-pass-nor-fail-is-proven = 合格与不合格均未得到证明
+core-largest-deviation-expanded-uncertainty-u-k = 最大偏差 { $a }（{ $b }），扩展不确定度 U = { $c }（k = 2），公差 { $d }；判定规则：{ $e }
+core-predicted-with-corrected-commands = 按修正后的指令预测
+core-as-measured-with-the-table-active = 启用表格时实测
+core-simple-acceptance-jcgm-106-82 = 简单接受（JCGM 106，8.2）
+core-no-position-was-measured = 未测量任何位置
+core-no-command-can-be-corrected = 没有指令可以修正
+core-the-noise-of-the-instrument-is = 仪器噪声未知
+
+# The core: noise and fit
+
+core-the-measuring-frame-wanders-by-root = 测量坐标系在 { $b } 内漂移 { $a }（均方根）
+core-a-part-of-the-remaining-error = 部分剩余误差在样本之间持续，{ $b } 内为 { $a }（均方根）：诊断会在其中寻找效应
+core-as-found-as-stated-for-the = σ = { $a }（实际），{ $b }（仪器标称），{ $c } 倍
+core-a-joint-value-or-a-coordinate = 缺少关节值或坐标
+core-the-instrument-lost-the-reflector-it = 仪器丢失反射靶：写入了 0, 0, 0
+core-by-hand = 手动
+core-converged = 已收敛
+core-there-was-nothing-to-solve-for = 没有需要求解的量
+core-stopped-after-the-largest-number-of = 达到最大步数后停止：结果可能粗略
+core-stopped-where-no-step-made-the = 在没有步长能改进拟合处停止：结果可能粗略
+core-cancelled = 已取消
+core-z-is-not-used-the-method = 未使用 z：该方法在轴带动工具运动的平面内工作
+core-corrections-are-constant-in-the-base = 修正量在每个区域内于基坐标系中为常数：关节的一个恒定误差在各区域表现不同，并有残留；完整模型没有这些限制
+core-no-sample-in-region-no-correction = 区域 { $a } 没有样本：该处不修正
+core-samples-lie-in-no-region-and = { $a } 个样本不在任何区域内，未使用
+core-the-targets-do-not-sit-where = 靶标位置与测量所述不符（超出 targets_sigma_mm）：其位置自由拟合
+core-beyond-what-is-usual-by-more = 超过通常值四倍以上，不用先验拟合：{ $a }
+core-the-measuring-frame-was-never-aligned = 测量坐标系从未与机器人基座对齐（转 { $a }，移 { $b }）：自由拟合
+core-the-samples-do-not-depend-on = 样本与其无关：保持为零
+core-the-samples-do-not-depend-on-it = 样本与其无关
+core-the-samples-show-only-their-sum = 样本只显示它们的和：{ $a } 保持为零，由其他参数承担
+core-the-samples-show-only-their-sum-a = 样本只显示它们的和：一个的变化可被其他抵消
+core-overall-size-all-lengths-of-the = 总体尺寸：机器人和各位置的所有长度
+core-the-base-is-open-what-was = 基座未确定：测量参照的是未知位置，不能说明机器人所在；基座保持不动，由这些位置承担
+
+# The core: a model on other samples
+
+core-the-sessions-robot-has-than-the = 测量中的机器人与模型的{ $a }：使用模型的名义机器人
+core-another-tool = 工具不同
+core-other-axes = 轴线不同
+core-the-session-was-measured-with-this = 测量时启用了此模型的表格：显示的是剩余误差，不再重复补偿
+core-the-session-was-measured-with-another = 测量时启用了另一模型的表格：不再重复补偿，此模型不知道该表格的作用
+core-belong-to-the-session-that-the = { $a } 属于模型所来自的测量，已略去
+core-the-model-knows-no-setup-its = 模型中没有架设 { $a }：其坐标系按这些样本拟合
+core-not-known-to-the-model-and = 模型未知，单独定位：{ $a }
+
+# The core: tables of several joints
+
+core-the-table-cancels-what-joint-does = 表格抵消关节 { $a } 对自身{ $b }的影响；几何误差取决于所有关节，应写入控制器的运动学数据
+core-angle = 角度
+core-travel = 行程
+
+# The core: held out
+
+core-each-fifth-of-the-measurements-of = 每个基准各自的五分之一测量，由未见过它的拟合预测
+core-each-of-cells-of-the-workspace = 工作空间 { $a } 个单元中的每一个，由未见过它的拟合预测
+core-each-fifth-of-the-cells-of = 工作空间单元的每个五分之一，由未见过它的拟合预测
+core-the-samples-that-the-session-marks = 测量中标为留出的样本；未参与任何拟合
+core-too-few-samples-to-hold-any = 样本太少，无法留出
+
+# The core: what is left without a name
+
+core-no-effect-of-the-catalogue-explains = { $a }；目录中没有效应能解释
+core-the-base-model-does-not-fit = 基础模型不符：轴线、工具或质量；{ $a }
+core-what-is-left-looks-most-like = 剩余误差最像{ $a }
+core-the-search-stopped-at-its-limit = 搜索在 { $a } 个效应的上限处停止；{ $b }
+core-the-remaining-error-of-is-times = { $a }的剩余误差是{ $c }的 { $b } 倍，没有搜索所知的结构
+core-the-remaining-error-is-times-what = 剩余误差是{ $b }的 { $a } 倍，没有搜索所知的结构
+core-returns-to-the-same-pose-show = 返回同一位姿所显示
+core-returns-to-the-same-pose-show-2 = 返回同一位姿所显示（{ $a }）
+core-is-stated-for-the-instrument = 仪器标称
+core-is-stated-for-the-instrument-2 = 仪器标称（{ $a }）
+core-over-the-value-of-joint = 随关节 { $b } 数值的{ $a }，{ $c }
+core-over-time = 随时间的{ $a }，{ $b }
+core-over-the-side-from-which-joint = 随关节 { $b } 趋近方向的{ $a }，{ $c }
+core-over-the-speed-of-joint = 随关节 { $b } 速度的{ $a }，{ $c }
+core-over-the-load = 随负载的{ $a }，{ $b }
+core-over-temperature = 随温度的{ $a }，{ $b }
+core-of-one-reflector-against-the-others = 一个反射靶相对其他的{ $a }，{ $b }
+core-a-constant = 常数
+core-a-straight-slope = 直线斜坡
+core-a-slope-away-from-the-middle = 由中间向外的斜坡
+core-a-parabola = 抛物线
+core-a-curve-of-no-known-form = 形式未知的曲线
+core-a-local-bump = 局部凸起
+core-a-step-or-plateau = 台阶或平台
+core-a-slope-from-one-value-on = 从某值开始的斜坡
+core-a-wave = 波形
+core-a-periodic-pattern-with-harmonics = 带谐波的周期图形
+core-a-wave-of-one-turn-in = 按比例的一转一周期波形
+core-along-the-motion-of-joint = 沿关节 { $a } 的运动方向
+core-along-the-radius = 沿半径方向
+core-along-the-axis = 沿轴线方向
+core-in-the-measuring-frame = 在测量坐标系中
+core-with-the-moving-body = 随运动体
+core-joint-from-to = 关节 { $a }：{ $b } 至 { $c }
+core-speed-of-joint-from-to = 关节 { $a } 的速度：{ $b } 至 { $c }
+core-time-from-to = 时间：{ $a } 至 { $b }
+core-load-from-to = 负载：{ $a } 至 { $b }
+core-temperature-from-to = 温度：{ $a } 至 { $b }
+core-cycles-per-turn-of = { $b }每转 { $a } 个周期
+core-cycles-per-metre-of = { $b }每米 { $a } 个周期
+core-joint = 关节 { $a }
+core-speed-of-joint = 关节 { $a } 的速度
+core-side-from-which-joint-came = 关节 { $a } 的趋近方向
+core-load = 负载
+core-temperature = 温度
+
+# The core: what tells explanations apart
+
+core-measure-the-proposed-pose = 测量建议的位姿
+core-measure-the-proposed-pose-with = 以{ $a }测量建议的位姿
+core-measure-the-proposed-poses = 测量建议的 { $a } 个位姿
+core-measure-the-proposed-poses-with = 以{ $b }测量建议的 { $a } 个位姿
+core-a-reflector-at-another-radius = 另一半径上的反射靶
+core-other-speeds = 不同速度
+core-other-loads = 不同负载
+core-another-temperature = 不同温度
+core-no-pose-within-the-limits-tells = 限位内没有位姿能区分它们；{ $a }
+core-approach-the-same-places-from-both = 从两侧趋近同样的位置
+core-measure-in-motion-at-two-speeds = 另外在运动中以两种速度测量
+core-measure-without-and-with-a-load = 分别在无负载和有负载时测量
+core-measure-with-the-machine-cold-and = 在机器冷态和热态测量，并在冷却过程中再测一次
+core-spread-the-poses-over-the-whole = 将位姿分布到整个行程
+core-mount-a-second-reflector-at-another = 在另一半径处安装第二个反射靶
+core-write-down-the-time-of-every = 记录每个样本的时间（time_s）
+core-measure-z-as-well = 同时测量 z
+core-give-the-direction-of-gravity-in = 在机器人文件中给出重力方向（gravity_m_s2）
+core-the-joint-turns-the-effect-needs = 关节是转动的，该效应需要移动关节
+core-the-joint-slides-the-effect-needs = 关节是移动的，该效应需要转动关节
+core-the-joint-was-measured-at-different = 关节测量了 { $a } 个不同值，至少需要 { $b } 个
+core-the-session-does-not-say-from = 测量未说明位姿从哪一侧趋近
+core-every-pose-was-approached-from-the = 所有位姿都从同一侧趋近
+core-the-session-does-not-say-how = 测量未说明测量时关节的运动速度
+core-every-pose-was-measured-at-standstill = 所有位姿都在静止时测量
+core-every-pose-was-measured-at-the = 所有位姿都以同一带符号的速度测量
+core-the-session-has-no-temperature = 测量没有温度
+core-the-temperature-never-changed = 温度没有变化
+core-the-session-has-no-time = 测量没有时间
+core-every-sample-has-the-same-time = 所有样本的时间相同
+core-the-direction-of-gravity-is-not = 未给出重力方向
+core-the-session-has-no-load = 测量没有负载
+core-the-load-never-changed = 负载没有变化
+core-the-robot-has-several-joints-link = 机器人有多个关节：由连杆几何误差代替
+core-the-tool-lies-on-the-axis = 工具位于轴线上，没有半径
+core-z-was-not-measured-and-the = 未测量 z，而该效应沿轴线方向
+core-in-these-samples-it-cannot-be = 在这些样本中无法与几何误差（坐标系、零位、连杆和工具）区分
+core-in-these-samples-it-cannot-be-told = 在这些样本中无法与关节零位偏移和连杆长度区分
+
+# The core: mistakes of the set-up
+
+core-in-these-samples-the-same-as = { $a }；在这些样本中等同于：{ $b }
+core-joint-counts-the-other-way-round = 关节 { $a } 计数方向相反
+core-reverse-the-sign-of-joint-in = 在机器人描述或样本中反转关节 { $a } 的符号
+core-joints-and-are-exchanged = 关节 { $a } 和 { $b } 互换了
+core-exchange-the-columns-of-joints-and = 交换关节 { $a } 和 { $b } 的列
+core-the-measured-points-follow-the-joint = 实测点跟随回读的关节值，而不是指令值
+core-start-from-the-values-read-back = 以回读值为准（--joint-values read），并检查指令的来源
+core-joints-and-are-coupled-parallelogram-but = 关节 { $a } 和 { $b } 是耦合的（平行四边形机构），却按不耦合读取
+core-joints-and-are-uncoupled-but-were = 关节 { $a } 和 { $b } 不耦合，却按耦合（平行四边形机构）读取
+core-the-home-position-of-joint-is = 关节 { $a } 的零位偏差 { $b }
+core-add-to-joint-at-home-or = 在零位给关节 { $b } 加 { $a }，或重新回零
+core-the-home-positions-of-joints-and = 关节 { $a } 和 { $b } 的零位偏差 180°
+core-correct-the-unit-in-the-headings = 更正关节列标题中的单位
+core-correct-the-unit-in-the-heading = 更正 { $a } 列标题中的单位
+core-correct-the-unit-in-the-headings-of = 更正 x、y、z 列标题中的单位
+core-two-of-the-measured-axes-are = 两个测量轴互换（如 x 和 y），或其中一个反向
+core-the-measured-axes-are-swapped = 测量轴 { $a } 互换了
+core-x-and-y = x 和 y
+core-y-and-z = y 和 z
+core-x-and-z = x 和 z
+core-x-y-and-z-read-as = x、y、z（读为 y、z、x）
+core-x-y-and-z-read-as-z = x、y、z（读为 z、x、y）
+core-exchange-the-headings-of-the-measured = 交换测量列的标题
+core-exchange-the-headings-of-the-measured-columns = 交换测量列的标题，或将其中一列反向
+core-the-measuring-frame-was-never-aligned-with = 测量坐标系从未与机器人基座对齐
+core-align-the-instrument-turned-by-moved = 对齐仪器（转 { $a }，移 { $b }），或给样本加 `setup` 列以拟合坐标系
+core-with-the-frame-the-tool-and = 拟合坐标系、工具和零位后，中位误差现为 { $a }，去除该错误后为 { $b }
+core-with-zero-offset-and-link-length = 拟合零位和连杆长度后，RMS 误差现为 { $a }，去除该错误后为 { $b }
+core-far-beyond-what-adjusting-could-mend = 远超调整所能修正的范围
+core-the-median-error-is-as-it = 中位误差现为 { $a }，拟合坐标系后为 { $b }
+core-no-geometry-fits-the-samples-as = 没有几何能符合现有样本；拟合坐标系后中位误差为 { $a }
+core-the-instrument-lost-the-reflector-in = 仪器丢失反射靶：{ $a }
+core-it-wrote-0-0-0 = 仪器写入了 0, 0, 0
+core-these-samples-are-left-out-measure = 这些样本已略去；请重新测量
+core-the-instrument-saw-reflector-instead-in = 仪器看到的是反射靶 { $a }：{ $b }
+core-the-points-lie-where-should-be = 这些点位于 { $a } 应在之处
+core-these-samples-are-left-out-correct = 这些样本已略去；请更正其靶标或重新测量
+core-the-instrument-was-locked-on-a = 仪器锁定在不动的点上：{ $a }
+core-the-measured-point-stays-while-the = 机器人运动时实测点不动
+core-sample = 样本 { $a }
+core-samples = 样本 { $a }
+core-samples-and-more = 样本 { $a } 及另外 { $b } 个
+core-the-values-read-back-from-joint = 关节 { $a } 的回读值滞后指令 { $b }
+core-read-joint-back-at-standstill-taken = 在静止时回读关节 { $a }；按现状这些值看起来像反向间隙或跟随滞后
+core-reverse-joint = 反转关节 { $a }
+core-read-joint-as-degrees = 关节 { $a } 按度读取
+core-read-joint-as-radians = 关节 { $a } 按弧度读取
+core-read-all-joints-as-degrees = 所有关节按度读取
+core-read-all-joints-as-radians = 所有关节按弧度读取
+core-exchange-joints-and = 交换关节 { $a } 和 { $b }
+core-subtract-joint-from-joint = 从关节 { $b } 减去关节 { $a }
+core-add-joint-to-joint = 将关节 { $a } 加到关节 { $b }
+core-start-from-the-values-read-back-2 = 以回读值为准
+core-turn-the-home-of-joint-by = 将关节 { $a } 的零位转 { $b }
+core-read-the-coordinates-as-metres = 坐标按米读取
+core-read-the-coordinates-as-inches = 坐标按英寸读取
+core-read-the-coordinates-as-micrometres = 坐标按微米读取
+core-multiply-the-coordinates-by = 坐标乘以 { $a }
+core-exchange-x-and-y = 交换 x 和 y
+core-read-x-y-z-from = 由 { $a } 读取 x、y、z
+core-fit-the-measuring-frame = 拟合测量坐标系
+core-remove = 移除{ $a }
+core-remove-this-sample = 移除此样本
+core-remove-these-samples = 移除这 { $a } 个样本
+core-add-joint-in-the-value-of = 在关节 { $b } 的值中加上关节 { $a }
+core-subtract-joint-in-the-value-of = 在关节 { $b } 的值中减去关节 { $a }
+
+# The core: findings about a session
+
+core-the-noise-of-the-instrument-is-not = 未给出仪器噪声：由样本估计
+core-measured = 已测量：{ $a }
+core-measured-with-the-table-of-model = 测量时启用了模型 { $a } 的表格：显示的是剩余误差，不再重复补偿
+core-regions-and-overlap = 区域 { $a } 与 { $b } 重叠
+core-regions-that-touch-at-most-the = 区域最多相接；重叠部分归先列出者
+core-two-regions-are-called = 两个区域都叫 { $a }
+core-a-name-of-its-own-for = 每个区域各有名称
+core-a-name-of-its-own-for-each = 每个关节各有名称
+core-regions-are-for-a-robot-with = 区域仅用于只有一个转动关节的机器人：不会使用
+core-targets-but-no-column-target-every = { $a } 个靶标但没有 target 列：所有样本视为 { $b }
+core-a-column-target = target 列
+core-no-sample-shows-this-target = 没有样本显示此靶标
+core-no-sample-has-its-commanded-values = 没有样本同时具有指令值和测量值
+core-at-least-one-complete-sample = 至少一个完整样本
+core-of-samples-lack-a-commanded-value = { $b } 个样本中有 { $a } 个缺少指令值或全部测量值，无法使用：{ $c }
+core-of-samples-are-excluded-by-hand = { $b } 个样本中有 { $a } 个被手动排除，不计入任何数值：{ $c }
+core-of-samples-lack-single-coordinates-the = { $b } 个样本中有 { $a } 个缺少个别坐标；其余坐标参与拟合：{ $c }
+core-no-column-for-the-measured-z = 没有实测 z 列：测量为平面
+core-every-sample-is-held-out-or = 所有样本都被留出或排除：没有可拟合的
+core-some-samples-marked-fit = 若干标为 fit 的样本
+core-measured-orientations-are-not-of-unit = { $a } 个实测姿态不是单位长度：{ $b }
+core-unit-quaternions = 单位四元数
+core-samples-are-beyond-the-limits-of = { $a } 个样本超出关节 { $b } 的限位：{ $c }
+core-commands-within-the-limits = 指令在限位之内
+core-negative-loads = 负的负载：{ $a }
+core-0-kg-or-more = 0 kg 或更大
+core-temperatures-below-absolute-zero = 低于绝对零度的温度：{ $a }
+core-the-time-does-not-increase-at = 时间在 { $a } 处未增加；以文件顺序为测量顺序
+core-setups-each-has-a-measuring-frame = { $a } 次架设：各有自己的测量坐标系
+core-the-instrument-lost-the-reflector-0 = 仪器在 { $a } 个样本中丢失反射靶（0, 0, 0）：{ $b }
+core-they-are-left-out = 已略去
+
+# The core: figures of the standards
+
+core-samples-are-left-out-a-cell = 略去 { $a } 个样本：缺少数值、反射靶丢失或被手动排除
+core-no-point-was-measured-xmm-ymm = 未测量任何点（x_mm, y_mm）：两项标准的数值针对指令位置处的实测位置；仅有距离、方向、靶座和触测得不出
+core-the-session-was-measured-with-a = 测量时启用了表格：数值为补偿后的，不再重复补偿
+core-samples-were-taken-in-motion-the = 样本在运动中采集；标准在静止时测量，因此这些数值含有跟随滞后
+core-poses-with-two-cycles-or-more = { $a } 个位姿有两个及以上循环，{ $b } 个来自多个方向，{ $c } 条轨迹；各取最大值
+core-no-pose-was-reached-twice-from = 没有位姿在到达其他位姿后从同一方向到达两次
+core-no-pose-was-repeated-from-several = 没有位姿从多个方向重复
+core-z-was-not-measured-figures-are = 未测量 z：数值为平面内
+
+# The core: import
+
+core-decimal-point = 小数点为句点
+core-decimal-comma = 小数点为逗号
+core-the-unit-of-the-joint-values = 未说明关节值的单位
+
+# The core: units that were mistaken
+
+core-the-values-of-joint = 关节 { $a } 的值{ $b }
+core-the-values-of-all-joints = 所有关节的值{ $a }
+core-are-in-degrees-but-were-read = 以度为单位，却按弧度读取
+core-are-in-radians-but-were-read = 以弧度为单位，却按度读取
+core-the-measured-coordinates-are = 实测坐标{ $a }
+core-in-metres-but-were-read-as = 以米为单位，却按毫米读取
+core-in-micrometres-or-were-multiplied-by = 以微米为单位，或被乘以 1000
+core-in-inches-but-were-read-as = 以英寸为单位，却按毫米读取
+core-in-millimetres-but-were-read-as = 以毫米为单位，却按英寸读取
+core-the-unit-of-x-y-z = 未说明 x、y、z 的单位：{ $a }
+core-the-points-spread-over-as-m = 点分布在 { $a } 范围：若为 m 则 { $b }，mm 则 { $c }，in 则 { $d }；{ $e }
+core-would-suit = { $a }较合适，{ $b }
+core-as-robots-are-mostly-as-large = 因为机器人多与人大小相当
+core-beside-a-robot-that-reaches = 机器人工作半径为 { $a }
+core-positions-each-approached-from-below-and = { $a }；{ $b } 个位置，各自{ $c }由下趋近、{ $d }由上趋近
+core-all-samples-alike = 所有样本条件相同
+core-reflector = 反射靶 { $a }
+core-reflector-2 = 反射靶 { $a }，{ $b }
+core-load-2 = 负载 { $a }
+core-load-3 = 负载 { $a }，{ $b }
+core-measured-at = 以 { $a } 测量
+core-measured-at-2 = 以 { $a } 测量，{ $b }
+core-setup = 架设 { $a }
+core-setup-2 = 架设 { $a }，{ $b }
+core-other-joints-at = 其他关节位于 { $a }
+core-never = 从不
+core-once-or-more = 一次或多次
+core-twice-or-more = 两次或多次
+core-times-or-more = { $a } 次或更多
+core-more-series-under-other-conditions-are = 其他条件下的另外 { $a } 组数据见 `standards --json`
+core-of-positions-have-fewer-approaches-than = { $b } 个位置中有 { $a } 个趋近次数少于其他位置，已略去
+core-not-every-position-was-approached-from = 并非每个位置都由{ $a }趋近：没有需要该侧的数值，也没有反向差值
+core-a-position-was-approached-once-from = 有一个位置仅由{ $a }趋近一次：没有标准差，因此没有重复性和精度
+core-below = 下
+core-above = 上
+core-approaches-from-each-side-the-standard = 每侧 { $a } 次趋近；标准要求 { $b } 次
+core-positions-over-the-standard-asks-for = { $b } 内有 { $a } 个位置；标准要求 { $c } 个
+core-paths-with-as-few-as-cycles = 轨迹最少只有 { $a } 个循环；标准要求 { $b } 个
+core-poses-with-as-few-as-cycles = 位姿最少只有 { $a } 个循环；标准要求 { $b } 个
+core-no-pose-beside-the-paths-was = 轨迹之外没有位姿到达两次
+core-the-side-from-which-a-joint = 未知关节从哪侧趋近：各方向视为同一方向
+core-the-side-from-which-the-joint = 未知关节从哪侧趋近：缺少列 { $a }
+core-metres = 米
+core-millimetres = 毫米
+core-inches = 英寸
+core-an-iso-2302-run-targets-and = ISO 230-2 测试：单轴的目标和位置
+core-a-camera-that-sees-a-calibration = 观察标定板的相机：每幅图像的 rvec 和 tvec
+core-a-tum-trajectory-time-position-quaternion = TUM 轨迹：时间、位置、四元数
+core-any-program-a-table-with-a = 任意程序：带表头的表格，或在下方选择列
+core-an-mcap-recording-joint-states-and = MCAP 记录：关节状态和实测位姿
+core-a-ballbar-a-drawwire-or-an = 球杆仪、拉线传感器或干涉仪：距离
+core-a-laser-tracker-or-spatialanalyzer-names = 激光跟踪仪或 SpatialAnalyzer：名称、x、y、z
+
+# The core: places in files
+
+core-line-column = { $a }，第 { $b } 行，第 { $c } 列，{ $d }
+core-line-column-2 = { $a }，第 { $b } 行，第 { $c } 列
+core-line = { $a }，第 { $b } 行
+core-line-column-3 = 第 { $a } 行，第 { $b } 列
+core-line-2 = 第 { $a } 行
+
+# The core: exports
+
+core-zeros-base-and-tool-frame = 零位、基坐标系和工具坐标系
+core-mjcf-with-corrected-bodies = 带修正体的 MJCF
+core-urdf-with-corrected-origins = 带修正原点的 URDF
+core-kinematics-of-urdescription = ur_description 运动学
+core-denavithartenberg-rows = Denavit–Hartenberg 参数
+core-lerobot-motor-calibration-and-urdf = LeRobot 电机标定和 URDF
+core-c99-header-with-a-lookup-function = 带查找函数的 C99 头文件
+core-csv-table-with-json-metadata = 带 JSON 元数据的 CSV 表格
+core-twincat-cnc-isg-list = TwinCAT CNC（ISG）列表
+core-twincat-nc-structured-text = TwinCAT NC 结构化文本
+core-the-numbers-are-the-corrected-geometry = 数值即修正后的几何：关节和工具的真实位置；不加到指令上
+core-this-robot-carries-it-is-from = 此机器人描述包含{ $a }；在实测范围内与模型相差 { $b }（最大 { $c }），名义机器人相差 { $d }（均方根）
+core-zero-offsets-base-and-tool-frame = 零位、基坐标系和工具坐标系
+core-zero-offsets-base-and-tool-frame-and = 零位、基坐标系和工具坐标系以及连杆几何
+core-at-home-the-nominal-tool-is = 在零位，名义工具位于 { $a }，此机器人的工具位于 { $b }
+core-has-no-place-in-at-standstill = { $a }无法写入 { $b }：静止、无负载、20 °C 时无残留
+core-has-no-place-in-it-leaves = { $a }无法写入 { $b }：残留 { $c }
+core-the-zero-offsets-are-in-this = 零位偏移已在此文件中：控制器的零位保持不变
+core-no-joint-has-a-zero-offset = 没有关节需要控制器修正零位
+core-the-zero-offsets-are-left-to = 零位偏移留给控制器，不在此文件中：关节超出其显示值，{ $a }；移动零位使显示值相应增大
+core-the-zero-offsets-in-this-file = 此文件中的零位偏移由控制器采用：显示值应增大各关节超出指令的量
+core-base-where-the-robot-really-stands = base：机器人在基坐标系中的真实位置；tool：真实工具在名义工具坐标系中的位置（新工具数据 = 现有工具数据乘以此值）；zeros：各关节超出指令的量
+core-base-the-robots-base-in-the = base：机器人基座在基坐标系中的位置；tool：真实工具在名义工具坐标系中的位置
+core-the-geometry-of-the-links-is = 这些数值不含连杆几何；dh、urdf 或 mjcf 包含
+core-rows-cannot-say-where-the-first = 参数行无法说明第一轴在基座中的位置：请同时输入 base
+core-base-the-frame-before-the-first = base：首行之前的坐标系在基坐标系中；tool：工具在末行之后的坐标系中
+core-rows-in-the-convention = 采用 { $a } 约定的参数行
+core-base-the-frame-that-the-first = base：首个连杆所在坐标系；tool：TCP 在 wrist_3 坐标系中
+core-set-the-tcp-to-with-the = 将 TCP 设为 { $a }，旋转矢量 { $b }：工具不在此文件中
+core-for-the-launch-argument-kinematicsparamsfile-the = 用于启动参数 kinematics_params_file；驱动会将其哈希值与控制器自带标定比较并警告不一致
+core-masses-are-not-written-a-calibration = 不写入质量：标定不知道连杆的惯量
+core-names-that-are-empty-or-not = 空的或重复的名称已更改：文件要求各有其名
+core-syntax-from-the-manual-not-tried = 语法依据手册，未在控制器上试验
+core-the-motors-show-more-than-before = 电机显示值比以前大（刻度）：{ $a }；其范围随之移动：试验之前远离限位
+core-the-calibration-by-itself-with-the = 仅用标定和名义 URDF，在实测范围内残留 { $a }（级别：零位）
+core-feetech-present-actual-homingoffset-a-joint = Feetech：present = actual − homing_offset；超出指令的关节 homing_offset 变小
+core-dynamixel-present-actual-homingoffset-a-joint = Dynamixel：present = actual + homing_offset；超出指令的关节 homing_offset 变大
+core-the-calibration-by-itself-carries-the = 标定文件包含零位；旁边的 URDF 包含其余部分，且只与此电机标定一致
+core-the-zero-offsets-are-in-homingoffset = 零位偏移以整数刻度写入此标定的 homing_offset，其余在旁边的 URDF 中：不得在别处重复采用
+core-the-zero-offsets-are-in-the = 零位偏移在此标定旁边的 URDF 中，标定保持不变
+core-no-calibration-was-given-the-homing = 未给出标定：homing offset 从 0 计，编号和范围为占位；请用 --reference 给出测量时启用的标定
+core-in-the-ini-file-the-joint = INI 文件中：{ $a }；关节为 { $b }
+core-backlash-is-ignored-while-compfile-is = 设置 COMP_FILE 时忽略 BACKLASH：由两列承担
+core-in-the-machine-data-md38000-mmenccompmaxpoints = 机床数据：MD38000 MM_ENC_COMP_MAX_POINTS 至少 { $a }，加载后 { $b }；轴名须为 { $c }
+core-switched-on-after-referencing-the-axis = 回参考点后启用，轴会立即移动参考点处的修正量，0 处为 { $a }
+core-the-808d-holds-points-for-it = 808D 最多 { $a } 点；请为其给出更大步长
+core-ismodulo-1-is-for-a-modulo = IS_MODULO = 1 用于模态轴；有限位的轴请设为 0
+core-modulo-1-is-for-a-modulo = modulo 1 用于模态轴；有限位的轴请设为 0
+core-in-the-axis-list-have-to = 轴列表中：{ $a }；{ $b } 必须与该轴一致；不得同时使用其他间隙补偿
+core-the-largest-value-needs-a-build = 最大值 { $a } 需要 32 位数值的版本；旧版本为 16 位
+core-in-the-plc-the-axis-counts = PLC 中：{ $a }；轴的单位为 { $b }
+core-no-joint-removes-root-mean-square = 没有关节能消除 { $a }（实测范围内均方根）
+
+# The core: poses to measure next
+
+core-makes-and-more-testable = 使 { $a } 及另外 { $b } 个可检验：{ $c }
+core-makes-testable = 使 { $a } 可检验：{ $b }
+core-what-the-others-are-compared-with = 供其他比较
+core-tells-they-differ-most-at = 区分 { $a }：差异最大处为 { $b }
+core-not-determined = 未确定
+core-implausibly-large-more-than-ten-times = 大得不合理：超过通常值的十倍
+core-not-determined-by-these-samples = { $a }：这些样本无法确定
+core-any-size-there-is-no-noise = { $a }：任意大小，没有噪声
+core-not-observable-with-these-poses = { $a }：这些位姿不可观测
+core-pose = 位姿
+core-from = 趋近方向
+core-reflector-3 = 反射靶
+core-conditions = 条件
+core-second-time = 第二次
+core-is-a-new-reflector-mount-it = { $a } 是新的反射靶：安装在工具坐标系的 { $b } 处，并测量其真实位置
+core-with = 与
+core-joint-2 = 关节 { $a }（{ $b }）
+core-poses = 位姿

@@ -122,26 +122,67 @@ fn every_language_has_every_message_with_the_same_arguments_and_none_of_its_own(
     }
 }
 
-#[test]
-fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message() {
-    fn sources(folder: &Path, text: &mut String) {
+/// The code in a folder of `src`, but for one folder in it.
+fn code(folder: &str, but: &str) -> String {
+    fn sources(folder: &Path, but: &Path, text: &mut String) {
         for entry in std::fs::read_dir(folder).expect("the sources") {
             let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                sources(&path, text);
+            if path.is_dir() && path != but {
+                sources(&path, but, text);
             } else if path.extension().is_some_and(|e| e == "rs") {
                 *text += &read(&path);
             }
         }
     }
-    let mut code = String::new();
-    sources(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src/gui"),
-        &mut code,
-    );
+    let mut text = String::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    sources(&root.join(folder), &root.join(but), &mut text);
+    text
+}
+
+#[test]
+fn what_the_core_says_by_the_tables_is_what_it_says() {
+    // These the core puts together from parts.
+    const JOINED: [&str; 7] = [
+        "the unit of x, y, z is not said",
+        "the remaining error of",
+        "load from",
+        "measure the proposed pose with",
+        "proposed poses with",
+        "add joint",
+        "subtract joint",
+    ];
+    let core = code("src", "src/gui");
+    // A sentence over two lines.
+    let mut lines = core.split("\\\n");
+    let first = lines.next().unwrap_or_default().to_owned();
+    let core = lines.fold(first, |text, line| text + line.trim_start());
+    let english = read(&file("en"));
+    let said = english
+        .lines()
+        .filter_map(|line| line.strip_prefix("core-")?.split_once(" = "));
+    let mut count = 0;
+    for (key, text) in said {
+        for part in text.split("{ $").map(|part| {
+            let behind = part.split_once(" }").map(|(_, behind)| behind);
+            behind.filter(|_| !text.starts_with(part)).unwrap_or(part)
+        }) {
+            let part = part.trim_matches([' ', ',', ';', ':', '(', ')']);
+            let there = part.len() < 4 || JOINED.contains(&part) || core.contains(part);
+            assert!(there, "core-{key}: nothing in the core says {part:?}");
+        }
+        count += 1;
+    }
+    assert!(count > 400, "{count}");
+}
+
+#[test]
+fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message() {
+    let code = code("src/gui", "");
     let english = messages("en");
     // Of these the code has the end of the key only.
     let built = [
+        "core-",
         "word-",
         "effect-",
         "plot-",
@@ -171,6 +212,13 @@ fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message
 
 /// Goes to what is in the window by keys, which are the same in every language, and looks at each.
 fn visit(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
+    steps(window, see);
+    keys(window, Modifiers::COMMAND, Key::Num4);
+    choose_everything(window, see);
+}
+
+/// The same, but for what is to be chosen.
+fn steps(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     let numbers = [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5];
     let work = [
         ("as opened", None),
@@ -191,8 +239,6 @@ fn visit(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
         keys(window, SHIFTED, number);
         see(window, &format!("view {}", k + 1));
     }
-    keys(window, Modifiers::COMMAND, Key::Num4);
-    choose_everything(window, see);
 }
 
 /// Presses every choice and check box of the step, once each.
@@ -341,6 +387,13 @@ fn no_text_of_the_window_is_outside_of_the_table() {
     visit(&mut window, &mut see);
     open_all(&mut window, &mut see);
     open_records(&mut window, &mut see);
+    for other in ["sessions/arm/arm.json", "tests/data/arms/six-60.json"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(other);
+        let mut window = self::window(Language::Marked, [1280.0, 800.0], Some(path));
+        steps(&mut window, &mut |window, at| {
+            see(window, &format!("{other}, {at}"));
+        });
+    }
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("messung.csv");
     std::fs::write(&path, "winkel;x;y\n0;250;0\n10;246;43\n20;235;85\n").expect("written");

@@ -1,6 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
+use crate::gui::language::of_core;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
@@ -160,16 +161,16 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         let name = &target.name;
         Some((
             target.place,
-            say!("compensation-is-left-as", name = name, left = left.says),
+            say!("compensation-is-left-as", name = name, left = of_core(&left.says)),
         ))
     });
     let at_run_time = answer.at_run_time.iter();
     let at_run_time =
-        at_run_time.map(|(l, c, says)| ((*l, *c), say!("compensation-not-corrected", says = says)));
+        at_run_time.map(|(l, c, says)| ((*l, *c), say!("compensation-not-corrected", says = of_core(says))));
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
     let remarks: Vec<_> = remarks
-        .map(|(l, c, says)| ((*l, *c), says.clone()))
+        .map(|(l, c, says)| ((*l, *c), of_core(says).into_owned()))
         .collect();
     if warnings.is_empty() && remarks.is_empty() && answer.notes.is_empty() {
         return;
@@ -197,7 +198,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::hint(ui, at(remark));
             }
             for note in &answer.notes {
-                widgets::hint(ui, note.clone());
+                widgets::hint(ui, of_core(note));
             }
         });
 }

@@ -4,7 +4,7 @@
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
 use crate::gui::language::known_words;
-use crate::gui::language::names::title_on;
+use crate::gui::language::names::{title_on, with_parameter};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
@@ -109,7 +109,10 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     widgets::section(ui, say!("history-errors"));
     let errors = translated(entries(robot), usize::MAX, &[1, 6]);
     table(ui, "errors", &errors, None);
-    let rows = rows(robot, title_on);
+    let mut rows = rows(robot, title_on);
+    for row in &mut rows {
+        row.name = with_parameter(&row.name);
+    }
     let is_changed = |row: &Row<'_>| row.values.iter().flatten().any(|value| value.changed);
     let changed = || rows.iter().position(is_changed);
     let mut charted = choice.row.or_else(changed).unwrap_or(0);
@@ -230,6 +233,9 @@ fn translated(mut table: Table, headings: usize, columns: &[usize]) -> Table {
         translate("history-heading", &mut column.heading);
     }
     for row in &mut table.rows {
+        if let Some(first) = row.first_mut() {
+            first.shown = with_parameter(&first.shown);
+        }
         for k in columns {
             let Some(cell) = row.get_mut(*k) else {
                 continue;

@@ -6,6 +6,7 @@
 //! languages of their own, and a job takes that of the window that starts it. Numbers come written, by
 //! [`crate::present`]: no language changes them.
 
+mod core;
 pub(crate) mod names;
 mod table;
 mod which;
@@ -14,6 +15,7 @@ use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt::Display;
 
+pub(crate) use core::{finding, of_core};
 use table::table;
 pub(crate) use which::LANGUAGES;
 pub use which::Language;

@@ -14,6 +14,7 @@ use super::which::{LANGUAGES, Language, source};
 pub(super) struct Table {
     language: Language,
     bundle: FluentBundle<FluentResource>,
+    keys: Vec<String>,
     /// Messages that need no argument.
     plain: BTreeMap<String, String>,
 }
@@ -45,6 +46,7 @@ impl Table {
         let mut table = Self {
             language,
             bundle,
+            keys: keys.iter().map(|key| (*key).to_owned()).collect(),
             plain: BTreeMap::new(),
         };
         for id in keys {
@@ -70,6 +72,11 @@ impl Table {
             Language::Long => format!("{text}{}", longer(&text)),
             _ => text.into_owned(),
         })
+    }
+
+    /// The key of every message.
+    pub(super) fn keys(&'static self) -> impl Iterator<Item = &'static str> {
+        self.keys.iter().map(String::as_str)
     }
 
     pub(super) fn plain(&'static self, key: &'static str) -> &'static str {

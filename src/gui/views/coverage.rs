@@ -1,7 +1,7 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::gui::language::text;
+use crate::gui::language::{of_core, text};
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
@@ -229,7 +229,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
             for one in &subject.not_testable {
                 ui.label(name(one.effect));
-                widgets::hint(ui, &one.because);
+                widgets::hint(ui, of_core(&one.because));
             }
         });
     });
@@ -260,7 +260,7 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
         ui.add_space(space::TIGHT);
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            ui.label(format.title);
+            ui.label(of_core(format.title));
         }
     });
 }

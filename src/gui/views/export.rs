@@ -1,6 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::gui::language::names;
+use crate::gui::language::{names, of_core};
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
@@ -114,7 +114,7 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.spacing_mut().item_spacing.y = 0.0;
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            let response = ui.radio(format.id == choice.format, format.title);
+            let response = ui.radio(format.id == choice.format, of_core(format.title));
             if response.clicked() && format.id != choice.format {
                 commands.push(Command::Edit(Edit::Export(ExportChoice {
                     format: format.id,
@@ -269,7 +269,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             }
         }
         for line in made.remainder.says() {
-            widgets::hint(ui, with_minus_signs(&line));
+            widgets::hint(ui, with_minus_signs(&of_core(&line)));
         }
     });
     widgets::card(ui, |ui| {
@@ -277,7 +277,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
         for line in said.chain(&made.said) {
-            widgets::hint(ui, with_minus_signs(line));
+            widgets::hint(ui, with_minus_signs(&of_core(line)));
         }
     });
     widgets::card(ui, |ui| {

@@ -1,5 +1,6 @@
 //! Step 3: how the robot is identified.
 
+use crate::gui::language::of_core;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;
@@ -97,7 +98,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
             ui.label(RichText::new(about.id).monospace());
-            ui.label(about.cause);
+            ui.label(of_core(about.cause));
             widgets::hint(ui, about.equation);
         });
         if response.changed() {
@@ -118,7 +119,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             for one in &subject.not_testable {
                 ui.label(crate::gui::language::names::title(one.effect));
-                widgets::hint(ui, &one.because);
+                widgets::hint(ui, of_core(&one.because));
             }
         });
 }

@@ -4,11 +4,12 @@ use egui::{RichText, Ui};
 
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
 use crate::gui::charts::effect;
-use crate::gui::language::names::{title_of, title_on};
+use crate::gui::language::names::{combination, parameter, title_of, title_on, usual_size};
+use crate::gui::language::{of_core, within};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{parameter, usual_size};
+use crate::present::names;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
@@ -24,8 +25,8 @@ pub(in crate::gui::views) fn in_words(
 }
 
 /// Names in words; one with its joint is `id joint`.
-pub(in crate::gui::views) fn titles(names: &[String]) -> String {
-    let all = names.iter().map(|name| title_of(name).to_lowercase());
+pub(in crate::gui::views) fn titles(all: &[String]) -> String {
+    let all = all.iter().map(|name| within(&title_of(name)).into_owned());
     all.collect::<Vec<_>>().join(say!("names-and"))
 }
 
@@ -34,9 +35,10 @@ pub(in crate::gui::views) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
     let warning = Palette::of(ui).warning;
     for one in estimates.iter().filter(|one| one.is_implausible()) {
         let text = format!(
-            "{}: {IMPLAUSIBLE} ({})",
+            "{}: {} ({})",
             parameter(one.name).0,
-            usual_size(one)
+            of_core(IMPLAUSIBLE),
+            usual_size(names::usual_size(one))
         );
         ui.label(RichText::new(text).color(warning));
     }
@@ -50,8 +52,8 @@ pub(in crate::gui::views) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiabl
     widgets::card(ui, |ui| {
         title(ui, say!("names-not-identifiable"));
         for one in all {
-            ui.label(&one.combination);
-            widgets::hint(ui, &one.because);
+            ui.label(combination(&one.combination));
+            widgets::hint(ui, of_core(&one.because));
         }
     });
 }

@@ -8,13 +8,13 @@ use crate::fit::problem::Unusable;
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
-use crate::gui::language::names::title_on;
+use crate::gui::language::names::{parameter, title_on};
+use crate::gui::language::of_core;
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::parameter;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::present::units::Units;
 use crate::units::deg_from_rad;
@@ -175,16 +175,18 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     match workbench.decision() {
         None => {}
-        Some(Err(because)) => widgets::hint(ui, say!("results-no-decision", because = because)),
+        Some(Err(because)) => {
+            widgets::hint(ui, say!("results-no-decision", because = of_core(&because)));
+        }
         Some(Ok((outcome, says))) => {
             let color = match outcome {
                 Conformity::Pass => palette.within,
                 Conformity::Fail => palette.outside,
                 Conformity::Undecided => palette.warning,
             };
-            let title = RichText::new(outcome.title()).font(strong(size::BODY));
+            let title = RichText::new(of_core(outcome.title())).font(strong(size::BODY));
             ui.label(title.color(color));
-            widgets::hint(ui, with_minus_signs(&says));
+            widgets::hint(ui, with_minus_signs(&of_core(&says)));
         }
     }
 }
@@ -207,7 +209,12 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
         }
         let (name, unit) = parameter(one.name);
         let (value, half, unit) = units.estimate(one, unit);
-        estimate(ui, &name, &value, format!("{half} {unit}").trim_end());
+        estimate(
+            ui,
+            &name,
+            &value,
+            format!("{} {unit}", of_core(&half)).trim_end(),
+        );
     }
     implausible(ui, estimates);
     widgets::hint(ui, say!("results-half-the-95-interval"));
@@ -346,7 +353,11 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     const MOST: usize = 12;
     let found = &answer.identification;
     let units = workbench.units();
-    let mut lines: Vec<String> = found.notes.clone();
+    let mut lines: Vec<String> = found
+        .notes
+        .iter()
+        .map(|n| of_core(n).into_owned())
+        .collect();
     if !found.quality.converged {
         let stopped = found.quality.stopped;
         lines.push(say!("common-the-fit-did-not-converge", stopped = stopped));
@@ -354,8 +365,13 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if let Some(noise) = &found.noise {
         let stated = noise.against_stated(&workbench.subject().session);
         let differs = stated.filter(StatedNoise::differs);
-        lines.extend(differs.map(|n| say!("results-measurement-noise", noise = n.says())));
-        lines.extend(noise.slow.map(|slow| slow.says_of_remaining_error()));
+        lines
+            .extend(differs.map(|n| say!("results-measurement-noise", noise = of_core(&n.says()))));
+        lines.extend(
+            noise
+                .slow
+                .map(|slow| of_core(&slow.says_of_remaining_error()).into_owned()),
+        );
     }
     if !found.outliers.is_empty() {
         let (excluded, all) = (found.outliers.len(), grouped(found.samples));
@@ -381,7 +397,7 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         lines.push(say!(
             "results-sample-is-excluded",
             sample = left_out.sample + 1,
-            because = left_out.because.says()
+            because = of_core(left_out.because.says())
         ));
     }
     let more = found.outliers.len().saturating_sub(MOST) + lost.count().saturating_sub(MOST);

@@ -1,5 +1,6 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
+use crate::gui::language;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
@@ -220,7 +221,7 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let text = finding.clone().without_folder().to_string();
+        let text = language::finding(&finding.clone().without_folder());
         let text = RichText::new(text).size(size::SMALL);
         if finding.samples.is_empty() {
             ui.label(text);

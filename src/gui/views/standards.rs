@@ -1,5 +1,6 @@
 //! Accuracy and repeatability as the standards state them, before and after.
 
+use crate::gui::language::of_core;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{Made, as_text};
@@ -33,9 +34,12 @@ fn tables(ui: &mut Ui, made: &Made) {
     }
     let mut explained = "";
     for group in &made.groups {
-        widgets::section(ui, &format!("{}, {}", group.title(), group.standard));
+        widgets::section(
+            ui,
+            &format!("{}, {}", of_core(&group.title()), group.standard),
+        );
         if !group.rows.is_empty() {
-            widgets::hint(ui, &group.says);
+            widgets::hint(ui, of_core(&group.says));
         }
         if !group.rows.is_empty() {
             table(ui, group);
@@ -45,11 +49,11 @@ fn tables(ui: &mut Ui, made: &Made) {
             }
         }
         for line in &group.missing {
-            widgets::hint(ui, say!("standards-missing", line = line));
+            widgets::hint(ui, say!("standards-missing", line = of_core(line)));
         }
     }
     for line in &made.notes {
-        widgets::hint(ui, line);
+        widgets::hint(ui, of_core(line));
     }
 }
 

@@ -1,5 +1,6 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
+use crate::gui::language::of_core;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};
@@ -31,9 +32,9 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
             workbench.units().length(left.rms_mm),
         );
         if let Some(place) = &left.place {
-            widgets::fact_of(ui, "unexplained-where", place.says());
+            widgets::fact_of(ui, "unexplained-where", of_core(&place.says()));
         }
-        widgets::hint(ui, &left.says);
+        widgets::hint(ui, of_core(&left.says));
         if !left.resembles.is_empty() {
             let resembles = titles(&left.resembles);
             widgets::hint(
@@ -46,7 +47,10 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
             Some(Err(because)) => {
                 widgets::hint(
                     ui,
-                    say!("unexplained-it-cannot-be-corrected", because = because),
+                    say!(
+                        "unexplained-it-cannot-be-corrected",
+                        because = of_core(because)
+                    ),
                 );
             }
             Some(Ok(found)) => {

@@ -1,6 +1,6 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
-use crate::gui::language::{text, within};
+use crate::gui::language::{names, of_core, text, within};
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};
@@ -156,8 +156,9 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
         ui.label(RichText::new(crate::gui::language::names::title(id)).font(strong(size::BODY)));
-        ui.label(about.cause);
-        hint(ui, say!("text-usually", usual_size = about.usual_size));
+        ui.label(of_core(about.cause));
+        let usual_size = names::usual_size(about.usual_size);
+        hint(ui, say!("text-usually", usual_size = usual_size));
         hint(ui, about.equation);
     })
 }

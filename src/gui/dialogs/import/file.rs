@@ -1,6 +1,7 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
+use crate::gui::language::of_core;
 use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
@@ -21,7 +22,7 @@ pub(super) fn found_out(now: &Foreign) -> String {
             .separator
             .map(|s| say!("import-separated", separator = s)),
     );
-    parts.extend(found.decimal.map(|d| d.to_string()));
+    parts.extend(found.decimal.map(|d| of_core(&d.to_string()).into_owned()));
     parts.push(match found.header_line {
         Some(line) => say!("import-header-in-line", line = line),
         None => say!("import-no-header").to_owned(),
@@ -47,11 +48,11 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     widgets::form_row(ui, say!("import-source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
-            .selected_text(kind.map_or("", |importer| importer.plainly))
+            .selected_text(of_core(kind.map_or("", |importer| importer.plainly)))
             .show_ui(ui, |ui| {
                 for &importer in IMPORTERS {
                     let is = kind == Some(importer);
-                    if ui.selectable_label(is, importer.plainly).clicked() && !is {
+                    if ui.selectable_label(is, of_core(importer.plainly)).clicked() && !is {
                         reading.kind = Some(importer);
                         reading.columns.clear();
                     }
@@ -202,7 +203,7 @@ pub(super) fn questions(ui: &mut Ui, now: &Foreign, next: &mut Said) {
 
 fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
     let palette = Palette::of(ui);
-    let says = RichText::new(in_the_sheets_words(&question.says)).color(palette.warning);
+    let says = RichText::new(in_the_sheets_words(&of_core(&question.says))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
     if question.answers.is_empty() {
         widgets::hint(ui, say!("import-choose-it-in-the-table"));

@@ -9,7 +9,7 @@ mod parts;
 mod result;
 mod robot;
 
-use crate::gui::language::text;
+use crate::gui::language::{self, text};
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
@@ -118,7 +118,7 @@ fn findings(ui: &mut Ui, now: &Foreign) {
         parts::line(
             ui,
             finding.severity,
-            &in_the_sheets_words(&finding.to_string()),
+            &in_the_sheets_words(&language::finding(finding)),
         );
     }
 }

@@ -7,12 +7,12 @@ use crate::fit::Estimate;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::help;
-use crate::gui::language::names::title_of;
+use crate::gui::language::names::{figure, parameter, title_of};
+use crate::gui::language::{of_core, within};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{figure, parameter};
 use crate::present::numbers::significant;
 use crate::present::units::Units;
 
@@ -49,7 +49,7 @@ pub(super) fn show(
             } else {
                 significant(found.odds_over_next, 2)
             };
-            let next = title_of(next).to_lowercase();
+            let next = within(&title_of(next)).into_owned();
             let text = say!(
                 "found-times-likelier-than-the-next",
                 odds = odds,
@@ -66,7 +66,7 @@ pub(super) fn show(
     }
     widgets::fact_of(ui, "common-noise-floor", units.length(d.floor.mm));
     ui.label(RichText::new(say!("found-what-to-check")).font(strong(size::SMALL)));
-    widgets::hint(ui, found.check);
+    widgets::hint(ui, of_core(found.check));
     let Some(term) = term_of(d, found) else {
         return;
     };
@@ -104,7 +104,10 @@ fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
                 let (value, half, unit) = units.estimate(one, unit);
                 ui.label(name);
                 widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
-                ui.label(RichText::new(format!("{half} {unit}").trim_end()).color(palette.muted));
+                ui.label(
+                    RichText::new(format!("{} {unit}", of_core(&half)).trim_end())
+                        .color(palette.muted),
+                );
                 ui.end_row();
             }
         });

@@ -1,5 +1,6 @@
 //! What is wrong with the data itself, and how to mend it.
 
+use crate::gui::language::of_core;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Mend};
@@ -17,17 +18,17 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
         .collect();
     for problem in &d.data_problems {
         widgets::card(ui, |ui| {
-            let text = RichText::new(&problem.what).font(strong(size::BODY));
+            let text = RichText::new(of_core(&problem.what)).font(strong(size::BODY));
             ui.label(text.color(palette.outside));
-            widgets::hint(ui, &problem.evidence);
-            ui.label(&problem.proposal);
+            widgets::hint(ui, of_core(&problem.evidence));
+            ui.label(of_core(&problem.proposal));
             if !problem.samples.is_empty() && ui.link(say!("common-show-these-samples")).clicked() {
                 commands.push(Command::Mark(problem.samples.clone()));
             }
             let Some(mend) = &problem.mend else {
                 return;
             };
-            if widgets::secondary(ui, &mend.says()).clicked() {
+            if widgets::secondary(ui, &of_core(&mend.says())).clicked() {
                 commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
             }
         });

@@ -16,6 +16,7 @@ use crate::gui::{help, widgets};
 use crate::present::numbers::{grouped, significant};
 
 use crate::gui::language::names::title_of;
+use crate::gui::language::of_core;
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
 
@@ -154,7 +155,10 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
         let floor = format!("{}, {from}", units.length(d.floor.mm));
         widgets::fact_of(ui, "common-noise-floor", floor);
         noise(ui, workbench, d);
-        widgets::hint(ui, say!("diagnosis-held-out", how = d.held_out.how));
+        widgets::hint(
+            ui,
+            say!("diagnosis-held-out", how = of_core(&d.held_out.how)),
+        );
     });
 }
 
@@ -166,7 +170,7 @@ fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
         widgets::fact_of(ui, "diagnosis-noise-as-found", units.length(noise.found_mm));
     }
     if let Some(slow) = &d.noise.slow {
-        let says = say!("diagnosis-slow-noise", slow = slow.says());
+        let says = say!("diagnosis-slow-noise", slow = of_core(&slow.says()));
         widgets::hint_about(ui, says, help::SLOW_NOISE);
     }
     let quality = &d.identification.quality;
@@ -194,7 +198,7 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
                 say!(
                     "diagnosis-1-against",
                     odds = odds,
-                    separate_by = one.separate_by
+                    separate_by = of_core(&one.separate_by)
                 ),
             );
         }

@@ -3,6 +3,7 @@
 use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::diagnosis::NextPose;
+use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::What;
 use crate::gui::views::copies;
@@ -24,7 +25,8 @@ pub(super) fn show(
     title(ui, say!("next-measure-these-poses-next"));
     let table = table(poses, robot);
     let rows = &table.rows[..table.rows.len().min(MOST)];
-    let headings: Vec<&str> = table.columns.iter().map(|c| c.heading.as_str()).collect();
+    let headings: Vec<_> = table.columns.iter().map(|c| of_core(&c.heading)).collect();
+    let headings: Vec<&str> = headings.iter().map(AsRef::as_ref).collect();
     let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
     let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
     if is_narrower(ui, &shown, &headings, rows) {
@@ -33,7 +35,7 @@ pub(super) fn show(
         side_by_side(ui, &shown, &headings, rows);
     }
     for line in new_reflectors(poses) {
-        widgets::hint(ui, line);
+        widgets::hint(ui, of_core(&line));
     }
     let shown = &poses[..poses.len().min(MOST)];
     if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
@@ -84,9 +86,9 @@ fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cel
             ui.end_row();
             for row in rows {
                 for k in shown {
-                    let label = ui.label(&row[*k].shown);
+                    let label = ui.label(of_core(&row[*k].shown));
                     if *k == 0 {
-                        label.on_hover_text(&row[SHOWN].shown);
+                        label.on_hover_text(of_core(&row[SHOWN].shown));
                     }
                 }
                 ui.end_row();
@@ -98,9 +100,9 @@ fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cel
 fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
     for row in rows {
         let pose = Label::new(&row[0].shown).wrap();
-        ui.add(pose).on_hover_text(&row[SHOWN].shown);
+        ui.add(pose).on_hover_text(of_core(&row[SHOWN].shown));
         let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
-        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
+        let rest = rest.map(|k| format!("{} {}", headings[k], of_core(&row[k].shown)));
         widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
     }
 }

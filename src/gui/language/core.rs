@@ -1,0 +1,227 @@
+//! What the core says, in the language of the window.
+//!
+//! The core speaks English and knows no language: checks of a machine, reasons, findings. Here its sentences are
+//! recognised by those of the English table: messages whose key begins with `core-`, with `$a`, `$b`, … for what
+//! is filled in. What is filled in may be such a sentence itself, or the name of an effect. What is not recognised
+//! is shown as it is.
+
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::sync::OnceLock;
+
+use crate::diagnostic::Diagnostic;
+
+use super::table::table;
+use super::{Language, current, names, said};
+
+const PREFIX: &str = "core-";
+/// What may be filled in, by name, and what stands for it where a sentence is taken apart.
+const HOLES: [(&str, char); 6] = [
+    ("a", '\u{e000}'),
+    ("b", '\u{e001}'),
+    ("c", '\u{e002}'),
+    ("d", '\u{e003}'),
+    ("e", '\u{e004}'),
+    ("f", '\u{e005}'),
+];
+/// How deep a sentence is looked for in what is filled in.
+const DEEPEST: u32 = 4;
+/// Sentences that are kept; beyond that all are looked up anew.
+const MOST_KEPT: usize = 2000;
+
+thread_local! {
+    static KNOWN: RefCell<(Language, BTreeMap<String, String>)> =
+        const { RefCell::new((Language::English, BTreeMap::new())) };
+}
+
+/// What the core says, in the language of the window.
+pub(crate) fn of_core(english: &str) -> Cow<'_, str> {
+    let language = current();
+    if language == Language::English {
+        return Cow::Borrowed(english);
+    }
+    let known = KNOWN.with_borrow_mut(|(of, known)| {
+        if *of != language || known.len() > MOST_KEPT {
+            (*of, *known) = (language, BTreeMap::new());
+        }
+        known.get(english).cloned()
+    });
+    let said = known.unwrap_or_else(|| {
+        let said = translated(english, DEEPEST).unwrap_or_else(|| english.to_owned());
+        KNOWN.with_borrow_mut(|(_, known)| known.insert(english.to_owned(), said.clone()));
+        said
+    });
+    Cow::Owned(said)
+}
+
+/// A finding, with where it is and what was expected.
+pub(crate) fn finding(finding: &Diagnostic) -> String {
+    let place = finding.place.to_string();
+    let found = of_core(&finding.found);
+    let found = if finding.expected.is_empty() {
+        found
+    } else {
+        let expected = of_core(&finding.expected);
+        said(
+            "finding-expected",
+            &[("found", &found), ("expected", &expected)],
+        )
+        .into()
+    };
+    if place.is_empty() {
+        found.into_owned()
+    } else {
+        said(
+            "finding-at",
+            &[("place", &of_core(&place)), ("found", &found)],
+        )
+    }
+}
+
+fn translated(english: &str, deep: u32) -> Option<String> {
+    let patterns = patterns();
+    let first = english.chars().next()?;
+    let fitting = patterns.iter().filter(|pattern| pattern.may_begin(first));
+    let found = fitting.filter_map(|pattern| Some((pattern, pattern.filled_in(english)?)));
+    let (pattern, filled_in) = found.max_by_key(|(pattern, _)| pattern.weight())?;
+    let inner = |text: &&str| match deep {
+        0 => (*text).to_owned(),
+        _ => translated(text, deep - 1).unwrap_or_else(|| names::of_effect(text)),
+    };
+    let filled_in: Vec<String> = filled_in.iter().map(inner).collect();
+    let arguments: Vec<(&'static str, &dyn Display)> = HOLES
+        .iter()
+        .zip(&filled_in)
+        .map(|((name, _), text)| (*name, text as &dyn Display))
+        .collect();
+    Some(table(current()).filled(pattern.key, &arguments))
+}
+
+/// An English sentence with what is filled in left out.
+struct Pattern {
+    key: &'static str,
+    /// What stands before, between and behind, and which comes first, second, …: the place in [`HOLES`].
+    around: Vec<String>,
+    holes: Vec<usize>,
+}
+
+fn patterns() -> &'static [Pattern] {
+    static PATTERNS: OnceLock<Vec<Pattern>> = OnceLock::new();
+    PATTERNS.get_or_init(|| {
+        let english = table(Language::English);
+        let keys = english.keys().filter(|key| key.starts_with(PREFIX));
+        let marks = HOLES
+            .each_ref()
+            .map(|(name, mark)| (*name, mark as &dyn Display));
+        keys.map(|key| Pattern::of(key, &english.filled(key, &marks)))
+            .collect()
+    })
+}
+
+impl Pattern {
+    fn of(key: &'static str, text: &str) -> Self {
+        let hole = |c: char| HOLES.iter().position(|(_, mark)| *mark == c);
+        Self {
+            key,
+            around: text
+                .split(|c| hole(c).is_some())
+                .map(str::to_owned)
+                .collect(),
+            holes: text.chars().filter_map(hole).collect(),
+        }
+    }
+
+    fn may_begin(&self, first: char) -> bool {
+        self.around[0].chars().next().is_none_or(|own| own == first)
+    }
+
+    /// The more of a sentence is given, the better it is recognised.
+    fn weight(&self) -> (usize, usize) {
+        let given = self.around.iter().map(String::len).sum();
+        (given, usize::MAX - self.holes.len())
+    }
+
+    /// What is filled in, in the order of [`HOLES`]; `None` where the text is another sentence.
+    fn filled_in<'t>(&self, text: &'t str) -> Option<Vec<&'t str>> {
+        let (first, rest) = self.around.split_first()?;
+        let mut text = text.strip_prefix(first.as_str())?;
+        let Some((last, between)) = rest.split_last() else {
+            return text.is_empty().then(Vec::new);
+        };
+        let mut found = vec![""; self.holes.len()];
+        for (literal, hole) in between.iter().zip(&self.holes) {
+            let at = text.find(literal.as_str())?;
+            *found.get_mut(*hole)? = &text[..at];
+            text = &text[at + literal.len()..];
+        }
+        *found.get_mut(*self.holes.last()?)? = text.strip_suffix(last.as_str())?;
+        found.iter().all(|part| !part.is_empty()).then_some(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::choose;
+    use super::*;
+    use crate::effects::CATALOGUE;
+    use crate::effects::term::parameter_names;
+    use crate::present::names::parameter;
+
+    fn pattern(text: &str) -> Pattern {
+        let marked = HOLES.iter().fold(text.to_owned(), |text, (name, mark)| {
+            text.replace(&format!("{{{name}}}"), &mark.to_string())
+        });
+        Pattern::of("core-test", &marked)
+    }
+
+    #[test]
+    fn what_is_filled_in_stands_between_what_is_given() {
+        let turned = pattern("{b} of {a}, at most");
+        assert_eq!(
+            turned.filled_in("3 mm of 5 mm, at most"),
+            Some(vec!["5 mm", "3 mm"])
+        );
+        assert_eq!(turned.filled_in("3 mm of 5 mm"), None);
+        assert_eq!(pattern("as it is").filled_in("as it is"), Some(Vec::new()));
+        assert_eq!(pattern("as it is").filled_in("as it is not"), None);
+        assert_eq!(pattern("up to {a}").filled_in("up to "), None);
+    }
+
+    #[test]
+    fn what_is_not_recognised_and_what_is_english_stays_as_it_is() {
+        assert_eq!(of_core("survey the base again"), "survey the base again");
+        choose(Language::German);
+        assert_eq!(of_core("nobody says this"), "nobody says this");
+        assert_eq!(of_core("survey the base again"), "den Sockel neu einmessen");
+        choose(Language::English);
+        assert_eq!(of_core("survey the base again"), "survey the base again");
+    }
+
+    #[test]
+    fn what_is_filled_in_is_translated_as_well() {
+        choose(Language::German);
+        let says = "joint-scale of joint 2 leaves 0.1 mm: needs a mechanical repair: the tool data in the controller";
+        let german = "Maßstabsfehler des Gelenks von Gelenk 2 lässt 0.1 mm übrig: braucht eine mechanische Reparatur: \
+                      die Werkzeugdaten in der Steuerung";
+        assert_eq!(of_core(says), german);
+        choose(Language::English);
+    }
+
+    #[test]
+    fn what_is_said_of_every_effect_is_known_to_every_language() {
+        for effect in CATALOGUE {
+            let about = effect.about();
+            let said = [about.cause, about.check];
+            for english in said.into_iter().filter(|said| !said.is_empty()) {
+                assert!(translated(english, 0).is_some(), "{}: {english}", about.id);
+            }
+            for name in parameter_names(effect) {
+                let (name, _) = parameter(name);
+                let known = name.len() == 1 || translated(&name, 0).is_some();
+                assert!(known, "{}: {name}", about.id);
+            }
+        }
+    }
+}
