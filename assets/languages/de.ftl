@@ -2367,3 +2367,59 @@ core-is-a-new-reflector-mount-it = { $a } ist ein neuer Reflektor: bei { $b } im
 core-with = mit
 core-joint-2 = Gelenk { $a } ({ $b })
 core-poses = Posen
+
+# The core: what of a program is not corrected
+
+core-it-is-singular-a-small-correction = sie ist singulär: Eine kleine Korrektur bräuchte eine große Bewegung der Gelenke
+core-no-correction-was-found-that-settles = es wurde keine Korrektur gefunden, die konvergiert: nahe einer singulären Pose
+core-the-real-tool-does-not-reach = das wirkliche Werkzeug erreicht es nicht: { $a } bleiben
+core-its-correction-would-lead-into-another = seine Korrektur führte in eine andere Konfiguration
+core-with-its-correction = { $a } mit seiner Korrektur
+core-no-joint-values-within-the-limits = keine Gelenkwerte innerhalb der Grenzen erreichen es
+core-endlessly-many-joint-values-reach-it = unendlich viele Gelenkwerte erreichen es, und kein Zielpunkt davor sagt, welche
+core-no-joint-values-near-those-of = keine Gelenkwerte nahe denen des vorigen Zielpunkts erreichen es
+core-joint-values-reach-it-but-none = Gelenkwerte erreichen es, aber keine mit seiner Konfiguration
+core-several-joint-values-reach-it-and = mehrere Gelenkwerte erreichen es, und kein Zielpunkt davor sagt, welche
+core-two-sets-of-joint-values-reach = zwei Sätze von Gelenkwerten erreichen es, die dem vorigen Zielpunkt gleich nahe sind
+core-no-joint-values-reach-it = keine Gelenkwerte erreichen es
+core-it-is-singular-lines-of-joint = es ist singulär: Linien von Gelenkwerten erreichen es
+core-joint-would-be-at-beyond-its = Gelenk { $a } wäre bei { $b }, jenseits seiner Grenze von { $c }
+core-its-orientation-is-none = seine Orientierung ist keine
+core-goes-to-which-is-worked-out = { $a } fährt zu { $b }, was erst zur Laufzeit berechnet wird
+core-is-worked-out-at-run-time = { $a } wird erst zur Laufzeit berechnet
+core-is-changed-at-run-time = { $a } wird zur Laufzeit geändert
+core-is-chosen-at-run-time = { $a } wird zur Laufzeit gewählt
+core-is-not-written-out-in-numbers = { $a } ist nicht in Zahlen ausgeschrieben
+core-is-declared-elsewhere = { $a } ist anderswo deklariert
+core-is-declared-several-times = { $a } ist mehrfach deklariert
+core-has-its-numbers-elsewhere = { $a } hat seine Zahlen anderswo
+core-has-no-value-in-this-file = { $a } hat keinen Wert in dieser Datei
+core-shifts-the-poses-after-it = { $a } verschiebt die Posen danach
+core-moves-by-a-way-from-where = { $a } bewegt um einen Weg von dort, wo der Roboter steht
+core-its-frame-is-not-known = sein Koordinatensystem ist nicht bekannt: { $a }
+core-its-tool-is-not-known = sein Werkzeug ist nicht bekannt: { $a }
+core-its-tool-is-declared-elsewhere = sein Werkzeug { $a } ist anderswo deklariert
+core-its-frame-is-declared-elsewhere-frame = sein Koordinatensystem { $a } ist anderswo deklariert: --frame sagt, wo es steht (eines je Datei)
+core-which-tool-it-is-of-is = es ist nicht gesagt, zu welchem Werkzeug es gehört
+core-is-gone-to-from-several-sides = { $a } wird von mehreren Seiten angefahren; Effekte der Seite bleiben außer Acht
+core-is-used-here-as-well-with = { $a } wird auch hier verwendet, mit seinen korrigierten Werten
+core-is-a-pose-that-no-move = { $a } ist eine Pose, zu der keine Bewegung dieser Datei führt
+core-is-not-corrected = { $a } wird nicht korrigiert: { $b }
+core-another-routine-of-this-file-sets = eine andere Routine dieser Datei setzt es
+core-it-is-set-in-a-branch = es wird in einer Verzweigung oder Schleife gesetzt
+
+# The core: held out by joint
+
+core-each-fifth-of-the-positions-of = jedes Fünftel der Positionen von Gelenk { $a } (über seinen Bereich verteilt) vorhergesagt von einer Anpassung, die es nicht gesehen hat
+core-no-two-positions-of-the-joint = keine zwei Positionen des Gelenks wurden bei sonst Gleichem (andere Gelenke, Reflektor, Last, Geschwindigkeit) und mit einem Reflektor abseits der Achse gemessen
+core-semicolons = Semikolons
+core-commas = Kommas
+core-tabs = Tabulatoren
+core-spaces = Leerzeichen
+
+# The core: steps of the gap chart
+
+core-nominal-robot = Sollroboter
+core-zero-offset-and-link-length = Nullpunkt und Armlänge
+core-geometry-frame-zero-offsets-links-and = Geometrie: Koordinatensystem, Nullpunkte, Arme und Werkzeug
+core-full-model = volles Modell

@@ -2367,3 +2367,59 @@ core-is-a-new-reflector-mount-it = { $a } is a new reflector: mount it at { $b }
 core-with = with
 core-joint-2 = Joint { $a } ({ $b })
 core-poses = Poses
+
+# The core: what of a program is not corrected
+
+core-it-is-singular-a-small-correction = it is singular: a small correction would take a large move of the joints
+core-no-correction-was-found-that-settles = no correction was found that settles: it is near a singular pose
+core-the-real-tool-does-not-reach = the real tool does not reach it: { $a } are left
+core-its-correction-would-lead-into-another = its correction would lead into another configuration
+core-with-its-correction = { $a } with its correction
+core-no-joint-values-within-the-limits = no joint values within the limits reach it
+core-endlessly-many-joint-values-reach-it = endlessly many joint values reach it, and no target before it says which
+core-no-joint-values-near-those-of = no joint values near those of the target before reach it
+core-joint-values-reach-it-but-none = joint values reach it, but none with its configuration
+core-several-joint-values-reach-it-and = several joint values reach it, and no target before it says which
+core-two-sets-of-joint-values-reach = two sets of joint values reach it that are as near to the target before
+core-no-joint-values-reach-it = no joint values reach it
+core-it-is-singular-lines-of-joint = it is singular: lines of joint values reach it
+core-joint-would-be-at-beyond-its = joint { $a } would be at { $b }, beyond its limit of { $c }
+core-its-orientation-is-none = its orientation is none
+core-goes-to-which-is-worked-out = { $a } goes to { $b }, which is worked out at run time
+core-is-worked-out-at-run-time = { $a } is worked out at run time
+core-is-changed-at-run-time = { $a } is changed at run time
+core-is-chosen-at-run-time = { $a } is chosen at run time
+core-is-not-written-out-in-numbers = { $a } is not written out in numbers
+core-is-declared-elsewhere = { $a } is declared elsewhere
+core-is-declared-several-times = { $a } is declared several times
+core-has-its-numbers-elsewhere = { $a } has its numbers elsewhere
+core-has-no-value-in-this-file = { $a } has no value in this file
+core-shifts-the-poses-after-it = { $a } shifts the poses after it
+core-moves-by-a-way-from-where = { $a } moves by a way from where the robot is
+core-its-frame-is-not-known = its frame is not known: { $a }
+core-its-tool-is-not-known = its tool is not known: { $a }
+core-its-tool-is-declared-elsewhere = its tool { $a } is declared elsewhere
+core-its-frame-is-declared-elsewhere-frame = its frame { $a } is declared elsewhere: --frame says where it stands (one frame in a file)
+core-which-tool-it-is-of-is = which tool it is of is not said
+core-is-gone-to-from-several-sides = { $a } is gone to from several sides; effects of the side are left out
+core-is-used-here-as-well-with = { $a } is used here as well, with its corrected values
+core-is-a-pose-that-no-move = { $a } is a pose that no move of this file goes to
+core-is-not-corrected = { $a } is not corrected: { $b }
+core-another-routine-of-this-file-sets = another routine of this file sets it
+core-it-is-set-in-a-branch = it is set in a branch or a loop
+
+# The core: held out by joint
+
+core-each-fifth-of-the-positions-of = each fifth of the positions of joint { $a } (spread over its range) predicted by a fit that has not seen it
+core-no-two-positions-of-the-joint = no two positions of the joint were measured with everything else alike (other joints, reflector, load, speed) and a reflector off the axis
+core-semicolons = semicolons
+core-commas = commas
+core-tabs = tabs
+core-spaces = spaces
+
+# The core: steps of the gap chart
+
+core-nominal-robot = nominal robot
+core-zero-offset-and-link-length = zero offset and link length
+core-geometry-frame-zero-offsets-links-and = geometry: frame, zero offsets, links and tool
+core-full-model = full model

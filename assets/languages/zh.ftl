@@ -2339,3 +2339,59 @@ core-is-a-new-reflector-mount-it = { $a } 是新的反射靶：安装在工具�
 core-with = 与
 core-joint-2 = 关节 { $a }（{ $b }）
 core-poses = 位姿
+
+# The core: what of a program is not corrected
+
+core-it-is-singular-a-small-correction = 奇异：很小的修正需要关节大幅运动
+core-no-correction-was-found-that-settles = 未找到收敛的修正：接近奇异位姿
+core-the-real-tool-does-not-reach = 真实工具到达不了：相差 { $a }
+core-its-correction-would-lead-into-another = 修正会导致不同的构型
+core-with-its-correction = 修正后{ $a }
+core-no-joint-values-within-the-limits = 限位内没有关节值能到达
+core-endlessly-many-joint-values-reach-it = 有无穷多关节值能到达，之前没有目标点说明用哪组
+core-no-joint-values-near-those-of = 前一目标点附近没有关节值能到达
+core-joint-values-reach-it-but-none = 有关节值能到达，但构型不符
+core-several-joint-values-reach-it-and = 有多组关节值能到达，之前没有目标点说明用哪组
+core-two-sets-of-joint-values-reach = 两组关节值能到达，且与前一目标点同样接近
+core-no-joint-values-reach-it = 没有关节值能到达
+core-it-is-singular-lines-of-joint = 奇异：一条线上的关节值都能到达
+core-joint-would-be-at-beyond-its = 关节 { $a } 将位于 { $b }，超出限位 { $c }
+core-its-orientation-is-none = 其姿态无效
+core-goes-to-which-is-worked-out = { $a } 前往 { $b }，运行时才计算
+core-is-worked-out-at-run-time = { $a } 在运行时计算
+core-is-changed-at-run-time = { $a } 在运行时更改
+core-is-chosen-at-run-time = { $a } 在运行时选择
+core-is-not-written-out-in-numbers = { $a } 不是数值
+core-is-declared-elsewhere = { $a } 在别处声明
+core-is-declared-several-times = { $a } 重复声明
+core-has-its-numbers-elsewhere = { $a } 的数值在别处
+core-has-no-value-in-this-file = { $a } 在此文件中没有值
+core-shifts-the-poses-after-it = { $a } 平移其后的位姿
+core-moves-by-a-way-from-where = { $a } 相对机器人当前位置运动
+core-its-frame-is-not-known = 坐标系未知：{ $a }
+core-its-tool-is-not-known = 工具未知：{ $a }
+core-its-tool-is-declared-elsewhere = 其工具 { $a } 在别处声明
+core-its-frame-is-declared-elsewhere-frame = 其坐标系 { $a } 在别处声明：用 --frame 说明位置（每个文件一个）
+core-which-tool-it-is-of-is = 未说明属于哪个工具
+core-is-gone-to-from-several-sides = { $a } 从多侧趋近；略去与方向有关的效应
+core-is-used-here-as-well-with = 此处也使用 { $a }，采用修正后的值
+core-is-a-pose-that-no-move = 此文件中没有运动前往位姿 { $a }
+core-is-not-corrected = { $a } 未修正：{ $b }
+core-another-routine-of-this-file-sets = 此文件的另一例程设置它
+core-it-is-set-in-a-branch = 在分支或循环中设置
+
+# The core: held out by joint
+
+core-each-fifth-of-the-positions-of = 关节 { $a } 各位置（分布于其行程）的每个五分之一，由未见过它的拟合预测
+core-no-two-positions-of-the-joint = 没有两个关节位置在其他条件（其他关节、反射靶、负载、速度）相同且反射靶偏离轴线时测量
+core-semicolons = 分号
+core-commas = 逗号
+core-tabs = 制表符
+core-spaces = 空格
+
+# The core: steps of the gap chart
+
+core-nominal-robot = 名义机器人
+core-zero-offset-and-link-length = 零位偏移和连杆长度
+core-geometry-frame-zero-offsets-links-and = 几何：坐标系、零位、连杆和工具
+core-full-model = 完整模型

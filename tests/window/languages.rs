@@ -310,14 +310,20 @@ fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     keys(window, Modifiers::NONE, Key::Escape);
 }
 
-/// What stands outside of ⟦ ⟧.
+/// What stands outside of ⟦ ⟧, with · between.
 fn outside(text: &str) -> String {
     let mut depth = 0_u32;
     let mut outside = String::new();
     for c in text.chars() {
         match c {
-            '⟦' => depth += 1,
-            '⟧' => depth = depth.saturating_sub(1),
+            '⟦' => {
+                outside.push('·');
+                depth += 1;
+            }
+            '⟧' => {
+                outside.push('·');
+                depth = depth.saturating_sub(1);
+            }
             _ if depth == 0 => outside.push(c),
             _ => {}
         }
@@ -362,7 +368,7 @@ fn untranslated(
             "mm", "µm", "in", "deg", "rad", "mrad", "kg", "min", "arcsec", "ppm",
         ];
         let foreign = |part: &str| {
-            let part = part.trim_matches([' ', ':', ',', '·']);
+            let part = part.trim_matches([' ', ':', ',', '(', ')', '·']);
             // A line that ends with … allows whatever begins like it.
             let allows = |line: &String| match line.strip_suffix('…') {
                 Some(begin) => part.starts_with(begin),

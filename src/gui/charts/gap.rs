@@ -2,6 +2,8 @@
 //! the noise floor below which no model can come.
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::language::names::title_of;
+use crate::gui::language::{of_core, within};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::model::GapStep;
@@ -50,7 +52,7 @@ impl Kind for Gap {
             "",
         ))?;
         say!("chart-gap-rms-over-the-fitted-samples").clone_into(&mut chart.note);
-        let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
+        let says = |s: &GapStep| format!("{} {}", said(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {
             chart,
@@ -66,5 +68,13 @@ impl Kind for Gap {
             table.row([Cell::from(in_words(&step.what)), step.gap_mm.into()]);
         }
         table
+    }
+}
+
+/// A step in the language of the window.
+fn said(what: &str) -> String {
+    match what.strip_prefix("with ") {
+        Some(name) => format!("{} {}", of_core("with"), within(&title_of(name))),
+        None => of_core(what).into_owned(),
     }
 }

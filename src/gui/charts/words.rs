@@ -1,7 +1,8 @@
 //! What the core writes into a chart, in the language of the window.
 
-use crate::gui::language::known_words;
-use crate::present::chart::{Chart, Item, Ticks};
+use crate::effects::{CATALOGUE, Effect};
+use crate::gui::language::{known_words, names, within};
+use crate::present::chart::{Chart, Item, Ticks, in_a_sentence};
 
 /// Words of the core that a number may follow.
 const BEFORE_NUMBERS: [&str; 3] = ["noise floor", "tolerance", "RMS error,"];
@@ -30,6 +31,13 @@ pub(super) fn translated(mut chart: Chart) -> Chart {
     chart
 }
 
+/// The effect that a row is of; its name may have been shortened.
+fn effect_of(row: &str) -> Option<&'static Effect> {
+    let row = row.trim_end_matches('…');
+    let is = |effect: &&&Effect| in_a_sentence(effect.about().title).starts_with(row);
+    CATALOGUE.iter().find(is).copied().filter(|_| row.len() > 6)
+}
+
 /// What the table of texts does not know stays as it is.
 fn translate(text: &mut String) {
     let own = BEFORE_NUMBERS.into_iter().find(|own| text.starts_with(own));
@@ -37,5 +45,7 @@ fn translate(text: &mut String) {
     if let Some(known) = known_words("chart-word", word) {
         let end = if word.ends_with(',') { "," } else { "" };
         *text = format!("{known}{end}{}", &text[word.len()..]);
+    } else if let Some(effect) = effect_of(text) {
+        *text = within(names::title(effect.about().id)).into_owned();
     }
 }

@@ -88,7 +88,7 @@ fn translated(english: &str, deep: u32) -> Option<String> {
     let (pattern, filled_in) = found.max_by_key(|(pattern, _)| pattern.weight())?;
     let inner = |text: &&str| match deep {
         0 => (*text).to_owned(),
-        _ => translated(text, deep - 1).unwrap_or_else(|| names::of_effect(text)),
+        _ => translated(text, deep - 1).unwrap_or_else(|| names::of_effects(text)),
     };
     let filled_in: Vec<String> = filled_in.iter().map(inner).collect();
     let arguments: Vec<(&'static str, &dyn Display)> = HOLES

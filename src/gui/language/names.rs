@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use super::{named, of_core, said};
+use super::{named, of_core, said, within};
 use crate::diagnosis::Limit;
 use crate::effects::find;
 use crate::present::names as present;
@@ -21,13 +21,25 @@ pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String 
     }
 }
 
-/// The title of what is the id of an effect, with its joint or without; anything else stays as it is.
-pub(super) fn of_effect(text: &str) -> String {
-    let id = text.split_once(' ').map_or(text, |(id, _)| id);
-    if find(id).is_some() {
-        title_of(text)
-    } else {
-        text.to_owned()
+/// The titles of what are ids of effects, each with its joint or without, or of coefficients that stand together;
+/// anything else stays as it is.
+pub(super) fn of_effects(text: &str) -> String {
+    let is_id = |id: &str| find(id).is_some();
+    let is_name = |name: &str| match name.split_once(' ') {
+        Some((id, joint)) => is_id(id) && joint.bytes().all(|b| b.is_ascii_digit()),
+        None => is_id(name),
+    };
+    for between in [", ", " + "] {
+        if text.split(between).all(is_name) {
+            let titles = text
+                .split(between)
+                .map(|name| within(&title_of(name)).into_owned());
+            return titles.collect::<Vec<_>>().join(between);
+        }
+    }
+    match text.split_once(": ") {
+        Some((whose, _)) if whose.split(' ').next().is_some_and(is_id) => combination(text),
+        _ => text.to_owned(),
     }
 }
 
@@ -51,7 +63,7 @@ pub(crate) fn combination(text: &str) -> String {
     let one = |name: &str| {
         let (whose, coefficient) = name.split_once(": ")?;
         let (id, of) = whose.split_once(" of ").unwrap_or((whose, ""));
-        let title = of_effect(id);
+        let title = title(id).to_owned();
         let title = match of.strip_prefix("joint ") {
             Some(joint) => on_joint(id, joint),
             None if of.is_empty() => title,

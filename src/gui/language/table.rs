@@ -98,10 +98,21 @@ impl Table {
         self.plain.get(&format!("{kind}-{id}")).map(String::as_str)
     }
 
+    /// What is filled in is not the table's: where the table's texts are marked, it stands outside of them.
+    fn outside(&self, value: FluentValue<'static>) -> FluentValue<'static> {
+        match value {
+            FluentValue::String(text) if self.language == Language::Marked => {
+                format!("⟧{text}⟦").into()
+            }
+            value => value,
+        }
+    }
+
     pub(super) fn filled(&self, key: &str, arguments: &[(&'static str, &dyn Display)]) -> String {
-        let values = arguments
-            .iter()
-            .map(|(name, value)| (*name, argument(&value.to_string())));
+        let values = arguments.iter().map(|(name, value)| {
+            let value = argument(&value.to_string());
+            (*name, self.outside(value))
+        });
         let values: FluentArgs = values.collect();
         let text = self.format(key, Some(&values), &mut Vec::new());
         text.unwrap_or_else(|| {

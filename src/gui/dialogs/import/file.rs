@@ -20,7 +20,7 @@ pub(super) fn found_out(now: &Foreign) -> String {
     parts.extend(
         found
             .separator
-            .map(|s| say!("import-separated", separator = s)),
+            .map(|s| say!("import-separated", separator = of_core(&s.to_string()))),
     );
     parts.extend(found.decimal.map(|d| of_core(&d.to_string()).into_owned()));
     parts.push(match found.header_line {
