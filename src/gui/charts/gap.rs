@@ -2,9 +2,9 @@
 //! the noise floor below which no model can come.
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::help;
 use crate::gui::language::names::title_of;
 use crate::gui::language::{of_core, within};
-use crate::gui::help;
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};

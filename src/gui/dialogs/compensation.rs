@@ -161,12 +161,20 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         let name = &target.name;
         Some((
             target.place,
-            say!("compensation-is-left-as", name = name, left = of_core(&left.says)),
+            say!(
+                "compensation-is-left-as",
+                name = name,
+                left = of_core(&left.says)
+            ),
         ))
     });
     let at_run_time = answer.at_run_time.iter();
-    let at_run_time =
-        at_run_time.map(|(l, c, says)| ((*l, *c), say!("compensation-not-corrected", says = of_core(says))));
+    let at_run_time = at_run_time.map(|(l, c, says)| {
+        (
+            (*l, *c),
+            say!("compensation-not-corrected", says = of_core(says)),
+        )
+    });
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
     let remarks: Vec<_> = remarks
