@@ -3,6 +3,7 @@
 
 use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea, Ui};
 
+use crate::gui::language::of_core;
 use crate::gui::preferences::Preferences;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Part;
@@ -163,7 +164,9 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     let title = title.font(strong(size::BODY)).color(color);
                     ui.add(egui::Label::new(title).wrap());
                     for line in &message.details {
-                        ui.add(egui::Label::new(RichText::new(line).size(size::NOTE)).wrap());
+                        ui.add(
+                            egui::Label::new(RichText::new(of_core(line)).size(size::NOTE)).wrap(),
+                        );
                     }
                 });
             });

@@ -3,6 +3,7 @@
 use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, Ui};
 use egui::{WidgetInfo, vec2};
 
+use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Message;
 use crate::gui::workbench::{Command, Workbench};
@@ -48,7 +49,9 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 title.on_hover_text(file.display().to_string());
             }
             for line in &message.details {
-                let line = RichText::new(line).size(size::NOTE).color(palette.muted);
+                let line = RichText::new(of_core(line))
+                    .size(size::NOTE)
+                    .color(palette.muted);
                 ui.add(Label::new(line).wrap());
             }
             ui.horizontal(|ui| buttons(ui, message, commands));
