@@ -4,6 +4,7 @@
 //! before it gives up, so that a technician mends a file once and not ten times.
 
 use std::fmt;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// How much a finding matters.
@@ -187,6 +188,15 @@ impl fmt::Display for Rejected {
             write!(f, "{diagnostic}")?;
         }
         Ok(())
+    }
+}
+
+/// Why a file cannot be read.
+pub(crate) fn unreadable(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
+        _ => error.to_string(),
     }
 }
 

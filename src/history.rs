@@ -13,13 +13,14 @@
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
 use crate::compensation::verify;
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::effects::{Inputs, JointValues, Setting, find};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, identify_exact};
@@ -293,9 +294,13 @@ fn source_of(bytes: &[u8]) -> Option<Source> {
 
 /// The JSON files of a folder by name.
 fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
-    let wrong = |error: std::io::Error| {
-        let place = Place::file(folder);
-        Rejected::because(Diagnostic::error(place, error.to_string(), "a folder"))
+    let wrong = |error: io::Error| {
+        let found = match error.kind() {
+            io::ErrorKind::NotFound => "no such folder".to_owned(),
+            io::ErrorKind::NotADirectory => "a file".to_owned(),
+            _ => unreadable(&error),
+        };
+        Rejected::because(Diagnostic::error(Place::file(folder), found, "a folder"))
     };
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(wrong)? {

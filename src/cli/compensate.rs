@@ -13,6 +13,7 @@ use crate::present::json::Json;
 use crate::programs::{
     Answer, CompensateError, LANGUAGES, Language, ModelTool, Request, find, language_of,
 };
+use crate::sessions::read_whole;
 
 use super::failure::Failure;
 use super::output;
@@ -106,7 +107,7 @@ impl Compensate {
             .transpose()?;
         let tool = self.tool.as_deref().map(tool).transpose()?;
         let calibration = pipeline::load_model(&self.model)?;
-        let bytes = read(&self.targets)?;
+        let bytes = read_whole(&self.targets)?;
         let language = self.language(&bytes)?;
         let robot = &calibration.model.robot;
         let answer = pipeline::compensate(&Request {
@@ -205,15 +206,6 @@ fn inner(robot: &Robot, start: &[f64]) -> Vec<f64> {
         .zip(kinds)
         .map(|(value, kind)| kind.map_or(*value, |kind| kind.inner(*value)))
         .collect()
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    let wrong = |what: String| Failure::WrongInput(format!("{}: {what}", path.display()));
-    let metadata = std::fs::metadata(path).map_err(|error| wrong(error.to_string()))?;
-    if !metadata.is_file() {
-        return Err(wrong("is not a regular file".to_owned()));
-    }
-    std::fs::read(path).map_err(|error| wrong(error.to_string()))
 }
 
 fn in_words(answer: &Answer, file: &Path) -> String {

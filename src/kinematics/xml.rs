@@ -11,7 +11,7 @@ use std::path::{Component, Path, PathBuf};
 
 use roxmltree::{Node, ParsingOptions};
 
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 
 /// Files larger than this, in bytes, are no robot descriptions.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -339,7 +339,7 @@ fn short(value: &str) -> String {
 /// A robot description as text.
 pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
     const READABLE: &str = "a robot description that can be read";
-    let failed = |error: std::io::Error| (error.to_string(), READABLE.to_owned());
+    let failed = |error: std::io::Error| (unreadable(&error), READABLE.to_owned());
     // Opening a device or a pipe could wait for ever.
     let about = std::fs::metadata(path).map_err(failed)?;
     if !about.is_file() {
@@ -374,7 +374,7 @@ pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, Strin
     }
     let path = folder.join(relative);
     let real = |path: &Path| {
-        let failed = |error: std::io::Error| refused(&error.to_string());
+        let failed = |error: std::io::Error| refused(&unreadable(&error));
         std::fs::canonicalize(path).map_err(failed)
     };
     // A symbolic link may lead elsewhere.

@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 
 /// Bytes that are read between two looks at whoever watches.
@@ -19,7 +19,7 @@ pub(crate) type Refusal = (String, String);
 
 /// Opens a regular file and says how long it is.
 pub(crate) fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
-    let failed = |error: &io::Error| (reason(error), "a file that can be read".to_owned());
+    let failed = |error: &io::Error| (unreadable(error), "a file that can be read".to_owned());
     // Looked at before it is opened, and once more after, lest it was exchanged in between.
     let before = fs::metadata(path).map_err(|error| failed(&error))?;
     regular(&before)?;
@@ -39,14 +39,6 @@ fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
         "a device or a pipe"
     };
     Err((found.to_owned(), "a regular file".to_owned()))
-}
-
-fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
-        _ => error.to_string(),
-    }
 }
 
 /// The whole of a file that the user named; nothing but a regular file is opened.
@@ -71,8 +63,8 @@ pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, R
     let mut bytes = Vec::with_capacity(expected);
     loop {
         let read = (&mut file).take(AT_ONCE).read_to_end(&mut bytes);
-        let read =
-            read.map_err(|error| refused((reason(&error), "a file that can be read".to_owned())))?;
+        let read = read
+            .map_err(|error| refused((unreadable(&error), "a file that can be read".to_owned())))?;
         part.counted(bytes.len(), expected)?;
         if read == 0 {
             return Ok(bytes);
@@ -96,7 +88,7 @@ pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
         }
     }
     let path = folder.join(relative);
-    let failed = |error: &io::Error| refused(&reason(error));
+    let failed = |error: &io::Error| refused(&unreadable(error));
     // A symbolic link may lead elsewhere.
     let real = fs::canonicalize(&path).map_err(|error| failed(&error))?;
     let real_folder = fs::canonicalize(folder).map_err(|error| failed(&error))?;

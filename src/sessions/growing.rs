@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, unreadable};
 use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};
 use crate::sessions::assemble::{self, Declared};
@@ -84,7 +84,7 @@ impl Growing {
             Rejected::because(Diagnostic::error(place.clone(), found, expected))
         };
         let failed =
-            |error: io::Error| refused((error.to_string(), "a file that can be read".to_owned()));
+            |error: io::Error| refused((unreadable(&error), "a file that can be read".to_owned()));
         let (mut file, length) = files::open_regular(&self.path).map_err(refused)?;
         let grown = self.read_to > 0 && self.is_the_same(&mut file, length).map_err(failed)?;
         let mut next = if grown {
@@ -161,7 +161,7 @@ impl Growing {
         let nobody = Progress::new(&unwatched);
         let table = csv::read(input, None, &file, kinds, &mut findings, nobody.whole());
         let table = table.map_err(|error| {
-            let error = Diagnostic::error(file.clone(), error.to_string(), "a readable file");
+            let error = Diagnostic::error(file.clone(), unreadable(&error), "a readable file");
             Rejected::because(error)
         })?;
         let further = if grown { self.lines - 1 } else { 0 };

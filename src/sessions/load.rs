@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::folder_of;
-use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, unreadable};
 use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
@@ -274,7 +274,11 @@ fn samples_from(
     let table = csv::read(input, bytes, file, wanted.kinds, findings, wanted.part);
     let table = table.unwrap_or_else(|error: io::Error| {
         let expected = "a file that can be read to its end";
-        findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
+        findings.push(Diagnostic::error(
+            file.clone(),
+            unreadable(&error),
+            expected,
+        ));
         None
     })?;
     Some(assemble::rows(table, wanted.declared, file, findings))

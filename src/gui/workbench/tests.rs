@@ -327,7 +327,7 @@ fn a_saved_session_is_drawn_from_the_meshes_of_its_urdf_as_long_as_that_describe
             "describes another robot",
         ),
         (Some("root:x:0:0:secret".to_owned()), "arm.urdf"),
-        (None, "os error 2"),
+        (None, "no such file"),
     ] {
         match change {
             Some(text) => std::fs::write(at("arm.urdf"), text).unwrap(),
