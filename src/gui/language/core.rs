@@ -12,9 +12,13 @@ use std::fmt::Display;
 use std::sync::OnceLock;
 
 use crate::diagnostic::Diagnostic;
+use crate::effects::find;
+use crate::present::names as present;
 
+use super::speech::{current, said, within};
 use super::table::table;
-use super::{Language, current, names, said};
+use super::titles::{on_joint, title, title_of};
+use super::which::Language;
 
 const PREFIX: &str = "core-";
 /// What may be filled in, by name, and what stands for it where a sentence is taken apart.
@@ -80,6 +84,33 @@ pub(crate) fn finding(finding: &Diagnostic) -> String {
     }
 }
 
+/// A parameter in words, and its unit as it is written behind a number.
+pub(crate) fn parameter(name: &str) -> (String, &'static str) {
+    let (name, unit) = present::parameter(name);
+    (of_core(&name).into_owned(), unit)
+}
+
+/// Coefficients of a model that stand together, by their names in files: `link-geometry of joint 2: x_mm with
+/// measuring-frame: z_mm`.
+pub(crate) fn combination(text: &str) -> String {
+    let one = |name: &str| {
+        let (whose, coefficient) = name.split_once(": ")?;
+        let (id, of) = whose.split_once(" of ").unwrap_or((whose, ""));
+        let title = title(id).to_owned();
+        let title = match of.strip_prefix("joint ") {
+            Some(joint) => on_joint(id, joint),
+            None if of.is_empty() => title,
+            None => format!("{title}, {}", of_core(of)),
+        };
+        Some(format!("{title}: {}", parameter(coefficient).0))
+    };
+    let all = text
+        .split(" with ")
+        .map(|name| one(name).unwrap_or_else(|| of_core(name).into_owned()));
+    all.collect::<Vec<_>>()
+        .join(&format!(" {} ", of_core("with")))
+}
+
 fn translated(english: &str, deep: u32) -> Option<String> {
     let patterns = patterns();
     let first = english.chars().next()?;
@@ -88,7 +119,7 @@ fn translated(english: &str, deep: u32) -> Option<String> {
     let (pattern, filled_in) = found.max_by_key(|(pattern, _)| pattern.weight())?;
     let inner = |text: &&str| match deep {
         0 => (*text).to_owned(),
-        _ => translated(text, deep - 1).unwrap_or_else(|| names::of_effects(text)),
+        _ => translated(text, deep - 1).unwrap_or_else(|| of_effects(text)),
     };
     let filled_in: Vec<String> = filled_in.iter().map(inner).collect();
     let arguments: Vec<(&'static str, &dyn Display)> = HOLES
@@ -97,6 +128,28 @@ fn translated(english: &str, deep: u32) -> Option<String> {
         .map(|((name, _), text)| (*name, text as &dyn Display))
         .collect();
     Some(table(current()).filled(pattern.key, &arguments))
+}
+
+/// The titles of what are ids of effects, each with its joint or without, or of coefficients that stand together;
+/// anything else stays as it is.
+fn of_effects(text: &str) -> String {
+    let is_id = |id: &str| find(id).is_some();
+    let is_name = |name: &str| match name.split_once(' ') {
+        Some((id, joint)) => is_id(id) && joint.bytes().all(|b| b.is_ascii_digit()),
+        None => is_id(name),
+    };
+    for between in [", ", " + "] {
+        if text.split(between).all(is_name) {
+            let titles = text
+                .split(between)
+                .map(|name| within(&title_of(name)).into_owned());
+            return titles.collect::<Vec<_>>().join(between);
+        }
+    }
+    match text.split_once(": ") {
+        Some((whose, _)) if whose.split(' ').next().is_some_and(is_id) => combination(text),
+        _ => text.to_owned(),
+    }
 }
 
 /// An English sentence with what is filled in left out.
@@ -163,7 +216,7 @@ impl Pattern {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{choose, known};
+    use super::super::speech::{choose, known};
     use super::*;
     use crate::effects::CATALOGUE;
     use crate::effects::term::parameter_names;
