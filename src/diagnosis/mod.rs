@@ -58,6 +58,7 @@ pub(crate) mod significance;
 mod step_time;
 mod steps;
 pub(crate) mod testable;
+mod trials;
 mod unseen;
 mod values;
 mod verdict;
