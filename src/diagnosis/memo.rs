@@ -1,8 +1,10 @@
-//! What was worked out for a fit before: a search comes to the same fits again on its several ways.
+//! What was worked out before: a search comes to the same fits again on its several ways.
 
 use std::cell::RefCell;
 
+use super::placed::Placed;
 use super::regression::Fit;
+use crate::model::Model;
 
 /// The last answers, each with the fit that it is for.
 pub(crate) struct Memo<T> {
@@ -11,17 +13,27 @@ pub(crate) struct Memo<T> {
 }
 
 impl<T: Clone> Memo<T> {
-    /// For so many answers.
+    /// For so many answers, the last one at least.
     pub(crate) fn new(most: usize) -> Self {
         Self {
-            most,
+            most: most.max(1),
             known: RefCell::new(Vec::new()),
         }
     }
 
     /// The answer for a fit, worked out unless it is known.
     pub(crate) fn of(&self, fit: &Fit, work: impl FnOnce() -> T) -> T {
-        let key = key(fit);
+        let mut key = vec![fit.rss.to_bits(), fit.residual.sum().to_bits()];
+        key.extend(start(&fit.model, &fit.shapes));
+        self.of_key(key, work)
+    }
+
+    /// The answer for what a fit starts from.
+    pub(crate) fn of_start(&self, model: &Model, shapes: &[Placed], work: impl FnOnce() -> T) -> T {
+        self.of_key(start(model, shapes), work)
+    }
+
+    fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
         let known = self.known.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
             return answer;
@@ -36,17 +48,19 @@ impl<T: Clone> Memo<T> {
     }
 }
 
-/// Every bit that tells one fit of a regression from another.
-fn key(fit: &Fit) -> Vec<u64> {
-    let mut all = vec![fit.rss.to_bits(), fit.residual.sum().to_bits()];
-    for term in fit.model.terms() {
+/// Every bit that tells one start of a fit from another.
+fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
+    let mut all = Vec::new();
+    for term in model.terms() {
         all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);
         all.push(term.setting.to_bits());
         all.extend(term.coefficients.iter().map(|c| c.to_bits()));
     }
-    for shape in &fit.shapes {
+    for shape in shapes {
+        let column = shape.white.column(0);
         // No rank of an effect.
-        all.extend([u64::MAX, shape.white.column(0).norm().to_bits()]);
+        all.push(u64::MAX);
+        all.extend([column.norm().to_bits(), column.sum().to_bits()]);
         all.extend(shape.coefficients.iter().map(|c| c.to_bits()));
     }
     all

@@ -50,6 +50,7 @@ pub(crate) struct Regression<'a> {
     pub(super) beside: usize,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
+    fits: Memo<Fit>,
     pub(super) scores_of_names: Memo<Vec<Score>>,
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
     /// Other names for a fit ([`super::aliases`]).
@@ -70,6 +71,8 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 64;
+/// Fits that are kept: so many numbers of their bases (8 MiB).
+const FITS_KEPT: usize = 1 << 20;
 const RIVALS_KEPT: usize = 4;
 
 /// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
@@ -94,6 +97,8 @@ impl<'a> Regression<'a> {
         let choice = noise
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
+        let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
+        let fits_kept = FITS_KEPT / numbers_of_a_basis.max(1);
         let price = PRICE_OF_A_VARIANCE * numbers + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {
@@ -111,6 +116,7 @@ impl<'a> Regression<'a> {
             beside,
             seed,
             familywise: RefCell::new(Familywise::default()),
+            fits: Memo::new(fits_kept),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
@@ -182,6 +188,11 @@ impl<'a> Regression<'a> {
 
     /// Fits a model and shapes, starting from their coefficients.
     pub(crate) fn fit(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
+        self.fits
+            .of_start(start, &shapes, || self.fitted(start, shapes.clone()))
+    }
+
+    fn fitted(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
         let mut model = start.clone();
         let mut shapes = shapes;
         let mut last = None;
