@@ -9,9 +9,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
+use super::candidates::Candidate;
 use super::columns::Among;
 use super::evidence::PRICE_OF_A_NAME;
-use super::projected::unit_beside;
+use super::projected::units_beside;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
 use super::search::{by_odds, compatible};
@@ -29,6 +30,8 @@ const SETTINGS: usize = 3;
 /// crowd out the next name.
 const SETTINGS_ALONE: usize = 2;
 const ALONE: usize = 8;
+/// Candidates of pairs that are made orthonormal together.
+const AT_ONCE: usize = 64;
 /// In a larger model only single terms are taken out.
 const MOST_FOR_PAIRS: usize = 5;
 
@@ -283,26 +286,31 @@ fn best_pairs(
     let mut all: Vec<f64> = Vec::new();
     let mut better: Vec<f64> = Vec::new();
     let (mut first, mut width) = (0, 0);
-    for index in list {
-        let candidate = &regression.table.candidates[*index];
-        let k = candidate.size;
-        let Some(unit) = unit_beside(regression.white_columns(&[candidate]), &rest.basis) else {
-            continue;
-        };
-        let h = unit.tr_mul(&rest.residual);
-        let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * PRICE_OF_A_NAME);
-        all.extend(unit.as_slice());
-        if may_be_better {
-            better.extend(unit.as_slice());
+    for some in list.chunks(AT_ONCE) {
+        let candidate = |index: &usize| &regression.table.candidates[*index];
+        let own: Vec<&Candidate> = some.iter().map(candidate).collect();
+        let sizes = own.iter().map(|c| c.size);
+        let units = units_beside(regression.white_columns(&own), sizes, &rest.basis);
+        for (index, unit) in some.iter().zip(units) {
+            let Some(unit) = unit else {
+                continue;
+            };
+            let k = unit.ncols();
+            let h = unit.tr_mul(&rest.residual);
+            let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * PRICE_OF_A_NAME);
+            all.extend(unit.as_slice());
+            if may_be_better {
+                better.extend(unit.as_slice());
+            }
+            pieces.push(Piece {
+                candidate: *index,
+                first,
+                row: may_be_better.then_some(width),
+                h,
+            });
+            first += k;
+            width += if may_be_better { k } else { 0 };
         }
-        pieces.push(Piece {
-            candidate: *index,
-            first,
-            row: may_be_better.then_some(width),
-            h,
-        });
-        first += k;
-        width += if may_be_better { k } else { 0 };
     }
     let height = regression.height();
     let better = DMatrix::from_vec(height, width, better).transpose();

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use super::candidates::Candidate;
 use super::columns::{Among, Columns};
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, products, small_cholesky, subtract};
+use crate::linear::{Basis, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -76,27 +76,45 @@ impl Grams {
     }
 }
 
-/// Orthonormal columns of what a basis leaves of some; `None` where that is not all of them.
-pub(crate) fn unit_beside(mut white: DMatrix<f64>, basis: &Basis) -> Option<DMatrix<f64>> {
-    let k = white.ncols();
-    let tolerance: Vec<f64> = white
+/// Of candidates with so many columns each, the orthonormal columns of what a basis leaves of them; `None` where
+/// that is not all of them.
+pub(crate) fn units_beside(
+    white: DMatrix<f64>,
+    sizes: impl Iterator<Item = usize>,
+    basis: &Basis,
+) -> Vec<Option<DMatrix<f64>>> {
+    let tolerances: Vec<f64> = white
         .column_iter()
         .map(|c| (SEEN * c.norm_squared()).max(1e-300))
         .collect();
-    let height = white.nrows().max(1);
-    let mut along = vec![0.0; basis.rank()];
-    for column in white.as_mut_slice().chunks_exact_mut(height) {
-        products(column, basis.q.as_slice(), &mut along);
-        subtract(basis.q.as_slice(), &along, column);
-    }
-    let gram = white.tr_mul(&white);
-    let mut factor: Vec<f64> = gram.iter().copied().collect();
-    if small_cholesky(&mut factor, k, &tolerance) < k {
+    let mut free = white;
+    let along = basis.q.tr_mul(&free);
+    free.gemm(-1.0, &basis.q, &along, 1.0);
+    let mut first = 0;
+    let one = |k: usize| {
+        let own = free.columns(first, k);
+        let tolerance = &tolerances[first..first + k];
+        first += k;
+        orthonormal(own.into_owned(), tolerance)
+    };
+    sizes.map(one).collect()
+}
+
+/// The same span, orthonormal; `None` where less than this is left of a column beside the others.
+fn orthonormal(mut columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
+    let k = columns.ncols();
+    let mut factor: Vec<f64> = columns.tr_mul(&columns).iter().copied().collect();
+    if small_cholesky(&mut factor, k, tolerance) < k {
         return None;
     }
-    let l = DMatrix::from_fn(k, k, |i, j| if j <= i { factor[i * k + j] } else { 0.0 });
-    let unit = l.solve_lower_triangular(&white.transpose())?;
-    Some(unit.transpose())
+    for i in 0..k {
+        for j in 0..i {
+            let (before, mut own) = columns.columns_range_pair_mut(j, i);
+            own.axpy(-factor[i * k + j], &before, 1.0);
+        }
+        columns.column_mut(i).unscale_mut(factor[i * k + i]);
+    }
+    Some(columns)
 }
 
 impl<'r> Projected<'r> {
