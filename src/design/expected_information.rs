@@ -55,7 +55,7 @@ pub(crate) fn expected(
 ) -> Result<ExpectedInformation, DiagnoseError> {
     let prepared = Prepared::new(session, options)?;
     let regression = with_noise(&prepared, sigma_mm, options.seed);
-    let mut fit = regression.fit(&regression.base, Vec::new());
+    let mut fit = regression.fit(&regression.base, &[]);
     // The residual is that of noise of exactly the stated size.
     let freedom = regression.m() - fit.basis.rank() as f64;
     if freedom > 0.0 && fit.rss > 0.0 {

@@ -78,7 +78,7 @@ pub fn plan_session(
         .sigma_mm
         .unwrap_or_else(|| mean_sigma_mm(regression) * regression.scale(fit).max(1e-6));
     let most = options.poses.unwrap_or(next_poses::MOST);
-    let base = regression.fit(&regression.base, Vec::new());
+    let base = regression.fit(&regression.base, &[]);
     let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
     let mut plan = empty(sigma_mm);
     if let Some(between) = between {
@@ -232,9 +232,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         let (first, _) = first_poses(robot, &targets, poses.div_ceil(2), sigma_mm, options)?;
         let session = measured(&first, &targets);
         let prepared = Prepared::new(&session, &options.diagnosis)?;
-        let fit = prepared
-            .regression
-            .fit(&prepared.regression.base, Vec::new());
+        let fit = prepared.regression.fit(&prepared.regression.base, &[]);
         let separation = two(&prepared, &fit, between, poses - first.len());
         decisive.clone_from(&separation.poses);
         possible = separation.impossible.is_none();

@@ -149,7 +149,7 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
         Rival {
             removed: trial.removed,
             instead,
-            fit: regression.fit(&model, trial.rest.shapes.clone()),
+            fit: regression.fit(&model, &trial.rest.shapes),
         }
     });
     // What its own values rule out does not count among those that are refitted.
@@ -164,7 +164,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
-    let rest = Rc::new(regression.fit(&model, fit.shapes.clone()));
+    let rest = Rc::new(regression.fit(&model, &fit.shapes));
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
     let there = regression.added(&rest);
     let mut scores = regression.scan(&rest, Among::Names);
@@ -218,7 +218,7 @@ pub(crate) fn with_pairs<'f>(
         let terms = [a, b].map(|c| regression.table.candidates[c].what.term().cloned());
         let terms = terms.into_iter().flatten();
         let model = terms.fold(fit.model.clone(), |m, t| m.with_term(t));
-        regression.fit(&model, fit.shapes.clone())
+        regression.fit(&model, &fit.shapes)
     })
 }
 

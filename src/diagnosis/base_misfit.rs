@@ -26,13 +26,13 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
         return;
     }
     // Names alone are what a model keeps.
-    let alone = regression.fit(&found.fit.model, Vec::new());
-    let base = regression.fit(&regression.base, Vec::new());
+    let alone = regression.fit(&found.fit.model, &[]);
+    let base = regression.fit(&regression.base, &[]);
     let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
     if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
         let shapes = found.fit.shapes.clone();
         found.names_only = alone;
-        found.fit = regression.fit(&regression.base, shapes);
+        found.fit = regression.fit(&regression.base, &shapes);
         return;
     }
     if names < SEVERAL {

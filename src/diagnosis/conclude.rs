@@ -76,11 +76,11 @@ pub(crate) fn answer(
     go_on(Progress::Comparing)?;
     let session = &mended.session;
     let problem = &prepared.problem;
-    let base = regression.fit(&regression.base, Vec::new());
+    let base = regression.fit(&regression.base, &[]);
     // The model carries names only, as near to the samples as names can come; what no name
     // explains is told apart.
     let with_shapes = fit;
-    let names = regression.fit(&fit.model, Vec::new());
+    let names = regression.fit(&fit.model, &[]);
     let fit = if with_shapes.shapes.is_empty() {
         with_shapes
     } else {

@@ -7,8 +7,7 @@
 //! Gaussian. A −ln p beyond all of them is judged by the tail: it falls like
 //! C·exp(−s), with C from the largest simulated ones ([`super::trials`]).
 //!
-//! On the way it is only asked whether noise reaches as much at all: mostly it does, and a few simulations
-//! say so.
+//! Mostly it is only asked whether noise reaches as much at all: where it does, a few simulations say so.
 
 use nalgebra::DVector;
 
@@ -57,9 +56,11 @@ struct Null {
 
 /// Chances between these are worth more simulations …
 const CLOSE: [f64; 2] = [4e-4, 0.04];
-/// … and on the way to what is tested at the end these.
-const CLOSE_ON_THE_WAY: [f64; 2] = [1e-3, 0.01];
-/// On the way a question may be answered after so many residuals of the first chunk …
+/// … and on the way to what is tested at the end those within so many standard errors of what is asked for.
+const CLOSE_ON_THE_WAY: f64 = 2.5;
+/// Beyond what one of so many simulations reaches the tail is extrapolated.
+const TAIL_SHARE: usize = 50;
+/// Whether noise reaches something may be answered after so many residuals of the first chunk …
 const FEW: [usize; 2] = [50, 100];
 /// … where as many as reach it have at most this chance to if noise does not.
 const ODD: f64 = 1e-4;
@@ -73,7 +74,7 @@ impl Regression<'_> {
         }
         let at = self.null_of(fit, false, false);
         let most = self.simulations();
-        self.simulate(at, &[], |null| null.has_answer(minus_ln_p, CLOSE, most));
+        self.simulate(at, &[], |null| null.has_p(minus_ln_p, most));
         let p = self.familywise.borrow().null[at].chance(minus_ln_p);
         FamilyP {
             p: p.clamp(SMALLEST, 1.0),
@@ -81,23 +82,30 @@ impl Regression<'_> {
         }
     }
 
-    /// Whether noise alone reaches it with more than this chance, on the way there, where the null of any
-    /// model of the same size is good enough.
+    /// Whether noise alone reaches it with more than this chance: as [`family_p`](Self::family_p) has it, which
+    /// need not be known closer.
+    pub(crate) fn is_improbable(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
+        self.reaches(minus_ln_p, chance, fit, false)
+    }
+
+    /// The same on the way there, where the null of any model of the same size is good enough.
     pub(crate) fn reached_by_noise(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
         // One candidate alone does already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
-        if (-minus_ln_p - least).exp() > chance {
-            return true;
-        }
+        (-minus_ln_p - least).exp() > chance || self.reaches(minus_ln_p, chance, fit, true)
+    }
+
+    fn reaches(&self, minus_ln_p: f64, chance: f64, fit: &Fit, rough: bool) -> bool {
         if let Some(known) = self.without_simulation(minus_ln_p) {
             return known.p > chance;
         }
-        let at = self.null_of(fit, true, false);
+        let at = self.null_of(fit, rough, false);
         let most = self.simulations();
         self.simulate(at, &FEW, |null| {
             null.surely_reaches(minus_ln_p, chance)
-                || null.has_answer(minus_ln_p, CLOSE_ON_THE_WAY, most)
+                || rough && null.is_apart(minus_ln_p, chance)
+                || null.has_p(minus_ln_p, most)
         });
         let null = &self.familywise.borrow().null[at];
         null.surely_reaches(minus_ln_p, chance) || null.chance(minus_ln_p) > chance
@@ -225,12 +233,21 @@ impl Null {
     }
 
     /// Whether more simulations, up to so many, would not change what it says of this −ln p.
-    fn has_answer(&self, minus_ln_p: f64, [from, to]: [f64; 2], most: usize) -> bool {
+    fn has_p(&self, minus_ln_p: f64, most: usize) -> bool {
+        let [from, to] = CLOSE;
         let is_close = |p: f64| p > from && p < to;
         self.has_a_chunk()
             && (self.tail.is_some()
                 || self.largest.len() >= most
                 || !is_close(self.chance(minus_ln_p)))
+    }
+
+    /// Whether the chance is clearly above or below this one. Of n simulations the tail begins at the n/50th:
+    /// that is its standard error, one over the root of n/50.
+    fn is_apart(&self, minus_ln_p: f64, chance: f64) -> bool {
+        let error = (TAIL_SHARE as f64 / self.largest.len().max(1) as f64).sqrt();
+        let apart = || (self.chance(minus_ln_p) / chance).ln().abs();
+        self.has_a_chunk() && apart() > CLOSE_ON_THE_WAY * error
     }
 
     /// Whether so many simulations reach it as would be [`ODD`] if their chance were not above this one: of
@@ -247,7 +264,7 @@ impl Null {
         self.largest.partition_point(|s| *s >= minus_ln_p)
     }
 
-    /// The chance of a −ln p as large: counted, and beyond the largest fiftieth by the tail
+    /// The chance of a −ln p as large: counted, and beyond the largest fiftieth ([`TAIL_SHARE`]) by the tail
     /// chance(s) = share · exp(−(s − quantile)).
     fn chance(&self, minus_ln_p: f64) -> f64 {
         if let Some(tail) = self.tail.as_ref().filter(|t| minus_ln_p >= t.from) {
@@ -255,7 +272,7 @@ impl Null {
         }
         let count = self.largest.len();
         let above = self.above(minus_ln_p);
-        let rank = (count / 50).max(1);
+        let rank = (count / TAIL_SHARE).max(1);
         let counted = above as f64 / count as f64;
         if above > rank {
             return counted;
@@ -305,7 +322,7 @@ mod tests {
         let session = simulate(&scenario, 1, unwatched).unwrap().0;
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
-        let base = regression.fit(&regression.base, Vec::new());
+        let base = regression.fit(&regression.base, &[]);
         // e⁻⁵ alone is 0.007.
         assert!(regression.reached_by_noise(5.0, 0.002, &base));
         assert!(regression.familywise.borrow().null.is_empty());
@@ -343,10 +360,13 @@ mod tests {
         ] {
             let few = of(reach, count);
             assert_eq!(few.surely_reaches(8.0, 0.002), surely, "{reach} of {count}");
-            assert!(!few.has_answer(8.0, CLOSE_ON_THE_WAY, MOST));
+            assert!(!few.has_p(8.0, MOST) && !few.is_apart(8.0, 0.002));
         }
         // Binomial: 4 or more of 100 at 0.002 come once in 18 000.
         assert!(!of(3, 100).surely_reaches(8.0, 0.002));
-        assert!(of(100, CHUNK).has_answer(8.0, CLOSE_ON_THE_WAY, MOST));
+        assert!(of(100, CHUNK).has_p(8.0, MOST));
+        // One in a hundred is five times as much as is asked for; one in 250 may be chance.
+        let apart = |null: &Null| null.is_apart(8.0, 0.002);
+        assert!(apart(&of(10, 2 * CHUNK)) && !apart(&of(3, 2 * CHUNK)));
     }
 }

@@ -39,10 +39,10 @@ pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<
         let mut worst: Option<(f64, Fit)> = None;
         for term in regression.added(&fit) {
             let worth = worth(prepared, &fit, term);
-            let improbable = regression.family_p(worth.minus_ln_p, &fit).p > CHANCE;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
+            let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE, &fit);
             let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
-            if improbable || unlikely || useless() {
+            if unlikely || improbable() || useless() {
                 let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
                 if lowest {
                     worst = Some((worth.ln_odds, worth.rest));
@@ -96,7 +96,7 @@ pub(crate) fn as_said(
     watch: Watch,
 ) -> Result<(), Cancelled> {
     let regression = &prepared.regression;
-    let base = regression.fit(&regression.base, Vec::new());
+    let base = regression.fit(&regression.base, &[]);
     loop {
         if !watch(&Progress::Comparing) {
             return Err(Cancelled);
@@ -114,7 +114,7 @@ pub(crate) fn as_said(
         let alone = if found.fit.shapes.is_empty() {
             found.fit.clone()
         } else {
-            regression.fit(&found.fit.model, Vec::new())
+            regression.fit(&found.fit.model, &[])
         };
         let idle = |step: &Step| step.held_out_mm.is_some_and(|h| h[1] >= h[0]);
         let steps = steps(prepared, &base, &alone);
@@ -191,7 +191,7 @@ mod tests {
         let session = eccentric();
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
-        let mut fit = regression.fit(&regression.base, Vec::new());
+        let mut fit = regression.fit(&regression.base, &[]);
         for name in names {
             let named = |what: &What| what.term().is_some_and(|t| t.effect.about().id == *name);
             let candidates = &regression.table.candidates;

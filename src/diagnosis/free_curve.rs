@@ -46,7 +46,7 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             .model
             .without(|t| made_up.iter().any(|m| m.same_column(t)));
         let kept = fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
-        let rest = regression.fit(&model, kept.collect());
+        let rest = regression.fit(&model, &kept.collect::<Vec<_>>());
         let Some(curve) = smooth::free_curve(prepared, &rest.model, joint) else {
             continue;
         };
@@ -75,7 +75,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
             .fit
             .model
             .without(|t| made_up.iter().any(|m| m.same_column(t)));
-        let rest = regression.fit(&model, Vec::new());
+        let rest = regression.fit(&model, &[]);
         let Some(curve) = smooth::free_curve(white, &rest.model, joint) else {
             continue;
         };
@@ -90,7 +90,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
     }
     best.map(|fit| Found {
         fit,
-        names_only: regression.fit(&found.names_only.model, Vec::new()),
+        names_only: regression.fit(&found.names_only.model, &[]),
         other_ends: Vec::new(),
         base_misfit: false,
     })
@@ -120,7 +120,7 @@ fn with_curve(
         profile: Profile::Curve { pieces },
         tried: 1.0,
     }));
-    let mut fit = regression.fit(&rest.model, shapes);
+    let mut fit = regression.fit(&rest.model, &shapes);
     let credit = ln_evidence - fit.ln_evidence;
     if let Some(curve) = fit.shapes.last_mut() {
         curve.credit = credit;
@@ -159,7 +159,7 @@ mod tests {
         let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
-        let base = regression.fit(&regression.base, Vec::new());
+        let base = regression.fit(&regression.base, &[]);
         let beside = with_curve(regression, &base, 1, 48, 0.0);
         let at = |fit: &Fit| deviations(&prepared.problem, &fit.model).axes_mm;
         let (alone, with) = (at(&base), at(&beside));

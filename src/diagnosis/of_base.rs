@@ -131,7 +131,7 @@ mod tests {
         let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
-        let base = regression.fit(&regression.base, Vec::new());
+        let base = regression.fit(&regression.base, &[]);
         let mut candidates = regression.table.candidates.iter();
         let there = candidates.find(|c| {
             let term = c.what.term();

@@ -221,7 +221,7 @@ impl<'a> Prepared<'a> {
 
     fn slow_beside(&self, model: &Model) -> Option<Noise> {
         let regression = &self.regression;
-        let fit = regression.fit(model, Vec::new());
+        let fit = regression.fit(model, &[]);
         let noise = noise_of(regression, &fit);
         // A frame that stands elsewhere all the time does not wander.
         let n = regression.rows.samples.len();
@@ -256,7 +256,7 @@ impl<'a> Prepared<'a> {
             credit: s.credit,
             ..self.regression.placed(s.shape)
         });
-        self.regression.fit(&fit.model, shapes.collect())
+        self.regression.fit(&fit.model, &shapes.collect::<Vec<_>>())
     }
 }
 

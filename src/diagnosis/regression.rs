@@ -187,14 +187,12 @@ impl<'a> Regression<'a> {
     }
 
     /// Fits a model and shapes, starting from their coefficients.
-    pub(crate) fn fit(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
-        self.fits
-            .of_start(start, &shapes, || self.fitted(start, shapes.clone()))
+    pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
+        let work = || self.fitted(start.clone(), shapes.to_vec());
+        self.fits.of_start(start, shapes, work)
     }
 
-    fn fitted(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
-        let mut model = start.clone();
-        let mut shapes = shapes;
+    fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> Fit {
         let mut last = None;
         for round in 0..8 {
             let (raw, columns) = self.raw(&model);
@@ -255,12 +253,12 @@ impl<'a> Regression<'a> {
 
     /// The fit with a candidate more.
     pub(crate) fn with(&self, fit: &Fit, what: &What) -> Fit {
-        let mut shapes = fit.shapes.clone();
         match what {
-            What::Named(term) => self.fit(&fit.model.with_term(term.clone()), shapes),
+            What::Named(term) => self.fit(&fit.model.with_term(term.clone()), &fit.shapes),
             What::Anonymous(shape) => {
+                let mut shapes = fit.shapes.clone();
                 shapes.push(self.placed(*shape));
-                self.fit(&fit.model, shapes)
+                self.fit(&fit.model, &shapes)
             }
         }
     }
@@ -268,14 +266,14 @@ impl<'a> Regression<'a> {
     /// The fit without one of the terms that the search added.
     pub(crate) fn without_term(&self, fit: &Fit, term: &Term) -> Fit {
         let model = fit.model.without(|t| t.same_column(term));
-        self.fit(&model, fit.shapes.clone())
+        self.fit(&model, &fit.shapes)
     }
 
     /// The fit without one of its shapes.
     pub(crate) fn without_shape(&self, fit: &Fit, index: usize) -> Fit {
         let mut shapes = fit.shapes.clone();
         shapes.remove(index);
-        self.fit(&fit.model, shapes)
+        self.fit(&fit.model, &shapes)
     }
 
     /// Terms that the search added, in the order of the model.

@@ -70,7 +70,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
 fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     let n = regression.rows.samples.len().max(1) as f64;
     if regression.noise.slow.is_none() || regression.rows.observed().is_some() {
-        let names = regression.fit(&fit.model, Vec::new());
+        let names = regression.fit(&fit.model, &[]);
         let gain = (names.rss - fit.rss).max(0.0);
         return (gain / n).sqrt() * mean_sigma_mm(regression);
     }

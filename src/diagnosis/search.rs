@@ -73,7 +73,7 @@ pub(crate) const UNSEEN_KEPT: usize = 64;
 
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<Found, Cancelled> {
-        let base = self.regression.fit(&self.regression.base, Vec::new());
+        let base = self.regression.fit(&self.regression.base, &[]);
         self.tell(&Progress::Searching { found: Vec::new() })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
         names_only = self.pairs(names_only)?;
@@ -442,7 +442,7 @@ mod tests {
             watch: &|_| true,
             unseen: Memo::new(UNSEEN_KEPT),
         };
-        let base = regression.fit(&regression.base, Vec::new());
+        let base = regression.fit(&regression.base, &[]);
         let mut scores = regression.scan(&base, Allow::Names.among());
         search.may_join(&base, Allow::Names, &mut scores);
         by_odds(&mut scores);

@@ -25,7 +25,7 @@ pub(crate) struct Step {
 pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     let regression = &prepared.regression;
     let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
-    let mut now = regression.fit(&base.model, fit.shapes.clone());
+    let mut now = regression.fit(&base.model, &fit.shapes);
     let mut unseen = prepared.folds.rms_mm(regression, &now);
     let gap = |fit: &Fit| {
         let (raw, _) = regression.rows.extract(&fit.model);
@@ -39,7 +39,7 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     while !left.is_empty() {
         let fits = left.iter().map(|term| {
             let absent = Term::absent(term.effect, term.joint, term.setting);
-            regression.fit(&now.model.with_term(absent), now.shapes.clone())
+            regression.fit(&now.model.with_term(absent), &now.shapes)
         });
         let best = fits
             .enumerate()
@@ -82,7 +82,7 @@ impl Next {
         // Where it is close it is refitted, as the name itself was.
         let fit = (worth.ln_odds - ln_odds < CLOSE).then(|| {
             let model = worth.rest.model.with_term(other.clone());
-            regression.fit(&model, worth.rest.shapes.clone())
+            regression.fit(&model, &worth.rest.shapes)
         });
         Some(Self {
             term: other.clone(),
