@@ -37,6 +37,8 @@ const UNSEEN: u8 = 3;
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
+    /// What is opened in the first frame: by then it is known which language the window speaks.
+    first: Option<PathBuf>,
     /// As it was laid out last, and how many passes from now on are not to be seen.
     arranged: Option<Arrangement>,
     unseen: u8,
@@ -61,11 +63,9 @@ impl App {
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
-        let mut workbench = Workbench::new(files::first_example(), jobs, views::pictures::drawing);
-        if let Some(path) = path {
-            workbench.execute(Command::OpenFile(path));
-        }
+        let workbench = Workbench::new(files::first_example(), jobs, views::pictures::drawing);
         Self {
+            first: path,
             alphabet: Some(Alphabet::asked_by(ctx)),
             ..Self::on(workbench)
         }
@@ -75,6 +75,7 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
+            first: None,
             arranged: None,
             unseen: 0,
             alphabet: None,
@@ -142,6 +143,9 @@ impl App {
     /// Shows everything and does what was asked for.
     pub fn show(&mut self, ui: &mut Ui) {
         self.speak();
+        if let Some(path) = self.first.take() {
+            self.workbench.execute(Command::OpenFile(path));
+        }
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());

@@ -405,6 +405,13 @@ fn no_text_of_the_window_is_outside_of_the_table() {
     std::fs::write(&path, "winkel;x;y\n0;250;0\n10;246;43\n20;235;85\n").expect("written");
     let import = self::window(Language::Marked, [1280.0, 800.0], Some(path));
     see(&import, "import");
+    let wrong = folder.path().join("wrong.json");
+    let document = r#"{"format":"truepose-session/1","name":3,"robot":{"dh":[]},"targets":[],
+        "instrument":{"name":"tracker","sigma_mm":-1},"tolerance_mm":"small",
+        "samples":{"columns":{"commanded_deg":[1e999]}},"more":1}"#;
+    std::fs::write(&wrong, document).expect("written");
+    let refused = self::window(Language::Marked, [1280.0, 800.0], Some(wrong));
+    see(&refused, "a wrong file from the start");
     let list: Vec<String> = found
         .iter()
         .map(|(text, at)| format!("{at}: {text}"))

@@ -18,6 +18,7 @@ use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::Foreign;
 use crate::gui::jobs::Watch;
+use crate::gui::language::finding;
 use crate::gui::view::Message;
 
 use super::advice::cancelled;
@@ -121,11 +122,7 @@ const READING: f64 = 0.4;
 /// Findings as lines, no more than can be read.
 fn listed(findings: &[Diagnostic]) -> Vec<String> {
     const MOST: usize = 8;
-    let mut lines: Vec<String> = findings
-        .iter()
-        .take(MOST)
-        .map(ToString::to_string)
-        .collect();
+    let mut lines: Vec<String> = findings.iter().take(MOST).map(finding).collect();
     if findings.len() > MOST {
         lines.push(say!("common-and-more", more = findings.len() - MOST));
     }
