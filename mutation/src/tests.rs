@@ -1,6 +1,7 @@
 //! Which tests pass which changes, and whether one of them fails when a change is on.
 
 use std::collections::BTreeSet;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
@@ -102,7 +103,8 @@ fn command(copy: &Path, binary: &Path, names: &[&str]) -> Command {
         .env("CARGO_MANIFEST_DIR", copy)
         .stdin(Stdio::null())
         .stdout(Stdio::null())
-        .stderr(Stdio::null());
+        .stderr(Stdio::null())
+        .process_group(0);
     command
 }
 
@@ -112,8 +114,10 @@ fn ended_well(child: &mut Child, within: Duration) -> bool {
         match child.try_wait() {
             Ok(Some(status)) => return status.success(),
             Ok(None) if start.elapsed() < within => std::thread::sleep(Duration::from_millis(2)),
-            // What does not end is noticed as well.
+            // What does not end is noticed as well; it may have started programs that do not end either.
             _ => {
+                let group = format!("-{}", child.id());
+                let _ = Command::new("kill").args(["-KILL", "--", &group]).status();
                 let _ = child.kill();
                 let _ = child.wait();
                 return false;
