@@ -93,8 +93,6 @@ struct Cell {
 struct Sums {
     n: f64,
     dx: f64,
-    dy: f64,
-    l1: f64,
     l1_dy: f64,
     l1_l1: f64,
     square: f64,
@@ -105,8 +103,6 @@ impl Sums {
         Self {
             n: 1.0,
             dx: s.dx,
-            dy: s.dy,
-            l1: s.l1,
             l1_dy: s.l1 * s.dy,
             l1_l1: s.l1 * s.l1,
             square: s.dx * s.dx + s.dy * s.dy,
@@ -117,8 +113,6 @@ impl Sums {
         Self {
             n: self.n + sign * o.n,
             dx: self.dx + sign * o.dx,
-            dy: self.dy + sign * o.dy,
-            l1: self.l1 + sign * o.l1,
             l1_dy: self.l1_dy + sign * o.l1_dy,
             l1_l1: self.l1_l1 + sign * o.l1_l1,
             square: self.square + sign * o.square,
@@ -208,6 +202,11 @@ fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
         Some(Sigma::PerAxis(sigma)) => f64::midpoint(sigma[0].powi(2), sigma[1].powi(2)).sqrt(),
         None => 0.0,
     };
+    stated.max(seen_noise(samples)).max(SMALLEST_MM).powi(2)
+}
+
+/// What neighbours differ by, as the standard deviation of a coordinate, mm.
+fn seen_noise(samples: &[Sample]) -> f64 {
     let pairs = samples.windows(2);
     let mut steps: Vec<f64> = pairs
         .flat_map(|p| [(p[1].dx - p[0].dx).abs(), (p[1].dy - p[0].dy).abs()])
@@ -219,8 +218,7 @@ fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
         *steps.select_nth_unstable_by(middle, f64::total_cmp).1
     };
     // The median of |a − b| of two Gaussian numbers is 0.954 σ.
-    let seen = median / 0.954;
-    stated.max(seen).max(SMALLEST_MM).powi(2)
+    median / 0.954
 }
 
 /// Below this, differences are rounding, mm.
@@ -228,6 +226,10 @@ const SMALLEST_MM: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
     use super::*;
 
     fn cells(levels: &[(f64, usize)]) -> Vec<Cell> {
@@ -268,5 +270,65 @@ mod tests {
             l1: 250.0,
         });
         assert_eq!(gather(&samples).len(), 2);
+    }
+
+    #[test]
+    fn the_cost_is_what_the_least_squares_correction_leaves() {
+        let samples = (0..30).map(f64::from).map(|k| Sample {
+            q: k,
+            dx: (1.7 * k).sin(),
+            dy: 0.01 * k + (2.3 * k).cos(),
+            l1: 250.0 + 13.0 * (k * k % 7.0),
+        });
+        let samples: Vec<Sample> = samples.collect();
+        let sums = |some: &[Sample]| {
+            let all = some.iter().map(Sums::of);
+            all.fold(Sums::default(), |sum, one| sum.plus(&one, 1.0))
+        };
+        // The sums of some are those of all without those before.
+        let some = &samples[11..];
+        let cost = sums(&samples).plus(&sums(&samples[..11]), -1.0).cost();
+        let left = |along: f64, around: f64| -> f64 {
+            let one = |s: &Sample| (s.dx - along).powi(2) + (s.dy - around * s.l1).powi(2);
+            some.iter().map(one).sum()
+        };
+        let along = some.iter().map(|s| s.dx).sum::<f64>() / some.len() as f64;
+        let turned: f64 = some.iter().map(|s| s.l1 * s.dy).sum();
+        let around = turned / some.iter().map(|s| s.l1 * s.l1).sum::<f64>();
+        assert!((cost - left(along, around)).abs() < 1e-9);
+        for (more, turn) in [(0.01, 0.0), (-0.01, 0.0), (0.0, 1e-4), (0.0, -1e-4)] {
+            assert!(left(along + more, around + turn) > cost + 1e-4);
+        }
+    }
+
+    #[test]
+    fn no_region_has_too_few_samples() {
+        let few = FEWEST_SAMPLES - 1;
+        let cuts = best_cuts(&cells(&[(0.0, few), (1.0, 30)]), 0.01 * 0.01, 15.0);
+        assert!(cuts.iter().all(|cut| *cut > few), "{cuts:?}");
+        let cuts = best_cuts(&cells(&[(0.0, few + 1), (1.0, 30)]), 0.01 * 0.01, 15.0);
+        assert_eq!(cuts, [few + 1]);
+        // All samples may be fewer.
+        assert!(best_cuts(&cells(&[(0.7, few)]), 0.01 * 0.01, 15.0).is_empty());
+    }
+
+    #[test]
+    fn noise_is_seen_in_what_neighbours_differ_by() {
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
+        let samples: Vec<Sample> = (0..2000)
+            .map(|k| {
+                let q = f64::from(k) * 1e-3;
+                Sample {
+                    q,
+                    dx: q.sin() + 0.02 * noise(),
+                    dy: q.cos() + 0.02 * noise(),
+                    l1: 250.0,
+                }
+            })
+            .collect();
+        let seen = seen_noise(&samples);
+        assert!((seen - 0.02).abs() < 0.001, "{seen}");
+        assert!(seen_noise(&samples[..1]).abs() < f64::MIN_POSITIVE);
     }
 }

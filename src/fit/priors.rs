@@ -175,3 +175,102 @@ pub(super) fn key(term: &Term, coefficient: usize) -> Key {
     let id = term.effect.about().id;
     (id, term.joint, term.setting.to_bits(), coefficient)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::CATALOGUE;
+    use crate::simulation::parse_scenario;
+
+    /// Every effect of which something is known beforehand, on both joints, with these coefficients in turn.
+    fn model(values: &[f64]) -> Model {
+        let scenario = br#"{"format":"truepose-scenario/1","name":"p","robot":{"name":"r","joints":[
+            {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]},
+            {"name":"slide","kind":"prismatic","axis":[1,0,0],"point_mm":[0,0,0]}],
+            "tool":{"position_mm":[300,0,200],"quaternion_wxyz":[1,0,0,0]}},"targets":{"T1":[0,0,0]},
+            "instrument":{"name":"tracker","sigma_mm":0.03},"poses":{"list":[{"q_deg":[0,0]}]},"effects":[],
+            "noise":{"sigma_mm":0.03,"kind":"gauss"},"seed":1}"#;
+        let robot = parse_scenario(scenario).unwrap().scenario.robot;
+        let mut value = values.iter().cycle();
+        let known = CATALOGUE.iter().filter(|e| !e.about().priors.is_empty());
+        let terms = known.flat_map(|effect| [0, 1].map(|joint| Term::absent(effect, joint, 0.0)));
+        terms.fold(Model::nominal(robot), |model, mut term| {
+            for (coefficient, value) in term.coefficients.iter_mut().zip(&mut value) {
+                *coefficient = *value;
+            }
+            model.with_term(term)
+        })
+    }
+
+    /// Cost, its gradient and its curvature: of a quadratic function differences say all three exactly.
+    #[test]
+    fn the_rows_of_the_priors_are_the_derivatives_of_their_cost() {
+        let values = [0.3, -0.2, 0.07, 0.5, -0.9];
+        let at = model(&values);
+        let coefficients = at.coefficients();
+        let mut size = Vec::new();
+        for (term, k) in at.columns().take(3) {
+            size.push((key(term, k), 0.4 + size.len() as f64));
+        }
+        let weak = Priors {
+            variance: 4.0,
+            aligned: true,
+            ..Priors::unmeasured(Some(0.1))
+        };
+        let held = Priors {
+            size,
+            ..weak.clone()
+        };
+        for priors in [weak.clone(), held] {
+            let of = |model: &Model| {
+                let mut normal = Normal::new(coefficients.len());
+                priors.add(model, &mut normal);
+                normal
+            };
+            let cost = |k: usize, step: f64| {
+                let mut step_of = vec![0.0; coefficients.len()];
+                step_of[k] = step;
+                of(&at.stepped(&step_of)).cost
+            };
+            let normal = of(&at);
+            let close = |a: f64, b: f64| (a - b).abs() <= 1e-5 * (1.0 + a.abs().max(b.abs()));
+            for k in 0..coefficients.len() {
+                let h = 0.01;
+                let (up, down) = (cost(k, h), cost(k, -h));
+                let slope = -(up - down) / (4.0 * h);
+                let curvature = (up + down - 2.0 * normal.cost) / (2.0 * h * h);
+                assert!(close(normal.gradient[k], slope), "{k}: {slope}");
+                assert!(close(normal.gram[(k, k)], curvature), "{k}: {curvature}");
+            }
+            assert!(normal.gram.diagonal().iter().any(|w| *w > 0.0));
+        }
+        // Weight: the variance of a coordinate over that of the prior.
+        let (term, k) = at.columns().next().expect("one");
+        let sigma = weak.sigma(&at, term, k).expect("known");
+        let mut normal = Normal::new(coefficients.len());
+        weak.add(&at, &mut normal);
+        assert!((normal.gram[(0, 0)] - 4.0 / (sigma * sigma)).abs() < 1e-9 * normal.gram[(0, 0)]);
+    }
+
+    #[test]
+    fn a_prior_that_is_missed_by_far_is_let_go() {
+        let at = model(&[0.0]);
+        let (term, k) = at.columns().next().expect("one");
+        let mut priors = Priors {
+            aligned: true,
+            ..Priors::unmeasured(None)
+        };
+        let sigma = priors.sigma(&at, term, k).expect("known");
+        let with = |value: f64| {
+            let mut step = vec![0.0; at.coefficients().len()];
+            step[0] = value;
+            at.stepped(&step)
+        };
+        assert!(priors.missed(&with(3.9 * sigma)).is_empty());
+        let missed = priors.missed(&with(-4.1 * sigma));
+        assert_eq!(missed.len(), 1);
+        priors.free(&missed);
+        assert_eq!(priors.sigma(&at, term, k), None);
+        assert!(priors.missed(&with(-4.1 * sigma)).is_empty());
+    }
+}

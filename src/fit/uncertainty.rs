@@ -161,3 +161,52 @@ fn half_widths(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::CATALOGUE;
+
+    /// Amplitude and phase are functions of the two coefficients: what their covariance makes of them, with
+    /// derivatives by differences.
+    #[test]
+    fn intervals_of_amplitude_and_phase_follow_from_the_covariance() {
+        let harmonic = CATALOGUE
+            .iter()
+            .find_map(|effect| match effect.about().form {
+                Form::Harmonic(quantity) => Some((*effect, quantity)),
+                _ => None,
+            });
+        let (effect, quantity) = harmonic.expect("there is one");
+        let mut term = Term::absent(effect, 0, 2.0);
+        term.coefficients = vec![3e-3, -4e-3];
+        let covariance = DMatrix::from_row_slice(2, 2, &[4e-8, 1.5e-8, 1.5e-8, 2e-8]);
+        let deviation = |of: &dyn Fn(f64, f64) -> f64| {
+            let (a, b, h) = (3e-3, -4e-3, 1e-8);
+            let da = (of(a + h, b) - of(a - h, b)) / (2.0 * h);
+            let db = (of(a, b + h) - of(a, b - h)) / (2.0 * h);
+            let carried = DMatrix::from_row_slice(1, 2, &[da, db]);
+            (&carried * &covariance * carried.transpose())[0].sqrt()
+        };
+        let of = |undetermined: [bool; 2]| {
+            half_widths(
+                &term,
+                Some(&covariance),
+                2.0,
+                &undetermined,
+                JointKind::Revolute,
+            )
+        };
+        let [Some(amplitude), Some(phase)] = of([false; 2])[..] else {
+            panic!("both are known");
+        };
+        let expected = 2.0 * deviation(&f64::hypot) / quantity.unit.inner;
+        assert!(
+            (amplitude / expected - 1.0).abs() < 1e-6,
+            "{amplitude} {expected}"
+        );
+        let expected = deg_from_rad(2.0 * deviation(&|a, b| b.atan2(a)));
+        assert!((phase / expected - 1.0).abs() < 1e-6, "{phase} {expected}");
+        assert_eq!(of([false, true]), [None, None]);
+    }
+}
