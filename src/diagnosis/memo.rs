@@ -1,6 +1,7 @@
 //! What was worked out before: a search comes to the same fits again on its several ways.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 
 use super::placed::Placed;
 use super::regression::Fit;
@@ -55,6 +56,11 @@ fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
         all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);
         all.push(term.setting.to_bits());
         all.extend(term.coefficients.iter().map(|c| c.to_bits()));
+        let held = |k: usize| u64::from(term.held.contains(k));
+        all.extend((0..term.coefficients.len()).map(held));
+        // What is kept holds its curve, so no other one lies there.
+        let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
+        all.push(curve as u64);
     }
     for shape in shapes {
         let column = shape.white.column(0);

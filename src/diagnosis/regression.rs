@@ -71,7 +71,8 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 64;
-/// Fits that are kept: so many numbers of their bases (8 MiB).
+/// Fits that are kept: so many numbers of their bases (8 MiB), and no more than scores, as to look for one is
+/// not to take longer than a small fit.
 const FITS_KEPT: usize = 1 << 20;
 const RIVALS_KEPT: usize = 4;
 
@@ -98,7 +99,7 @@ impl<'a> Regression<'a> {
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
-        let fits_kept = FITS_KEPT / numbers_of_a_basis.max(1);
+        let fits_kept = (FITS_KEPT / numbers_of_a_basis.max(1)).min(SCORES_KEPT);
         let price = PRICE_OF_A_VARIANCE * numbers + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {

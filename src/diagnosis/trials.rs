@@ -320,8 +320,8 @@ mod tests {
         (gathering, candidates)
     }
 
-    #[test]
-    fn the_simulated_tail_agrees_with_many_plain_simulations() {
+    /// All of them beside an empty model.
+    fn with_trials(look: impl Fn(&Trials)) {
         let (gathering, candidates) = candidates();
         let (columns, _) = gathering.done();
         let filter = Noise::white(1.0).filter_over(&[0.0; ROWS], &[0]);
@@ -331,6 +331,15 @@ mod tests {
         let table = (&columns, &filter, &grams);
         let projected = Projected::new(table, &nothing, along, Among::All);
         let trials = Trials::new(&projected, &candidates, &Tests::default(), ROWS as f64);
+        look(&trials);
+    }
+
+    #[test]
+    fn the_simulated_tail_agrees_with_many_plain_simulations() {
+        with_trials(tail_agrees);
+    }
+
+    fn tail_agrees(trials: &Trials) {
         let mut plain: Vec<f64> = (0..80)
             .flat_map(|chunk| trials.simulated(None, 7, chunk, 0..CHUNK))
             .collect();
@@ -355,15 +364,10 @@ mod tests {
 
     #[test]
     fn a_chunk_is_the_same_in_parts() {
-        let (gathering, candidates) = candidates();
-        let (columns, _) = gathering.done();
-        let filter = Noise::white(1.0).filter_over(&[0.0; ROWS], &[0]);
-        let grams = Grams::new(&columns, &filter, &candidates);
-        let nothing = Basis::new(&DMatrix::zeros(ROWS, 0));
-        let along = DMatrix::zeros(0, columns.count());
-        let table = (&columns, &filter, &grams);
-        let projected = Projected::new(table, &nothing, along, Among::All);
-        let trials = Trials::new(&projected, &candidates, &Tests::default(), ROWS as f64);
+        with_trials(is_the_same_in_parts);
+    }
+
+    fn is_the_same_in_parts(trials: &Trials) {
         for flipped in [None, Some(&DVector::from_element(ROWS, 1.5))] {
             let part = |which| trials.simulated(flipped, 7, 1, which);
             let parts = [part(0..50), part(50..100), part(100..CHUNK)];

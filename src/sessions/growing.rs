@@ -161,7 +161,8 @@ impl Growing {
         let nobody = Progress::new(&unwatched);
         let table = csv::read(input, None, &file, kinds, &mut findings, nobody.whole());
         let table = table.map_err(|error| {
-            let error = Diagnostic::error(file.clone(), unreadable(&error), "a readable file");
+            let error =
+                Diagnostic::error(file.clone(), unreadable(&error), "a file that can be read");
             Rejected::because(error)
         })?;
         let further = if grown { self.lines - 1 } else { 0 };

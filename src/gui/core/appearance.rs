@@ -16,7 +16,7 @@ use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::mesh::{self, Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle, thinned};
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::kinematics::{Robot, Visual, robot_from_file, visuals_of_urdf};
 use crate::sessions::files::{self, Refusal};
 
@@ -219,7 +219,7 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Refusal> {
     let mut bytes = Vec::new();
     file.take(MOST_BYTES)
         .read_to_end(&mut bytes)
-        .map_err(|error| (error.to_string(), "a file that can be read".to_owned()))?;
+        .map_err(|error| (unreadable(&error), "a file that can be read".to_owned()))?;
     Ok(bytes)
 }
 

@@ -246,7 +246,7 @@ mod tests {
     fn what_is_not_recognised_and_what_is_english_stays_as_it_is() {
         assert_eq!(of_core("survey the base again"), "survey the base again");
         choose(Language::German);
-        assert_eq!(of_core("nobody says this"), "nobody says this");
+        assert_eq!(of_core("an unknown sentence"), "an unknown sentence");
         assert_eq!(of_core("survey the base again"), "den Sockel neu einmessen");
         choose(Language::English);
         assert_eq!(of_core("survey the base again"), "survey the base again");
