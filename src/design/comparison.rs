@@ -264,7 +264,7 @@ impl Refit {
         for (draw, risen) in self.risen.iter_mut().enumerate() {
             *risen += solved.column(draw).dot(&left.column(draw)).max(0.0);
         }
-        self.refits += &carried * solved;
+        self.refits.gemm(1.0, &carried, &solved, 1.0);
         self.covariance -= &carried * factor.solve(&carried.transpose());
     }
 }
@@ -276,6 +276,8 @@ pub(crate) struct Comparison {
     /// What is known of the one that is refitted.
     information: Information,
     pub(crate) apart: Vec<Apart>,
+    /// Poses that were measured since it was decided; that they make it no less so is all that is known.
+    since: Vec<usize>,
 }
 
 /// How far one of the others is from what is refitted.
@@ -333,28 +335,53 @@ impl Comparison {
         Self {
             information: Information::new(&rows, first, covariance),
             apart,
+            since: Vec::new(),
         }
     }
 
-    /// Sum over the other models of what one pose more is worth; `worth` is told by how much it would part
-    /// each.
-    pub(crate) fn worth(&self, candidate: usize, worth: impl Fn(&Apart, f64) -> f64) -> f64 {
+    /// Sum over the other models that count of what one pose more is worth; `worth` is told by how much it
+    /// would part each.
+    pub(crate) fn worth(
+        &self,
+        candidate: usize,
+        counts: impl Fn(&Apart) -> bool,
+        worth: impl Fn(&Apart, f64) -> f64,
+    ) -> f64 {
         let Some(root) = self.information.innovation(candidate, 1.0) else {
             return 0.0;
         };
-        let of = |one| worth(one, self.gain(one, candidate, &root));
-        self.apart.iter().map(of).sum()
-    }
-
-    fn gain(&self, one: &Apart, candidate: usize, root: &DMatrix<f64>) -> f64 {
         let (first, size) = self.information.place(candidate);
-        // What the candidate leaves, in independent units of what it is known to.
-        let white = root.solve_lower_triangular(&one.left.rows(first, size));
-        white.map_or(0.0, |white| white.norm_squared())
+        let mut white = vec![0.0; size];
+        let mut of = |one: &Apart| {
+            let left = &one.left.as_slice()[first..first + size];
+            worth(one, whitened_square(&root, left, &mut white))
+        };
+        let others = self.apart.iter().filter(|one| counts(one));
+        others.map(&mut of).sum()
     }
 
-    /// Measures a pose.
+    /// Measures a pose; what is decided stays so, and is worked out once more is asked of it.
     pub(crate) fn take(&mut self, candidate: usize) {
+        if self.decided() {
+            self.since.push(candidate);
+        } else {
+            self.measure(candidate);
+        }
+    }
+
+    /// Asks that all models are further apart.
+    pub(crate) fn ask_for_more(&mut self, factor: f64) {
+        for apart in &mut self.apart {
+            apart.enough = factor * apart.enough.max(1.0);
+        }
+        if !self.decided() {
+            for candidate in std::mem::take(&mut self.since) {
+                self.measure(candidate);
+            }
+        }
+    }
+
+    fn measure(&mut self, candidate: usize) {
         let (first, size) = self.information.place(candidate);
         let update = self.information.update(candidate, 1.0);
         let Some((root, moved)) = update else { return };
@@ -370,6 +397,17 @@ impl Comparison {
     pub(crate) fn decided(&self) -> bool {
         self.apart.iter().all(Apart::decided)
     }
+}
+
+/// `‖L⁻¹ r‖²`: what a candidate leaves, in independent units of what it is known to. `white` becomes `L⁻¹ r`.
+fn whitened_square(root: &DMatrix<f64>, left: &[f64], white: &mut [f64]) -> f64 {
+    let mut square = 0.0;
+    for (i, left) in left.iter().enumerate() {
+        let known: f64 = (0..i).map(|j| root[(i, j)] * white[j]).sum();
+        white[i] = (left - known) / root[(i, i)];
+        square += white[i] * white[i];
+    }
+    square
 }
 
 /// Covariance of a model's parameters over what was measured already.
@@ -437,10 +475,10 @@ mod tests {
     fn delta_is_what_a_least_squares_refit_leaves() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
         let known = DMatrix::from_element(1, 1, 4.0);
-        let mut comparison = Comparison::new(&predictions_of(&rows), &known, 1.0);
+        let mut comparison = Comparison::new(&predictions_of(&rows), &known, 100.0);
         let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
-            let gain = comparison.worth(k, |_, gain| gain);
+            let gain = comparison.worth(k, |_| true, |_, gain| gain);
             let before = comparison.apart[0].delta;
             comparison.take(k);
             assert!((comparison.apart[0].delta - before - gain).abs() < 1e-9);
@@ -454,6 +492,23 @@ mod tests {
         assert!((comparison.apart[0].delta - expected).abs() < 1e-6);
         assert!((once - expected).abs() < 1e-6, "{once}");
         assert!((twice - 4.0 * expected).abs() < 1e-6, "{twice}");
+    }
+
+    #[test]
+    fn what_was_measured_since_it_was_decided_counts_where_more_is_asked_for() {
+        let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
+        let known = DMatrix::from_element(1, 1, 4.0);
+        let of = |enough| {
+            let mut comparison = Comparison::new(&predictions_of(&rows), &known, enough);
+            (0..3).for_each(|k| comparison.take(k));
+            comparison
+        };
+        let (mut quick, whole) = (of(5.0), of(100.0));
+        assert!(quick.decided() && !whole.decided());
+        quick.ask_for_more(20.0);
+        let [quick, whole] = [quick, whole].map(|c| c.apart[0].clone());
+        assert!((quick.delta - whole.delta).abs() < 1e-12);
+        assert!((quick.left - whole.left).norm() < 1e-12);
     }
 
     #[test]

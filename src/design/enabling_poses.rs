@@ -173,7 +173,8 @@ pub(crate) fn enable(
         warmth.then(a.load_kg.total_cmp(&b.load_kg))
     });
     let why = |k: usize| {
-        let gains: Vec<f64> = fresh.iter().map(|c| c.worth(k, |_, gain| gain)).collect();
+        let gain = |c: &Comparison| c.worth(k, |_| true, |_, gain| gain);
+        let gains: Vec<f64> = fresh.iter().map(gain).collect();
         let largest = gains.iter().copied().fold(0.0, f64::max);
         let shown = wanted.iter().zip(&gains);
         let shown = shown.filter(|(_, gain)| **gain > 0.3 * largest);

@@ -109,26 +109,31 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
 fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
     let mut all: Vec<Explanation> = Vec::new();
-    let mut join = |fit: &Fit, open: bool| {
-        let known = all.iter().any(|a| same_terms(&a.fit, fit));
-        if !known && all.len() < MOST_COMPETING {
-            let fit = fit.clone();
-            all.push(Explanation { fit, open });
-        }
-    };
-    join(fit, true);
+    join(&mut all, fit, true);
     for rival in open {
-        join(&rival.fit, true);
+        join(&mut all, &rival.fit, true);
     }
     let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
     for one in [fit].into_iter().chain(most_open) {
+        if all.len() == MOST_COMPETING {
+            break;
+        }
         for near in aliases::rivals(regression, one) {
             if near.other_names() {
-                join(&near.fit, false);
+                join(&mut all, &near.fit, false);
             }
         }
     }
     all
+}
+
+/// Adds an explanation that is not there yet, if there is room.
+fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool) {
+    let known = all.iter().any(|a| same_terms(&a.fit, fit));
+    if !known && all.len() < MOST_COMPETING {
+        let fit = fit.clone();
+        all.push(Explanation { fit, open });
+    }
 }
 
 fn same_terms(one: &Fit, other: &Fit) -> bool {

@@ -51,7 +51,8 @@ impl Criterion for Parting {
         // The gain of each comparison counts up to where it is decided.
         let one = |c: &Apart, gain: f64| gain.min(c.enough - c.delta).max(0.0) / (1.0 + c.delta);
         let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
-        let worth = |k: usize| open.iter().map(|c| c.worth(k, one)).sum();
+        let undecided = |c: &Apart| !c.decided();
+        let worth = |k: usize| open.iter().map(|c| c.worth(k, undecided, one)).sum();
         let free = |k: usize| self.taken[k] < self.repeats;
         let all = 0..self.taken.len();
         all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
@@ -77,8 +78,8 @@ impl Criterion for Parting {
         // All are far enough apart and still too few draws are decided: further apart, then.
         let can = |c: &Apart| c.enough < MOST_SEPARATION;
         while !self.comparisons.is_empty() && self.parted() && self.apart().all(can) {
-            for apart in self.comparisons.iter_mut().flat_map(|c| &mut c.apart) {
-                apart.enough = 1.3 * apart.enough.max(1.0);
+            for comparison in &mut self.comparisons {
+                comparison.ask_for_more(1.3);
             }
         }
         false
