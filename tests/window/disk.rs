@@ -294,6 +294,7 @@ fn a_disk_that_may_only_be_read_keeps_everything_and_says_what_to_do() {
 }
 
 #[test]
+#[cfg(unix)]
 fn a_folder_without_permission_says_so() {
     use std::os::unix::fs::PermissionsExt;
     let folder = tempfile::tempdir().expect("a folder");
