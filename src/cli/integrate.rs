@@ -174,6 +174,11 @@ fn files(prefix: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
 
 impl Integrate {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        if self.prefix.is_none() && cfg!(any(windows, target_os = "macos")) {
+            let text = "this puts truepose into the menus of a Linux desktop, which this system does not have; \
+                 expected --prefix FOLDER to write its files all the same";
+            return Err(Failure::WrongInput(text.to_owned()));
+        }
         let home = || std::env::var_os("HOME").map(|home| Path::new(&home).join(".local"));
         let Some(prefix) = self.prefix.or_else(home) else {
             let text = "the home folder is not known; expected --prefix FOLDER";

@@ -452,3 +452,27 @@ pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
     });
     left_out.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::example::sweep;
+
+    #[test]
+    fn the_noise_of_the_axes_is_what_is_left_over_what_the_coefficients_leave_free() {
+        let session = sweep([0.0, 0.0, 1.0]);
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let n = session.samples.len();
+        let after = Deviations {
+            axes_mm: std::array::from_fn(|axis| vec![0.1 * (axis + 1) as f64; n]),
+            length_mm: vec![1.0; n],
+        };
+        // Nine coefficients take three of each axis.
+        let noise = noise_by_axis(&problem, &after, 9).unwrap();
+        let share = (n as f64 / (n as f64 - 3.0)).sqrt();
+        for (axis, sigma) in noise.into_iter().enumerate() {
+            assert!((sigma / (0.1 * (axis + 1) as f64 * share) - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(noise_by_axis(&problem, &after, 3 * n), None);
+    }
+}

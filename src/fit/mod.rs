@@ -18,6 +18,8 @@ pub(crate) mod uncertainty;
 mod adaptive;
 mod estimator;
 mod exact;
+#[cfg(test)]
+mod example;
 pub(crate) mod observed;
 pub(crate) mod plane;
 mod regional;

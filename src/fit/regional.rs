@@ -243,3 +243,98 @@ fn notes(
     }
     notes
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector, Rotation3, Unit, Vector3};
+    use statrs::distribution::{ContinuousCDF, StudentsT};
+
+    use super::*;
+    use crate::fit::example::{AXIS_POINT_MM, TOOL_MM, sweep};
+
+    /// ΔPx, ΔPy and l1 of a sample, with rotations of nalgebra.
+    fn in_the_plane(session: &Session, axis: [f64; 3], i: usize) -> [f64; 3] {
+        let axis = Unit::new_normalize(Vector3::from(axis));
+        let across = |v: Vector3<f64>| v - axis.into_inner() * axis.dot(&v);
+        let arm = |target: usize| {
+            let target = session.targets[target].position_mm.coords;
+            Vector3::from(TOOL_MM) + target - Vector3::from(AXIS_POINT_MM)
+        };
+        let x = across(arm(0)).normalize();
+        let y = axis.cross(&x);
+        let samples = &session.samples;
+        let home = arm(samples.target.as_ref().map_or(0, |t| t[i] as usize));
+        let nominal = Rotation3::from_axis_angle(&axis, samples.q[0][i]) * home;
+        let z = samples.z_mm.as_ref().unwrap()[i];
+        let actual =
+            Vector3::new(samples.x_mm[i], samples.y_mm[i], z) - Vector3::from(AXIS_POINT_MM);
+        let off = nominal - actual;
+        [off.dot(&x), off.dot(&y), across(home).norm()]
+    }
+
+    #[test]
+    fn corrections_intervals_and_gaps_are_those_of_least_squares_in_each_region() {
+        for axis in [[0.0, 0.0, 1.0], [0.36, -0.48, 0.8]] {
+            let mut session = sweep(axis);
+            let held_out = (0..session.samples.len()).map(|i| i % 5 == 3);
+            session.samples.held_out = Some(held_out.collect());
+            // Three, so that no sample lies where two of them meet.
+            let choice = RegionChoice::Uniform(3);
+            let found = identify_regional(&session, &choice, JointValues::Commanded).unwrap();
+            assert!(found.outliers.is_empty());
+            let held_out = session.samples.held_out.as_ref().unwrap();
+            let (mut unseen, mut seen) = ((0.0, 0), (0.0, 0));
+            for region in &found.regions {
+                let range = region.correction.from_rad..region.correction.to_rad;
+                let inside = |i: &usize| range.contains(&session.samples.q[0][*i]);
+                let all = (0..session.samples.len()).filter(inside);
+                let (left_out, own): (Vec<usize>, Vec<usize>) = all.partition(|i| held_out[*i]);
+                let off = |i: &usize| in_the_plane(&session, axis, *i);
+                let rows: Vec<[f64; 3]> = own.iter().map(off).collect();
+                let n = rows.len();
+                let a = DMatrix::from_fn(2 * n, 2, |k, column| match (k % 2, column) {
+                    (0, 1) => 1.0,
+                    (1, 0) => rows[k / 2][2],
+                    _ => 0.0,
+                });
+                let b = DVector::from_fn(2 * n, |k, _| rows[k / 2][k % 2]);
+                let inverse = (a.transpose() * &a).try_inverse().unwrap();
+                let expected = &inverse * a.transpose() * &b;
+                let left = &b - &a * &expected;
+                let freedom = 2.0 * n as f64 - 2.0;
+                let t = StudentsT::new(0.0, 1.0, freedom)
+                    .unwrap()
+                    .inverse_cdf(0.975);
+                let values = [region.correction.theta_rad, region.correction.l1_mm];
+                for (k, found) in [region.theta_ci95, region.l1_ci95].into_iter().enumerate() {
+                    let half = t * (inverse[(k, k)] * left.norm_squared() / freedom).sqrt();
+                    let [low, high] = found.unwrap();
+                    assert!(
+                        (values[k] - expected[k]).abs() < 1e-9 * expected[k].abs().max(1e-3),
+                        "{values:?} {expected:?} {axis:?}"
+                    );
+                    assert!(
+                        (high - values[k] - half).abs() < 1e-4 * half,
+                        "{axis:?} {k}"
+                    );
+                    assert!((values[k] - low - half).abs() < 1e-4 * half, "{axis:?} {k}");
+                }
+                assert_eq!(region.correction.samples, n);
+                let rms = |v: &DVector<f64>| (v.norm_squared() / n as f64).sqrt();
+                assert!((region.rms_before_mm - rms(&b)).abs() < 1e-9);
+                assert!((region.rms_after_mm - rms(&left)).abs() < 1e-9);
+                seen = (seen.0 + left.norm_squared(), seen.1 + n);
+                for [dx, dy, l1] in left_out.iter().map(off) {
+                    unseen.0 += (dx - expected[1]).powi(2) + (dy - l1 * expected[0]).powi(2);
+                    unseen.1 += 1;
+                }
+            }
+            let after = |(square, count): (f64, usize)| (square / count as f64).sqrt();
+            assert_eq!(found.gap.samples, seen.1);
+            assert!((found.gap.after.rms_mm - after(seen)).abs() < 1e-9);
+            let of_unseen = found.held_out.unwrap();
+            assert_eq!(of_unseen.samples, unseen.1);
+            assert!((of_unseen.after.rms_mm - after(unseen)).abs() < 1e-9);
+        }
+    }
+}

@@ -60,6 +60,9 @@ pub use jobs::Runner;
 pub use language::Language;
 
 const TITLE: &str = "truepose";
+/// What helps where the driver that was chosen does not draw.
+const OTHERWISE: &str =
+    "where the graphics driver is at fault, set WGPU_BACKEND to gl or vulkan, by which it may open";
 
 /// Opens the window, on a session or a model if a path is given.
 ///
@@ -106,7 +109,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
     .map_err(|error| {
         let error = error.to_string();
         let because = plainly(&error);
-        anyhow!("the window cannot be opened: {because}\n{instead}")
+        anyhow!("the window cannot be opened: {because}\n{OTHERWISE}\n{instead}")
     })
 }
 

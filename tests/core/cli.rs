@@ -336,7 +336,7 @@ fn adaptive_regions_leave_no_more_than_as_many_uniform_ones() {
     assert!(adaptive < gap(&number.to_string()).1);
 }
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", target_os = "linux"))]
 #[test]
 fn without_a_display_the_window_says_which_command_does_the_job() {
     let output = truepose(&[]);

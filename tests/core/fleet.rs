@@ -114,8 +114,9 @@ fn a_folder_stands_for_its_sessions_and_a_table_compares_the_machines() {
         let cells = cells.filter(|cell| !cell.is_empty());
         cells.map(str::to_owned).collect()
     };
-    assert_eq!(cells("./damaged.json")[1..], ["not diagnosed"]);
-    let play = cells("./play.json");
+    let here = |file: &str| Path::new(".").join(file).display().to_string();
+    assert_eq!(cells(&here("damaged.json"))[1..], ["not diagnosed"]);
+    let play = cells(&here("play.json"));
     assert_eq!(play[1..4], ["rotating column", "explained", "backlash"]);
     let alone = diagnose(folder.path(), &["play.json", "--json"]);
     let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();

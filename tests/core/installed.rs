@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", target_os = "linux"))]
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -33,7 +33,7 @@ fn commands() -> Vec<String> {
     names.filter(|name| name != "help").collect()
 }
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", target_os = "linux"))]
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -56,7 +56,7 @@ fn tool(name: &str, arguments: &[&str]) -> Option<Output> {
     ran
 }
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", target_os = "linux"))]
 #[test]
 fn everything_is_put_where_a_desktop_looks_and_taken_away_again() {
     let prefix = tempfile::tempdir().unwrap();
@@ -133,7 +133,7 @@ fn everything_is_put_where_a_desktop_looks_and_taken_away_again() {
     assert!(never_there.status.success());
 }
 
-#[cfg(feature = "gui")]
+#[cfg(all(feature = "gui", target_os = "linux"))]
 #[test]
 fn a_program_in_the_prefix_is_started_by_its_name() {
     let prefix = tempfile::tempdir().unwrap();

@@ -174,3 +174,88 @@ impl<'r> Restricted<'r> {
         -0.5 * (freedom * variance.ln() + inner + outer)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::example::sweep;
+    use crate::fit::problem::Problem;
+
+    const TAU: f64 = 40.0;
+    const RATIO: [f64; 3] = [2.0, 0.0, 0.5];
+    const SIGMA: [f64; 3] = [0.05, 0.02, 0.11];
+
+    fn ln_determinant(a: &DMatrix<f64>) -> f64 {
+        let root = a.clone().cholesky().unwrap().l();
+        2.0 * root.diagonal().iter().map(|d| d.ln()).sum::<f64>()
+    }
+
+    /// What it knows of the noise beside three columns in samples at irregular times, and the same from dense
+    /// matrices: ν, V⁻¹, P = V⁻¹ − V⁻¹X(XᵀV⁻¹X)⁻¹XᵀV⁻¹, the restricted likelihood and P y.
+    fn compared(look: impl Fn(&Restricted, &DMatrix<f64>, &DMatrix<f64>, &DVector<f64>, f64)) {
+        let session = sweep([0.0, 0.0, 1.0]);
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let rows = Rows::of(&problem);
+        let n = rows.samples.len();
+        let wild = |i: usize, j: usize| (((i + 3) * (2 * j + 5)) as f64 * 0.37).sin();
+        let columns = DMatrix::from_fn(3 * n, 3, wild);
+        let residual = DVector::from_fn(3 * n, |i, _| 0.1 * wild(i, 9));
+        let restricted = Restricted::new(&rows, &residual, &columns);
+        let covariance = DMatrix::from_fn(3 * n, 3 * n, |i, j| {
+            let (axis, apart) = (i / n, rows.times[i % n] - rows.times[j % n]);
+            let white = f64::from(u8::from(i == j));
+            let slow = RATIO[axis] * (-apart.abs() / TAU).exp();
+            f64::from(u8::from(axis == j / n)) * SIGMA[axis].powi(2) * (white + slow)
+        });
+        let inverse = covariance.clone().try_inverse().unwrap();
+        let x = columns.qr().q();
+        let carried = &inverse * &x;
+        let information = x.transpose() * &carried;
+        let known = information.clone().try_inverse().unwrap();
+        let projection = &inverse - &carried * known * carried.transpose();
+        let freedom = 3.0 * n as f64 - 3.0;
+        let variance = residual.dot(&(&projection * &residual)) / freedom;
+        let ln = ln_determinant(&covariance) + ln_determinant(&information);
+        let likelihood = -0.5 * (freedom * variance.ln() + ln);
+        look(&restricted, &covariance, &projection, &residual, likelihood);
+    }
+
+    #[test]
+    fn the_likelihood_is_that_of_dense_matrices() {
+        compared(|restricted, _, projection, residual, expected| {
+            let sums = restricted.sums(TAU, RATIO);
+            let likelihood = restricted.likelihood(&sums, &SIGMA);
+            assert!(
+                (likelihood - expected).abs() < 1e-8,
+                "{likelihood} {expected}"
+            );
+            let freedom = residual.len() as f64 - 3.0;
+            let scale = (residual.dot(&(projection * residual)) / freedom).sqrt();
+            assert!((restricted.scale(&sums, &SIGMA) / scale - 1.0).abs() < 1e-9);
+        });
+    }
+
+    #[test]
+    fn each_axis_has_its_variance_with_what_the_columns_take_of_it() {
+        compared(|restricted, covariance, projection, residual, _| {
+            let spread = restricted.spread(&restricted.sums(TAU, RATIO), &SIGMA);
+            let n = residual.len() / 3;
+            // V P y is what the fit leaves, V P what it leaves of the rows.
+            let left = covariance * (projection * residual);
+            let kept = covariance * projection;
+            for (axis, (variance, freedom)) in spread.into_iter().enumerate() {
+                let own = covariance.view((axis * n, axis * n), (n, n)).into_owned();
+                let of_axis = left.rows(axis * n, n).into_owned();
+                let square = of_axis.dot(&(own.try_inverse().unwrap() * &of_axis));
+                let rest: f64 = (axis * n..(axis + 1) * n).map(|k| kept[(k, k)]).sum();
+                assert!((freedom - rest).abs() < 1e-8, "{freedom} {rest}");
+                let expected = square / rest;
+                assert!(
+                    (variance / expected - 1.0).abs() < 1e-8,
+                    "{axis} {variance} {expected}"
+                );
+            }
+        });
+    }
+}

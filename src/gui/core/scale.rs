@@ -1,6 +1,7 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
 use crate::gui::language::text;
+use crate::present::chart::{among, decade};
 
 /// Up to here samples are few.
 pub(crate) const FEW: usize = 1_000;
@@ -39,7 +40,7 @@ pub(crate) fn round(value: f64) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }
-    let decade = 10f64.powf(value.log10().floor());
+    let decade = decade(value);
     let off = |lead: f64| (value / decade / lead).ln().abs();
     let nearest = LEADS.into_iter().min_by(|a, b| off(*a).total_cmp(&off(*b)));
     nearest.unwrap_or(1.0) * decade
@@ -47,19 +48,7 @@ pub(crate) fn round(value: f64) -> f64 {
 
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`.
 pub(crate) fn round_down(value: f64) -> f64 {
-    if !(value.is_finite() && value > 0.0) {
-        return 1.0;
-    }
-    let decade = 10f64.powf(value.log10().floor());
-    let lead = value / decade * (1.0 + 1e-12);
-    let lead = if lead >= 5.0 {
-        5.0
-    } else if lead >= 2.0 {
-        2.0
-    } else {
-        1.0
-    };
-    lead * decade
+    among(value, &[5.0, 2.0])
 }
 
 #[cfg(test)]

@@ -57,7 +57,7 @@ pub(crate) fn remembered(list: &[DrawnFrom], session: &Path) -> Option<Chain> {
 #[test]
 fn a_session_has_its_last_chain_back_and_another_has_none() {
     let chain = |file: &str| Chain {
-        file: file.into(),
+        file: absolute(Path::new(file)),
         base: "base".to_owned(),
         tip: "tip".to_owned(),
     };

@@ -14,6 +14,8 @@ mod ticks;
 pub use deviation::{Deviation, LEAST_SPAN, Series};
 pub use gap::{gap, in_a_sentence, in_words};
 pub(crate) use ticks::among;
+#[cfg(feature = "gui")]
+pub(crate) use ticks::decade;
 pub use ticks::ticks;
 
 pub use panel::FULL_WIDTH;

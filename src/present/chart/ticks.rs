@@ -1,12 +1,26 @@
 //! Round values along an axis.
 
+/// The largest power of ten that is not above a value above 0, to the last bit on every system: logarithms
+/// and powers that a system brings may be a bit off.
+#[expect(clippy::cast_possible_truncation, reason = "an exponent")]
+pub(crate) fn decade(value: f64) -> f64 {
+    let at = value.log10().floor() as i32;
+    let next = ten_to(at + 1);
+    if next <= value { next } else { ten_to(at) }
+}
+
+fn ten_to(exponent: i32) -> f64 {
+    let power = (0..exponent.unsigned_abs()).fold(1.0, |power, _| 10.0 * power);
+    if exponent < 0 { 1.0 / power } else { power }
+}
+
 /// The largest of these leading digits, or 1, × 10ⁿ that is not above `value`; 1 where that makes
 /// no sense.
 pub(crate) fn among(value: f64, digits: &[f64]) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }
-    let ten = 10f64.powf(value.log10().floor());
+    let ten = decade(value);
     let lead = value / ten * (1.0 + 1e-12);
     let digit = digits.iter().copied().find(|d| lead >= *d).unwrap_or(1.0);
     digit * ten
@@ -40,6 +54,17 @@ pub fn ticks([low, high]: [f64; 2], degrees: bool, most: f64) -> (Vec<f64>, f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_decade_is_the_power_of_ten_itself() {
+        for exponent in -12..=12 {
+            let power: f64 = format!("1e{exponent}").parse().unwrap();
+            for lead in [1.0, 1.0 + 1e-12, 4.0, 9.999] {
+                assert_eq!(decade(lead * power), power, "{lead} e{exponent}");
+            }
+        }
+        assert_eq!(among(0.3, &[3.0]), 3.0 * 0.1);
+    }
 
     #[test]
     fn degrees_are_divided_into_parts_of_a_turn() {
