@@ -202,7 +202,7 @@ impl<'p> Field<'p> {
 pub(crate) struct Refit {
     pub(crate) predictions: Vec<Prediction>,
     pub(crate) covariance: DMatrix<f64>,
-    /// Parameters by draws.
+    /// Draws by parameters: products with the few columns of a candidate run along the draws.
     refits: DMatrix<f64>,
     /// By how much the sum of squares has risen, in each draw.
     pub(crate) risen: DVector<f64>,
@@ -213,7 +213,7 @@ impl Refit {
     pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, draws: usize) -> Self {
         Self {
             covariance: covariance_of(gram, &predictions),
-            refits: DMatrix::zeros(gram.nrows(), draws),
+            refits: DMatrix::zeros(draws, gram.nrows()),
             risen: DVector::zeros(draws),
             predictions,
         }
@@ -239,7 +239,7 @@ impl Refit {
             difference,
             columns,
         } = &self.predictions[candidate];
-        let mut left = columns * &self.refits;
+        let mut left = (&self.refits * columns.transpose()).transpose();
         for mut column in left.column_iter_mut() {
             column.zip_apply(difference, |own, d| *own = d - *own);
         }
@@ -264,7 +264,8 @@ impl Refit {
         for (draw, risen) in self.risen.iter_mut().enumerate() {
             *risen += solved.column(draw).dot(&left.column(draw)).max(0.0);
         }
-        self.refits.gemm(1.0, &carried, &solved, 1.0);
+        self.refits
+            .gemm(1.0, &solved.transpose(), &carried.transpose(), 1.0);
         self.covariance -= &carried * factor.solve(&carried.transpose());
     }
 }

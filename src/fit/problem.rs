@@ -299,3 +299,81 @@ pub(crate) fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
     }
     (x == 0.0 && y == 0.0 && z.is_none_or(|z| z == 0.0)).then_some(Unusable::LostReflector)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::{Term, joint_zero};
+    use crate::fit::example::sweep;
+    use crate::fit::solver::solve;
+    use crate::model::Model;
+
+    #[test]
+    fn a_reflector_is_lost_where_all_coordinates_are_zero_and_nowhere_else() {
+        let mut session = sweep([0.0, 0.0, 1.0]);
+        let points = [
+            ([0.0, 0.0, 0.0], Some(Unusable::LostReflector)),
+            ([1.0, 0.0, 0.0], None),
+            ([0.0, 1.0, 0.0], None),
+            ([0.0, 0.0, 1.0], None),
+            ([f64::NAN, 1.0, 1.0], Some(Unusable::MissingCell)),
+            ([1.0, f64::NAN, 1.0], Some(Unusable::MissingCell)),
+            ([1.0, 1.0, f64::NAN], Some(Unusable::MissingCell)),
+        ];
+        for (sample, ([x, y, z], expected)) in points.into_iter().enumerate() {
+            session.samples.x_mm[sample] = x;
+            session.samples.y_mm[sample] = y;
+            session.samples.z_mm.as_mut().unwrap()[sample] = z;
+            assert_eq!(unusable(&session, sample), expected, "{sample}");
+        }
+        // In the plane the third coordinate has no say.
+        session.samples.z_mm = None;
+        assert_eq!(unusable(&session, 3), Some(Unusable::LostReflector));
+        session.samples.q[0][1] = f64::NAN;
+        assert_eq!(unusable(&session, 1), Some(Unusable::MissingCell));
+    }
+
+    #[test]
+    fn a_column_beside_the_model_takes_all_of_the_residual_that_it_can() {
+        const SIZE: f64 = 0.5;
+        let mut session = sweep([0.36, -0.48, 0.8]);
+        let n = session.samples.len();
+        let wave = |axis: usize| {
+            (0..n)
+                .map(|i| (0.9 * i as f64 + axis as f64).sin())
+                .collect()
+        };
+        let wave: [Vec<f64>; 3] = std::array::from_fn(wave);
+        let samples = &mut session.samples;
+        let z = samples.z_mm.as_mut().unwrap();
+        for (measured, wave) in [&mut samples.x_mm, &mut samples.y_mm, z]
+            .into_iter()
+            .zip(&wave)
+        {
+            for (measured, wave) in measured.iter_mut().zip(wave) {
+                *measured += SIZE * wave;
+            }
+        }
+        let mut problem = Problem::new(&session, JointValues::Commanded);
+        problem.beside = vec![wave.clone()];
+        let zero = Term::absent(joint_zero(), 0, 0.0);
+        let start = Model::new(session.robot.clone(), vec![zero]);
+        let found = solve(&problem, &start);
+        let predicted = found.model.predict(&problem.inputs);
+        let (mut along, mut square) = (0.0, 0.0);
+        for i in 0..n {
+            let z = session.samples.z_mm.as_ref().unwrap()[i];
+            let measured = [session.samples.x_mm[i], session.samples.y_mm[i], z];
+            for axis in 0..3 {
+                let left =
+                    measured[axis] - predicted.get(i)[axis] - found.beside[0] * wave[axis][i];
+                along += left * wave[axis][i];
+                square += wave[axis][i].powi(2);
+            }
+        }
+        assert!(along.abs() < 1e-6 * square, "{along}");
+        // Noise of 0.03 mm.
+        let off = (found.beside[0] - SIZE).abs();
+        assert!(off < 4.0 * 0.03 / square.sqrt(), "{off}");
+    }
+}
