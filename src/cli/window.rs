@@ -13,7 +13,7 @@ pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Failure> {
 /// Says what there is instead.
 #[cfg(not(feature = "gui"))]
 pub(crate) fn open(_: Option<PathBuf>) -> Result<(), Failure> {
-    Err(Failure::Failed(anyhow::anyhow!(
-        "this build has no window; the main job in the terminal is: truepose identify SESSION --json"
-    )))
+    let job = crate::sessions::bundled::job_in_the_terminal();
+    let text = format!("this build has no window; the main job in the terminal is: {job}");
+    Err(Failure::Failed(anyhow::Error::msg(text)))
 }

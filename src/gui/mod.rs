@@ -55,6 +55,8 @@ use std::sync::Arc;
 
 use anyhow::anyhow;
 
+use crate::sessions::bundled;
+
 pub use app::App;
 pub use jobs::Runner;
 pub use language::Language;
@@ -70,15 +72,15 @@ const OTHERWISE: &str =
 /// There is no display, or nothing to draw with; the message names the terminal command that does
 /// the main job.
 pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
-    let bundled = || crate::sessions::bundled::on_disk();
-    let known = path.clone().or_else(bundled);
-    let session = known.map_or_else(|| "SESSION".to_owned(), |p| p.display().to_string());
-    let job = if path.as_ref().is_some_and(|p| files::is_model(p)) {
-        format!(
-            "what a model does on a session: truepose verify {session} SESSION; what a session says: truepose identify SESSION --json"
-        )
-    } else {
-        format!("truepose identify {session} --json")
+    let job = match &path {
+        None => bundled::job_in_the_terminal(),
+        Some(model) if files::is_model(model) => {
+            let model = model.display();
+            format!(
+                "what a model does on a session: truepose verify {model} SESSION; what a session says: truepose identify SESSION --json"
+            )
+        }
+        Some(session) => bundled::identify(session),
     };
     let instead = format!("in the terminal the same job is done by: {job}");
     if !has_display() {

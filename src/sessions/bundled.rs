@@ -31,7 +31,7 @@ pub(crate) const BUNDLED: [Bundled; 3] = [
 pub(crate) const FOLDER: &str = "share/truepose/sessions";
 
 /// The first of them as a file: in the source tree, beside the program, or in the home folder.
-pub(crate) fn on_disk() -> Option<PathBuf> {
+fn on_disk() -> Option<PathBuf> {
     let file = format!("{}.json", BUNDLED[0].name);
     let beside = std::env::current_exe().ok().and_then(|program| {
         let prefix = program.canonicalize().ok()?.parent()?.parent()?.to_owned();
@@ -44,4 +44,30 @@ pub(crate) fn on_disk() -> Option<PathBuf> {
         .flatten()
         .map(|folder| folder.join(&file));
     files.find(|file| file.exists())
+}
+
+/// The command that does the main job in the terminal, on a session that comes with the program; where none lies there as a
+/// file, with the command that puts them there.
+pub(crate) fn job_in_the_terminal() -> String {
+    let Some(session) = on_disk() else {
+        let prefix = if cfg!(any(windows, target_os = "macos")) {
+            " --prefix FOLDER"
+        } else {
+            ""
+        };
+        return format!(
+            "truepose identify SESSION --json\nsessions to try are written by: truepose integrate{prefix}"
+        );
+    };
+    identify(&session)
+}
+
+/// The command that identifies a session, for a shell.
+pub(crate) fn identify(session: &Path) -> String {
+    let session = session.display().to_string();
+    if session.contains(' ') {
+        format!("truepose identify \"{session}\" --json")
+    } else {
+        format!("truepose identify {session} --json")
+    }
 }

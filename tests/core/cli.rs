@@ -347,6 +347,34 @@ fn without_a_display_the_window_says_which_command_does_the_job() {
     assert!(!message.contains(".rs"), "{message}");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn where_no_session_lies_the_program_says_what_writes_one_and_then_names_it() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("a folder");
+    std::fs::create_dir(&folder).unwrap();
+    let said = |arguments: &[&str]| {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_truepose"));
+        let displays = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
+        for display in displays {
+            program.env_remove(display);
+        }
+        let program = program.args(arguments).current_dir(&folder);
+        let output = program.env("HOME", &folder).output().unwrap();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let first = said(&[]);
+    assert!(first.contains("truepose identify SESSION"), "{first}");
+    assert!(first.contains("truepose integrate"), "{first}");
+    said(&["integrate"]);
+    let then = said(&[]);
+    // A command that a shell takes, with the blank in its path.
+    let session = folder.join(".local/share/truepose/sessions/lamp-commissioning.json");
+    let command = format!("truepose identify \"{}\" --json", session.display());
+    assert!(then.contains(&command), "{then}");
+    assert!(session.exists());
+}
+
 #[test]
 fn the_list_of_effects_is_complete_and_machine_readable() {
     let listing = json(&truepose(&["effects", "--json"]));
