@@ -13,6 +13,11 @@ use truepose::simulation::{simulate, unwatched};
 
 /// A session with a hidden effect: what the simulator makes of this scenario.
 fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
+    session_of(effects, speeds, 1, folder)
+}
+
+/// The same with every pose so many times.
+fn session_of(effects: &str, speeds: &str, repeats: usize, folder: &Path) -> PathBuf {
     let scenario = format!(
         r#"{{ "format": "truepose-scenario/1", "name": "hidden",
   "robot": {{ "name": "column",
@@ -20,7 +25,7 @@ fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
     "tool": {{ "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] }} }},
   "targets": {{ "T1": [0,0,0] }},
   "instrument": {{ "name": "tracker", "sigma_mm": 0.03 }},
-  "poses": {{ "sweep": {{ "joint": 1, "from_deg": -150, "to_deg": 150, "step_deg": 6, "both_ways": true, "repeats": 1, "order": "random" }} }},
+  "poses": {{ "sweep": {{ "joint": 1, "from_deg": -150, "to_deg": 150, "step_deg": 6, "both_ways": true, "repeats": {repeats}, "order": "random" }} }},
   "conditions": {{ "speed_deg_s": [{speeds}], "seconds_per_pose": 6 }},
   "effects": [ {effects} ],
   "noise": {{ "sigma_mm": 0.03, "kind": "gauss" }}, "seed": 5 }}"#
@@ -191,11 +196,12 @@ fn noise_alone_is_said_to_be_noise() {
 #[test]
 fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
-    let session = session_with(BACKLASH, "0", folder.path());
+    // The search of few samples may be done before the first frame shows it.
+    let session = session_of(BACKLASH, "0", 400, folder.path());
     let mut window = window_of([1280.0, 800.0], Some(session), Runner::Threads);
     // No clock: as many frames as it takes.
     let until = |window: &mut Window, label: &str| {
-        for _ in 0..200_000 {
+        for _ in 0..50_000 {
             window.step();
             if window.query_by_label(label).is_some() {
                 return;
