@@ -1,13 +1,13 @@
-//! truepose calibrates robots at commissioning.
+//! truepose calibrates robots from measurements.
 //!
-//! A controller believes in a robot that was never built: every joint at its zero, every link as
-//! long as drawn, no play, no sag. A technician commands poses, an instrument says where the tool
-//! really went, and this library finds the robot that would have gone there, says how sure that
-//! is, and writes the table that makes the controller go where it is sent.
+//! A controller moves a nominal robot: every joint at its zero, every link of its nominal length, no backlash, no
+//! compliance. A session holds commanded poses and where an instrument measured the tool. This library
+//! identifies the real robot from it, with a confidence interval for every parameter, diagnoses which physical
+//! effects the model lacks, and writes the table or program that corrects the controller.
 //!
 //! # Five calls
 //!
-//! [`pipeline`] is the only door that is needed; the terminal and the window go through it too.
+//! [`pipeline`] is the only module that is needed; the terminal and the window use nothing else.
 //!
 //! ```
 //! use truepose::diagnosis::Options;
@@ -15,7 +15,7 @@
 //! use truepose::export::Job;
 //! use truepose::pipeline::{Method, diagnose, export, identify, load, verify};
 //!
-//! // 1. A session says what the robot is meant to be, and where it was measured instead.
+//! // 1. A session holds the nominal robot, the commands and the measured points.
 //! let session = load("sessions/paper-30.json")?.session;
 //! assert_eq!(session.robot.joints.len(), 1);
 //!
@@ -25,12 +25,12 @@
 //! println!("{} {} = {} {:?}", offset.effect, offset.name, offset.value, offset.ci95);
 //! assert!(found.gap.after.rms_mm < 1e-9 && found.gap.before.rms_mm > 13.0);
 //!
-//! // 3. What is missing beyond it: nothing here. The closure learns how far the search is and may
-//! //    stop it.
+//! // 3. Effects that are missing in the model: none here. The closure is told the progress and may
+//! //    stop the search.
 //! let answer = diagnose(&session, &Options::default(), &|_progress| true)?;
 //! assert_eq!(answer.verdict.name(), "noise");
 //!
-//! // 4. What the calibration brings on a session: on another one, if there is one.
+//! // 4. The calibration checked on a session: better on another one than its own.
 //! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
 //!
 //! // 5. The table that a controller loads, in memory: the caller decides where it is written.
@@ -39,7 +39,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`pipeline::report`] puts all of it on paper, [`pipeline::compensate`] corrects the targets of a
+//! [`pipeline::report`] writes the calibration report, [`pipeline::compensate`] corrects the targets of a
 //! robot program in place, [`pipeline::plan_session`] says what to measure next, and
 //! [`pipeline::import`] makes a session of what an instrument wrote. `examples/calibrate_an_arm.rs`
 //! does the whole job for an arm.
@@ -50,11 +50,11 @@
 //! | --- | --- |
 //! | what was measured, and every problem of a file with its place | [`sessions`], [`importers`] |
 //! | robots: poses, joint values that reach a pose, URDF, MJCF, Denavit–Hartenberg rows | [`kinematics`] |
-//! | the physics: one file for each way in which a robot differs from its drawing | [`effects`] |
-//! | the calibrated robot: effects along the chain, and its file | [`model`] |
+//! | the physics: one file for each way in which a robot differs from its nominal model | [`effects`] |
+//! | the calibrated robot: effects along the kinematic chain, and its file | [`model`] |
 //! | what an instrument can measure besides points | [`observations`] |
-//! | how large the effects are, and how sure that is | [`fit`] |
-//! | mistakes of setting up; what is missing, its name, and what cannot be decided | [`set_up_errors`], [`diagnosis`] |
+//! | sizes of the effects and their uncertainty | [`fit`] |
+//! | set-up errors; missing effects, and what the samples cannot decide | [`set_up_errors`], [`diagnosis`] |
 //! | which poses to measure | [`design`] |
 //! | what to add to a command, and what no command can correct | [`compensation`], [`programs`] |
 //! | tables and robot descriptions for controllers, read back to see what they do | [`export`] |

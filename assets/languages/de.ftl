@@ -745,6 +745,7 @@ recovery-discard = Verwerfen
 recovery-restore = Wiederherstellen
 recovery-put-it-aside = Beiseitelegen
 recovery-discard-all = Alle verwerfen
+recovery-discard-all-for-good = Alle { $count } endgültig verwerfen
 recovery-not-now = Nicht jetzt
 recovery-less-than-a-minute-ago = vor weniger als einer Minute
 recovery-its-first-line-is-not = die erste Zeile ist unvollständig

@@ -745,6 +745,7 @@ recovery-discard = Discard
 recovery-restore = Restore
 recovery-put-it-aside = Put it aside
 recovery-discard-all = Discard all
+recovery-discard-all-for-good = Discard all { $count } for good
 recovery-not-now = Not now
 recovery-less-than-a-minute-ago = less than a minute ago
 recovery-its-first-line-is-not = its first line is not complete

@@ -733,6 +733,7 @@ recovery-discard = 丢弃
 recovery-restore = 恢复
 recovery-put-it-aside = 另行存放
 recovery-discard-all = 全部丢弃
+recovery-discard-all-for-good = 永久丢弃全部 { $count } 个
 recovery-not-now = 以后再说
 recovery-less-than-a-minute-ago = 不到一分钟前
 recovery-its-first-line-is-not = 首行不完整

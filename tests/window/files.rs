@@ -389,3 +389,24 @@ fn the_menu_saves_and_reads_again() {
     choose(&mut window, "File", "Read the file again");
     assert!(says(&window, "another "), "what stands in the file now");
 }
+
+/// What was typed into a form is not lost by a click that misses it.
+#[test]
+fn a_click_beside_a_form_leaves_it_open_and_escape_closes_it() {
+    let mut window = window_at(None, None);
+    let shift = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+    keys(&mut window, shift, Key::P);
+    // The field has the focus from the start.
+    window.event(egui::Event::Text("elsewhere-".to_owned()));
+    window.run_steps(2);
+    let beside = egui::pos2(20.0, 780.0);
+    window.hover_at(beside);
+    window.run_steps(1);
+    window.drag_at(beside);
+    window.drop_at(beside);
+    window.run_steps(4);
+    assert!(says(&window, "elsewhere-"));
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!there(&window, "Path to save to"));
+}

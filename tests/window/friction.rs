@@ -492,6 +492,8 @@ fn recovery_can_wait_and_be_discarded_as_a_whole() {
         "it is offered again"
     );
     press(&mut window, "Discard all");
+    assert!(there(&window, "Restore"), "it is asked first");
+    press(&mut window, "Discard all 2 for good");
     assert!(!there(&window, "Restore"));
     drop(window);
     assert!(!there(&window_at(None, Some(&home)), "Restore"));

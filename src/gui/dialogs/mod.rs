@@ -77,8 +77,24 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
             },
         });
     });
-    if shown.should_close() {
+    let beside = shown.backdrop_response.clicked();
+    let left = shown.should_close() && !(beside && holds_entries(sheet));
+    if left {
         commands.push(Command::Sheet(None));
+    }
+}
+
+/// Whether a sheet holds what was typed or chosen in it: a click beside it, which may be meant for
+/// something else, does not close it. Escape and *Cancel* do.
+fn holds_entries(sheet: &Sheet) -> bool {
+    match sheet {
+        Sheet::SavePath { .. }
+        | Sheet::ExportPath { .. }
+        | Sheet::Simulate(_)
+        | Sheet::Unsaved(_)
+        | Sheet::Overwrite(_)
+        | Sheet::Import(_) => true,
+        Sheet::Named(name) => ["compensation", "details", "recording", "recovery"].contains(name),
     }
 }
 

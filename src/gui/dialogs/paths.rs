@@ -60,6 +60,10 @@ fn path_form(
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
     widgets::label(&field, say!("path-path-to-save"));
+    // The field is what the sheet is for: what is typed goes into it from the first letter on.
+    if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
+        field.request_focus();
+    }
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {

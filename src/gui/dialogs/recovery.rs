@@ -2,7 +2,7 @@
 
 use std::time::{Duration, SystemTime};
 
-use egui::{RichText, ScrollArea, Ui};
+use egui::{Id, RichText, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{size, space, strong};
 use crate::gui::widgets;
@@ -58,13 +58,28 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
     });
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], say!("recovery-discard-all")).clicked() {
-            commands.push(Command::DiscardAllLeft);
-        }
+        discard_all(&mut columns[0], workbench.left_behind().len(), commands);
         if widgets::other(&mut columns[1], say!("recovery-not-now")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });
+}
+
+/// Discards everything on the second press: what is discarded cannot be brought back.
+fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
+    let asked = Id::unique("discard all of the recovery");
+    let sure = ui.data(|data| data.get_temp(asked).unwrap_or(false));
+    let text = if sure {
+        say!("recovery-discard-all-for-good", count = count)
+    } else {
+        say!("recovery-discard-all").to_owned()
+    };
+    if widgets::other(ui, &text).clicked() {
+        ui.data_mut(|data| data.insert_temp(asked, !sure));
+        if sure {
+            commands.push(Command::DiscardAllLeft);
+        }
+    }
 }
 
 /// How long ago, in words.

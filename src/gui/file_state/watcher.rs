@@ -19,8 +19,8 @@ pub(crate) const EVERY: Duration = Duration::from_secs(1);
 /// What to look at from now on.
 #[derive(Debug, Clone)]
 pub(crate) enum Order {
-    /// These files, as they looked when they were read.
-    Files(Vec<Print>),
+    /// These files, as they looked when they were read, and the number of this order.
+    Files(u64, Vec<Print>),
     /// This file grows; `None`: follow none.
     Follow(Option<Box<Growing>>),
     /// Whether these files are there.
@@ -29,8 +29,8 @@ pub(crate) enum Order {
 
 #[derive(Debug)]
 pub(crate) enum Seen {
-    /// A file is not what it was; `None`: it is again.
-    Fate(PathBuf, Option<Fate>),
+    /// A file is not what it was when the order of this number was given; `None`: it is again.
+    Fate(u64, PathBuf, Option<Fate>),
     /// The followed file has grown, was rewritten, or cannot be followed any more.
     Grew(Box<Result<Growth, Rejected>>),
     /// A file that was followed, as it is now that it was read to its end.
@@ -43,6 +43,8 @@ pub(crate) enum Seen {
 pub(crate) struct Watched {
     /// With what was said last about each.
     files: Vec<(Print, Option<Fate>)>,
+    /// The order that these files came with.
+    number: u64,
     followed: Option<Box<Growing>>,
     recent: Vec<PathBuf>,
     missing: Vec<PathBuf>,
@@ -52,7 +54,10 @@ impl Watched {
     /// Looks at something else.
     pub(crate) fn order(&mut self, order: Order) -> Option<Seen> {
         match order {
-            Order::Files(files) => self.files = files.into_iter().map(|f| (f, None)).collect(),
+            Order::Files(number, files) => {
+                self.number = number;
+                self.files = files.into_iter().map(|f| (f, None)).collect();
+            }
             Order::Recent(recent) => self.recent = recent,
             Order::Follow(followed) => {
                 let before = std::mem::replace(&mut self.followed, followed)?;
@@ -86,7 +91,7 @@ impl Watched {
             };
             if fate != *said {
                 *said = fate;
-                seen.push(Seen::Fate(print.path.clone(), fate));
+                seen.push(Seen::Fate(self.number, print.path.clone(), fate));
             }
         }
         if let Some(growing) = &mut self.followed {

@@ -192,7 +192,8 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if button.inner.clicked() {
             commands.push(Command::Search);
         }
-    } else if missing.len() > 1 {
+    } else if !missing.is_empty() {
+        // The effect that was found comes before the table that would leave it uncorrected.
         let text = super::export::add_all(missing.len());
         if widgets::primary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Add(missing)));

@@ -165,9 +165,12 @@ impl Workbench {
         same.then_some(preview.made.as_ref())
     }
 
-    /// The file that was exported last, of this session.
-    pub(crate) fn exported(&self) -> Option<&PathBuf> {
-        self.exported.last()
+    /// The files that were exported from the model that is shown, the newest last: a table of another
+    /// model is another step's work.
+    pub(crate) fn exported(&self) -> impl DoubleEndedIterator<Item = &PathBuf> {
+        let shown = self.question();
+        let of_this = self.exported.iter().filter(move |(_, of)| *of == shown);
+        of_this.map(|(path, _)| path)
     }
 
     /// Whether the identification was cancelled: nobody asks again by himself.

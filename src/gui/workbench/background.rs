@@ -218,8 +218,8 @@ impl Workbench {
                 self.model_is_on_file();
                 self.view.message = Some(files::saved(&path, Vec::new()));
                 self.remember_name(&path);
-                self.exported.retain(|other| *other != path);
-                self.exported.push(path);
+                self.exported.retain(|(other, _)| *other != path);
+                self.exported.push((path, self.question()));
                 self.keep_preparing();
                 self.go_on();
             }

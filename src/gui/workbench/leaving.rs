@@ -158,6 +158,7 @@ impl Workbench {
             say!("message-saving", path = path.display()),
             path.to_path_buf(),
         );
+        self.watch_nothing();
         let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
         self.jobs.start(Kind::Writes, what, work, Self::take_saved);
     }
@@ -169,8 +170,12 @@ impl Workbench {
             result,
         } = saved;
         match result {
-            Err(NotSaved::Changed(changed)) => self.view.sheet = Some(Sheet::Overwrite(changed)),
+            Err(NotSaved::Changed(changed)) => {
+                self.watch_files();
+                self.view.sheet = Some(Sheet::Overwrite(changed));
+            }
             Err(NotSaved::Because(message)) => {
+                self.watch_files();
                 self.stay();
                 self.view.message = Some(message);
             }

@@ -88,8 +88,8 @@ pub(crate) struct Workbench {
     preview: Option<Preview>,
     backdrop: Option<Arc<Backdrop>>,
     compensated: Option<Arc<Compensated>>,
-    /// Files that were exported from this session, the newest last.
-    exported: Vec<PathBuf>,
+    /// Files that were exported from this session, the newest last, each with what its model answers.
+    exported: Vec<(PathBuf, Option<Question>)>,
     /// The name under which this export was saved last.
     saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,

@@ -32,7 +32,7 @@ impl Workbench {
                 .as_ref()
                 .map(|given| given.path.clone()),
         );
-        for table in &self.exported {
+        for (table, _) in &self.exported {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }
         inputs
@@ -61,7 +61,7 @@ impl Workbench {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,
-            tables: self.exported.clone(),
+            tables: self.exported().cloned().collect(),
             inputs: self.inputs(),
         };
         let work =

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::disk::Fate;
+use crate::gui::core::disk::{Fate, Print};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::file_state::meshes::{self, DrawnFrom};
@@ -169,7 +169,18 @@ impl Workbench {
     pub(super) fn watch_files(&mut self) {
         let place = self.desk.places.get(&self.subject().lineage);
         let files = place.map_or_else(Vec::new, |place| place.files.clone());
-        self.order(Order::Files(files));
+        self.watch_these(files);
+    }
+
+    /// Looks at no file while this window writes its own: what it writes is not a change by another
+    /// program. A look that is under way already answers an order that is not the last one.
+    pub(super) fn watch_nothing(&mut self) {
+        self.watch_these(Vec::new());
+    }
+
+    fn watch_these(&mut self, files: Vec<Print>) {
+        self.desk.watch_order += 1;
+        self.order(Order::Files(self.desk.watch_order, files));
     }
 
     /// Keeps a change of the recent files.
@@ -239,7 +250,10 @@ impl Workbench {
             work,
             |bench: &mut Self, opened| match opened {
                 Ok(opened) => bench.take_opened(opened),
-                Err(gone) => bench.take_seen(Seen::Fate(gone, Some(Fate::Vanished))),
+                Err(gone) => {
+                    let order = bench.desk.watch_order;
+                    bench.take_seen(Seen::Fate(order, gone, Some(Fate::Vanished)));
+                }
             },
         );
     }
@@ -280,7 +294,9 @@ impl Workbench {
     pub(super) fn take_seen(&mut self, seen: Seen) {
         match seen {
             Seen::Missing(missing) => self.desk.missing = missing,
-            Seen::Fate(path, fate) => {
+            // Compared with what was known before this window wrote the file itself.
+            Seen::Fate(order, ..) if order != self.desk.watch_order => {}
+            Seen::Fate(_, path, fate) => {
                 let place = self.desk.places.get(&self.subject().lineage);
                 let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
                 let shown = self.view.on_disk.as_ref();

@@ -51,6 +51,8 @@ pub(super) struct Desk {
     pub(super) stated: BTreeMap<u64, Stated>,
     pub(super) missing: Vec<PathBuf>,
     pub(super) places: BTreeMap<u64, Place>,
+    /// Number of the last order of files to look at.
+    pub(super) watch_order: u64,
     /// Documents that stand in a file, or need none.
     pub(super) on_file: Vec<Arc<Document>>,
     /// What was asked of the model that was written last.

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use super::{Command, Workbench};
 use crate::gui::core::boundaries::boundaries;
+use crate::gui::core::disk::Fate;
+use crate::gui::file_state::watcher::Seen;
 
 use crate::fit::Estimate;
 use crate::gui::core::document::Method;
@@ -175,6 +177,55 @@ fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     workbench.receive();
     let message = workbench.view().message.as_ref().expect("it is said");
     assert!(message.wrong && message.details[0].contains("exists already"));
+}
+
+/// A look at the disk may be under way while the window saves: it compares with what was known before.
+#[test]
+fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
+    let mut workbench = workbench();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("own.json");
+    let save = Command::SaveAs {
+        path: path.clone(),
+        replace: true,
+    };
+    workbench.execute(save);
+    workbench.receive();
+    let before = workbench.desk.watch_order;
+    done(&mut workbench, Edit::Divide(5));
+    workbench.execute(Command::Save);
+    workbench.receive();
+    workbench.take_seen(Seen::Fate(before, path.clone(), Some(Fate::Changed)));
+    assert_eq!(workbench.view().on_disk, None);
+    // A change that another program made after that is said.
+    std::fs::write(&path, "{}").expect("written");
+    workbench.look_at_disk();
+    workbench.receive();
+    let seen = workbench.view().on_disk.as_ref().expect("it is said");
+    assert_eq!(seen.fate, Fate::Changed);
+}
+
+/// A tick for a file that holds another model's table would be wrong.
+#[test]
+fn a_step_is_done_for_the_model_that_was_exported_alone() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Identify);
+    let folder = tempfile::tempdir().expect("a folder");
+    workbench.execute(Command::ExportTo {
+        what: crate::gui::view::What::Table,
+        path: folder.path().join("table.csv"),
+        replace: false,
+    });
+    workbench.receive();
+    assert_eq!(workbench.exported().count(), 1);
+    done(&mut workbench, Edit::Effect("backlash", true));
+    done(&mut workbench, Edit::Identify);
+    assert_eq!(workbench.exported().count(), 0);
+    workbench.execute(Command::Undo);
+    workbench.receive();
+    workbench.execute(Command::Undo);
+    workbench.receive();
+    assert_eq!(workbench.exported().count(), 1);
 }
 
 #[test]

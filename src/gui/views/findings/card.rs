@@ -73,13 +73,8 @@ pub(super) fn show(
     let mut added = workbench.document().added.iter();
     match added.position(|a| a.term.same_column(&term)) {
         None => {
-            // One thing stands out: with several names it is to add them all.
-            let button = if workbench.not_added().len() > 1 {
-                widgets::secondary(ui, say!("found-add-to-model"))
-            } else {
-                widgets::primary(ui, say!("found-add-to-model"))
-            };
-            if button.clicked() {
+            // The button that stands out is the one at the foot of the step, which adds all of them.
+            if widgets::secondary(ui, say!("found-add-to-model")).clicked() {
                 commands.push(Command::Edit(Edit::Add(vec![term])));
             }
         }
