@@ -27,7 +27,11 @@ pub(super) const STEP: StepView = StepView {
 };
 
 fn state(workbench: &Workbench) -> (String, Progress) {
-    match workbench.exported().next_back().and_then(|path| path.file_name()) {
+    match workbench
+        .exported()
+        .next_back()
+        .and_then(|path| path.file_name())
+    {
         Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
         None => (say!("common-not-yet").to_owned(), Progress::Open),
     }
