@@ -23,6 +23,11 @@ const PADDING: f64 = 4.5;
 /// Lines of a cell that are shown, so that a row fits on a page.
 const MOST_LINES: usize = 40;
 
+/// Rows of a table that stay with its head, and with its last row.
+const FEWEST_ROWS: usize = 2;
+/// Room that a page keeps for what comes before a block: its section's heading, points.
+const MOST_BEFORE: f64 = 90.0;
+
 /// A tolerance that is not kept.
 const FAIL: Colour = Colour(0xb4, 0x23, 0x18);
 
@@ -45,8 +50,7 @@ pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>)
     flow.head(report);
     for section in &report.sections {
         // A heading does not stand alone at the foot of a page.
-        let first = section.blocks.first().map_or(0.0, |b| flow.least_height(b));
-        flow.room_for(38.0 + first);
+        flow.room_for(38.0 + flow.opening_height(&section.blocks));
         if flow.y > TOP {
             flow.y += 16.0;
         }
@@ -60,10 +64,7 @@ pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>)
         flow.rule(rule, 0.7, RULE);
         flow.y += 7.0;
         for (k, block) in section.blocks.iter().enumerate() {
-            let next = section
-                .blocks
-                .get(k + 1)
-                .map_or(0.0, |b| flow.least_height(b));
+            let next = flow.opening_height(&section.blocks[k + 1..]);
             flow.block(block, next);
         }
     }
@@ -196,13 +197,29 @@ impl Flow<'_> {
         self.y = lowest + 12.0;
     }
 
+    /// What these blocks need at least to begin on a page: a heading with what it is a heading of.
+    fn opening_height(&self, blocks: &[Block]) -> f64 {
+        let height = match blocks {
+            [] => 0.0,
+            [heading @ Block::Heading(_), rest @ ..] => {
+                self.least_height(heading) + self.opening_height(rest)
+            }
+            [first, ..] => self.least_height(first),
+        };
+        height.min(BOTTOM - TOP - MOST_BEFORE)
+    }
+
     /// What a block needs at least to begin on a page.
     fn least_height(&self, block: &Block) -> f64 {
         match block {
-            Block::Heading(_) => 48.0,
+            Block::Heading(_) => 26.0,
             Block::Text(_) | Block::List(_) => 2.0 * LINE,
             Block::Facts(facts) => self.facts_height(facts).min(150.0),
-            Block::Table(table) => 22.0 + 2.0 * (LINE + 4.0) * table.rows.len().min(1) as f64,
+            Block::Table(table) => {
+                let TableLayout { head, rows, .. } = self.table_layout(table);
+                let first = rows.iter().take(FEWEST_ROWS);
+                row_height(&head) + first.map(|row| row_height(row)).sum::<f64>()
+            }
             Block::Plot(drawing, _) => drawing.height + 24.0,
             Block::Sign(lines) => 46.0 * lines.len().div_ceil(2) as f64 + 16.0,
         }
@@ -212,7 +229,7 @@ impl Flow<'_> {
     fn block(&mut self, block: &Block, next: f64) {
         match block {
             Block::Heading(text) => {
-                self.room_for(26.0 + next.min(160.0));
+                self.room_for(26.0 + next);
                 self.y += 7.0;
                 for line in self
                     .fonts
@@ -305,21 +322,38 @@ impl Flow<'_> {
         self.y += 5.0;
     }
 
-    fn table(&mut self, table: &Table) {
+    fn table_layout(&self, table: &Table) -> TableLayout {
         let widths = self.column_widths(table);
         let headings = table.columns.iter().map(|column| &*column.heading);
         let head = self.cells(headings, &widths, true);
-        self.row(&head, &widths, table, true);
-        for row in &table.rows {
+        let cells = |row: &Vec<crate::present::table::Cell>| {
             let shown = row.iter().map(|cell| &*cell.shown);
-            let cells = self.cells(shown, &widths, false);
-            let height = row_height(&cells);
-            if self.y + height > BOTTOM && self.y > TOP {
+            self.cells(shown, &widths, false)
+        };
+        let rows = table.rows.iter().map(cells).collect();
+        TableLayout { widths, head, rows }
+    }
+
+    /// A table: its head on every page that it reaches, never alone, and no row by itself at the end.
+    fn table(&mut self, table: &Table) {
+        let TableLayout { widths, head, rows } = self.table_layout(table);
+        let heights: Vec<f64> = rows.iter().map(|row| row_height(row)).collect();
+        let head_height = row_height(&head);
+        let first: f64 = heights.iter().take(FEWEST_ROWS).sum();
+        self.room_for((head_height + first).min(BOTTOM - TOP));
+        let breaks = table_breaks(
+            &heights,
+            BOTTOM - self.y - head_height,
+            BOTTOM - TOP - head_height,
+        );
+        self.row(&head, &widths, table, true);
+        for (k, cells) in rows.iter().enumerate() {
+            if breaks.contains(&k) {
                 self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
                 self.y = TOP;
                 self.row(&head, &widths, table, true);
             }
-            self.row(&cells, &widths, table, false);
+            self.row(cells, &widths, table, false);
         }
         self.y += 8.0;
     }
@@ -427,7 +461,56 @@ impl Flow<'_> {
     }
 }
 
+/// A table's columns, head and rows as they are wrapped.
+struct TableLayout {
+    /// Points.
+    widths: Vec<f64>,
+    head: Vec<Vec<String>>,
+    rows: Vec<Vec<Vec<String>>>,
+}
+
+/// The rows before which a page begins, where so much room (points) is left on this page and so much
+/// is on a whole one. The last page has at least two rows where the one before it can spare one.
+fn table_breaks(heights: &[f64], first_page: f64, whole_page: f64) -> Vec<usize> {
+    let mut breaks: Vec<usize> = Vec::new();
+    let (mut left, mut on_this_page) = (first_page, 0);
+    for (k, height) in heights.iter().enumerate() {
+        if *height > left && on_this_page > 0 {
+            breaks.push(k);
+            (left, on_this_page) = (whole_page, 0);
+        }
+        left -= height;
+        on_this_page += 1;
+    }
+    if let Some(last) = breaks.pop() {
+        let before = breaks.last().copied().unwrap_or(0);
+        let alone = last + 1 == heights.len() && last > before + FEWEST_ROWS;
+        let fits = alone && heights[last - 1] + heights[last] <= whole_page;
+        breaks.push(if fits { last - 1 } else { last });
+    }
+    breaks
+}
+
 fn row_height(cells: &[Vec<String>]) -> f64 {
     let lines = cells.iter().map(Vec::len).max().unwrap_or(1);
     11.0 * lines as f64 + 5.2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_breaks_where_rows_no_longer_fit_and_leaves_no_row_alone() {
+        // Four rows fit on the first page, ten on another.
+        assert_eq!(table_breaks(&[10.0; 4], 40.0, 100.0), Vec::<usize>::new());
+        assert_eq!(table_breaks(&[10.0; 6], 40.0, 100.0), vec![4]);
+        assert_eq!(table_breaks(&[10.0; 5], 40.0, 100.0), vec![3]);
+        assert_eq!(table_breaks(&[10.0; 15], 40.0, 100.0), vec![4, 13]);
+        // A page whose two rows are all that it has keeps them.
+        assert_eq!(table_breaks(&[20.0; 3], 40.0, 100.0), vec![2]);
+        // A row that is higher than a page stands on one of its own.
+        assert_eq!(table_breaks(&[10.0, 500.0, 10.0], 40.0, 100.0), vec![1, 2]);
+        assert_eq!(table_breaks(&[], 40.0, 100.0), Vec::<usize>::new());
+    }
 }
