@@ -2,18 +2,22 @@
 //!
 //! A file is first written under a name of its own in the folder where it is to stand, brought to
 //! the disk, and only then given its name: a rename is atomic. A full disk, a failure half way or a
-//! kill leaves what was there before. (A kill may leave the unfinished file, whose name starts
-//! with `.truepose-`; nothing reads it.)
+//! kill leaves what was there before. (SIGKILL may leave the unfinished file, whose name starts
+//! with `.truepose-`; nothing reads it, and the next write into the folder removes it: see
+//! [`unfinished`](crate::unfinished).)
 //!
 //! What an output may replace is decided here too: never an input, and another file only by force.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use tempfile::{Builder, NamedTempFile};
 
 use crate::progress::Cancelled;
+use crate::unfinished::{self, List};
 
 /// Why an output was not written.
 #[derive(Debug, thiserror::Error)]
@@ -95,7 +99,7 @@ pub(crate) fn write_atomically(
 
 /// A file that is on the disk but does not have its name yet. Dropped, it leaves no trace.
 pub(crate) struct Prepared {
-    file: NamedTempFile,
+    file: Unfinished,
     /// As the user named it.
     named: PathBuf,
     /// Where it is to stand, links resolved.
@@ -119,10 +123,15 @@ impl Prepared {
             }
         };
         let path = standing_at(named, force)?;
+        let folder = folder_of(&path);
+        unfinished::remove_stale(folder);
+        let prefix = unfinished::prefix();
         let mut builder = Builder::new();
-        builder.prefix(".truepose-").suffix(".tmp");
+        builder.prefix(&prefix).suffix(".tmp");
         set_permissions(&mut builder);
-        let mut file = builder.tempfile_in(folder_of(&path)).map_err(failed)?;
+        let file = List::locked().make(folder, &mut builder).map_err(failed)?;
+        let mut unfinished = Unfinished(Some(file));
+        let file = unfinished.file().map_err(failed)?;
         let mut buffer = BufWriter::with_capacity(1 << 16, file.as_file_mut());
         write(&mut buffer).map_err(failed)?;
         buffer.flush().map_err(failed)?;
@@ -134,7 +143,7 @@ impl Prepared {
         }
         file.as_file().sync_all().map_err(failed)?;
         Ok(Self {
-            file,
+            file: unfinished,
             named: named.to_path_buf(),
             path,
             force,
@@ -143,49 +152,111 @@ impl Prepared {
 
     /// Gives the file its name.
     pub(crate) fn commit(self) -> Result<(), WriteError> {
-        let persisted = if self.force {
-            self.file.persist(&self.path)
-        } else {
-            self.file.persist_noclobber(&self.path)
-        };
-        if let Err(failure) = persisted {
-            return Err(match failure.error.kind() {
-                io::ErrorKind::AlreadyExists => WriteError::Exists(self.named),
-                _ => WriteError::Io {
-                    path: self.named,
-                    source: failure.error,
-                },
-            });
-        }
-        sync_folder(folder_of(&self.path));
+        let path = self.path.clone();
+        self.named(&mut List::locked())?;
+        sync_folder(folder_of(&path));
         Ok(())
+    }
+
+    /// Gives the file its name, which may not be on the disk yet.
+    fn named(mut self, list: &mut List) -> Result<(), WriteError> {
+        let Some(file) = self.file.0.take() else {
+            return Ok(());
+        };
+        let unfinished = file.path().to_path_buf();
+        let persisted = if self.force {
+            file.persist(&self.path)
+        } else {
+            file.persist_noclobber(&self.path)
+        };
+        // Where it failed the file is dropped here, and gone.
+        let persisted = persisted.map(drop).map_err(|failure| failure.error);
+        list.forget(&unfinished);
+        persisted.map_err(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists => WriteError::Exists(self.named.clone()),
+            _ => WriteError::Io {
+                path: self.named.clone(),
+                source: error,
+            },
+        })
+    }
+}
+
+/// A file that vanishes, and is forgotten, unless it gets its name.
+struct Unfinished(Option<NamedTempFile>);
+
+impl Unfinished {
+    fn file(&mut self) -> io::Result<&mut NamedTempFile> {
+        let gone = || io::Error::other("the unfinished file is gone");
+        self.0.as_mut().ok_or_else(gone)
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        if let Some(file) = self.0.take() {
+            let mut list = List::locked();
+            list.forget(file.path());
+            drop(file);
+        }
     }
 }
 
 /// Gives two files their names, both or neither as far as the file system allows: when the second
-/// rename fails, the first file gets its old content back. Between the two renames a kill leaves
-/// the new first and the old second.
+/// rename fails, the first file gets its old content back. One folder is synchronised once, after
+/// both; two writers of one folder take turns, and no signal comes between. Between the two renames
+/// SIGKILL leaves the new first and the old second: what is in the second says which first is its own.
 pub(crate) fn commit_both(first: Prepared, second: Prepared) -> Result<(), WriteError> {
-    let first_path = first.path.clone();
+    let (first_path, second_path) = (first.path.clone(), second.path.clone());
+    let (folder, other) = (folder_of(&first_path), folder_of(&second_path));
+    let _turn = turn_of(folder);
+    let mut list = List::locked();
     // A second name for the old content; it vanishes when it is dropped.
     let old = Builder::new()
-        .prefix(".truepose-")
+        .prefix(&unfinished::prefix())
         .suffix(".old")
-        .make_in(folder_of(&first_path), |path| {
-            fs::hard_link(&first_path, path)
-        })
+        .make_in(folder, |path| fs::hard_link(&first_path, path))
         .ok();
+    let old_path = old.as_ref().map(|old| old.path().to_path_buf());
+    if let Some(path) = &old_path {
+        list.add(path);
+    }
     let existed = first_path.exists();
-    first.commit()?;
-    let committed = second.commit();
-    if committed.is_err() {
-        match old {
-            Some(old) => drop(old.into_temp_path().persist(&first_path)),
-            None if !existed => drop(fs::remove_file(&first_path)),
-            None => {}
+    let mut committed = first.named(&mut list);
+    // Where the first fails the second is dropped at the end, when the list is free again.
+    if committed.is_ok() {
+        committed = second.named(&mut list);
+        if committed.is_err() {
+            match old {
+                Some(old) => drop(old.into_temp_path().persist(&first_path)),
+                None if !existed => drop(fs::remove_file(&first_path)),
+                None => {}
+            }
         }
     }
+    if let Some(path) = &old_path {
+        list.forget(path);
+    }
+    drop(list);
+    sync_folder(folder);
+    if other != folder {
+        sync_folder(other);
+    }
     committed
+}
+
+/// Waits until no other writer gives names in this folder. A file system without locks, and a lock
+/// that something holds on to, do not keep anything from being written.
+fn turn_of(folder: &Path) -> Option<fs::File> {
+    let file = fs::File::open(folder).ok()?;
+    for _ in 0..200 {
+        match file.try_lock() {
+            Ok(()) => return Some(file),
+            Err(fs::TryLockError::WouldBlock) => thread::sleep(Duration::from_millis(5)),
+            Err(fs::TryLockError::Error(_)) => return None,
+        }
+    }
+    None
 }
 
 /// Where an output really is to stand, or why it must not.

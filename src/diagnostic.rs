@@ -170,7 +170,9 @@ pub struct Rejected {
 
 impl Rejected {
     pub(crate) fn of(diagnostics: Vec<Diagnostic>) -> Self {
-        Self { diagnostics }
+        Self {
+            diagnostics: summarised(diagnostics),
+        }
     }
 
     /// A refusal with a single reason.
@@ -191,6 +193,44 @@ impl fmt::Display for Rejected {
     }
 }
 
+/// Findings of one severity that are worth reading; the rest is counted.
+const MOST_FINDINGS: usize = 200;
+
+/// The first findings of each severity, and how many more there are: a file can be wrong in as many
+/// places as it has bytes, and its reader reads none of them then.
+pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    if findings.len() <= MOST_FINDINGS {
+        return findings;
+    }
+    let mut counts = [0_usize; 3];
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(3 * MOST_FINDINGS);
+    for finding in findings {
+        let count = &mut counts[finding.severity as usize];
+        *count += 1;
+        if *count <= MOST_FINDINGS {
+            kept.push(finding);
+        }
+    }
+    for (severity, name) in [
+        (Severity::Note, "notes"),
+        (Severity::Warning, "warnings"),
+        (Severity::Error, "errors"),
+    ] {
+        let more = counts[severity as usize].saturating_sub(MOST_FINDINGS);
+        if let (true, Some(last)) = (more > 0, kept.iter().rfind(|f| f.severity == severity)) {
+            let place = Place {
+                file: last.place.file.clone(),
+                ..Place::default()
+            };
+            kept.push(Diagnostic {
+                severity,
+                ..Diagnostic::note(place, format!("{more} more {name} like these"))
+            });
+        }
+    }
+    kept
+}
+
 /// Why a file cannot be read.
 pub(crate) fn unreadable(error: &io::Error) -> String {
     match error.kind() {
@@ -203,6 +243,18 @@ pub(crate) fn unreadable(error: &io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn many_findings_are_counted_and_an_error_is_never_lost() {
+        let note = |k: u64| Diagnostic::note(Place::file("a").at_line(k), "odd");
+        let mut findings: Vec<Diagnostic> = (0..100_000).map(note).collect();
+        findings.push(Diagnostic::error(Place::file("a"), "wrong", "right"));
+        let few = summarised(findings.clone());
+        assert_eq!(few.len(), MOST_FINDINGS + 2);
+        assert_eq!(few[MOST_FINDINGS].severity, Severity::Error);
+        assert_eq!(few[MOST_FINDINGS + 1].to_string(), "a: 99800 more notes like these");
+        assert_eq!(summarised(findings[..10].to_vec()), findings[..10]);
+    }
 
     #[test]
     fn a_diagnostic_reads_as_place_found_expected() {

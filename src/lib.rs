@@ -115,14 +115,17 @@ mod named;
 
 pub(crate) mod atomic;
 pub mod diagnostic;
+pub(crate) mod distributions;
 pub(crate) mod document;
 pub mod fonts;
+pub(crate) mod guard;
 pub(crate) mod lanes;
 pub(crate) mod linear;
 pub(crate) mod numeric;
 pub mod progress;
 pub mod recorder;
 pub(crate) mod sincos;
+pub(crate) mod unfinished;
 pub mod units;
 pub(crate) mod wide;
 

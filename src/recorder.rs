@@ -15,6 +15,8 @@ use crate::document::number::quoted;
 
 /// A line is shorter, bytes.
 const LONGEST_LINE: usize = 1 << 20;
+/// So many lines that are left out are named; the others are counted.
+const NAMED: u64 = 20;
 
 /// Why a stream cannot be recorded.
 #[derive(Debug, thiserror::Error)]
@@ -70,7 +72,12 @@ pub struct Recorder<F, W> {
     /// Lines of the stream so far.
     lines: u64,
     recorded: u64,
+    /// Whether the headings are in the file.
+    headed: bool,
+    /// Bytes of the whole lines that are in the file.
+    whole_bytes: u64,
     complaints: Vec<String>,
+    refused: u64,
     /// Whether a line that is none is left out where it would else be an error.
     tolerant: bool,
     /// Whether a line that is too long goes on.
@@ -134,7 +141,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             pending: Vec::new(),
             lines: 0,
             recorded: 0,
+            headed: false,
+            whole_bytes: 0,
             complaints: Vec::new(),
+            refused: 0,
             tolerant: false,
             skipping: false,
         }
@@ -151,7 +161,19 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         self.recorded
     }
 
-    /// What was left out since the last call, in words.
+    /// Bytes of the whole lines that are in the file: where writing failed, what is behind them is the
+    /// start of a line.
+    pub fn whole_bytes(&self) -> u64 {
+        self.whole_bytes
+    }
+
+    /// Lines that were left out.
+    pub fn refused(&self) -> u64 {
+        self.refused
+    }
+
+    /// What was left out since the last call, in words: the first 20 lines of a recording; from then on
+    /// they are only counted.
     pub fn complaints(&mut self) -> Vec<String> {
         std::mem::take(&mut self.complaints)
     }
@@ -170,8 +192,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         let mut text = String::new();
         let mut rest = bytes;
         let mut taken = Ok(());
+        // Lines that are to be in the file, once the text of them is written.
+        let mut planned = self.recorded;
         while let Some(end) = memchr::memchr(b'\n', rest) {
-            if self.recorded >= most || taken.is_err() {
+            if planned >= most || taken.is_err() {
                 break;
             }
             let own = &rest[..end];
@@ -181,7 +205,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             }
             self.pending.extend_from_slice(own);
             let line = std::mem::take(&mut self.pending);
-            taken = match self.line(&line, &mut text) {
+            taken = match self.line(&line, &mut text, &mut planned) {
                 Err(RecordError::Width {
                     line,
                     cells,
@@ -193,7 +217,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                 taken => taken,
             };
         }
-        if self.recorded < most && taken.is_ok() && !self.skipping {
+        if planned < most && taken.is_ok() && !self.skipping {
             self.pending.extend_from_slice(rest);
         }
         // What was sound before something wrong is put down too.
@@ -232,7 +256,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                 "line {line} of the stream has no end: left out: {}",
                 quoted(&cut)
             );
-            self.complaints.push(says);
+            self.say(says);
         }
         self.pending.clear();
         self.skipping = false;
@@ -245,14 +269,45 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         if let Some(open) = self.open.take() {
             self.out = Some(open()?);
         }
-        if let Some(out) = &mut self.out {
-            out.write_all(text.as_bytes())?;
-            out.flush()?;
+        let Some(out) = &mut self.out else {
+            return Ok(());
+        };
+        let mut rest = text.as_bytes();
+        let mut failed = None;
+        while !rest.is_empty() {
+            match out.write(rest) {
+                Ok(0) => failed = Some(io::ErrorKind::WriteZero.into()),
+                Ok(count) => rest = &rest[count..],
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => failed = Some(error),
+            }
+            if failed.is_some() {
+                break;
+            }
         }
-        Ok(())
+        let flushed = out.flush();
+        // What is counted is in the file: a disk that is full takes the start of a line.
+        let written = &text.as_bytes()[..text.len() - rest.len()];
+        let whole = memchr::memrchr(b'\n', written).map_or(0, |end| end + 1);
+        let mut lines = memchr::memchr_iter(b'\n', &written[..whole]).count() as u64;
+        if !self.headed && lines > 0 {
+            self.headed = true;
+            lines -= 1;
+        }
+        self.recorded += lines;
+        self.whole_bytes += whole as u64;
+        match failed {
+            Some(error) => Err(error.into()),
+            None => Ok(flushed?),
+        }
     }
 
-    fn line(&mut self, bytes: &[u8], text: &mut String) -> Result<(), RecordError> {
+    fn line(
+        &mut self,
+        bytes: &[u8],
+        text: &mut String,
+        planned: &mut u64,
+    ) -> Result<(), RecordError> {
         self.lines += 1;
         let number = self.lines;
         let bytes = match number {
@@ -268,7 +323,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             return Ok(());
         }
         let Some(form) = &self.form else {
-            return self.first(line, text);
+            return self.first(line, text, planned);
         };
         let cells = form.separator.cells(line);
         if cells == form.headings {
@@ -282,12 +337,18 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             );
             return Ok(());
         }
-        self.record(&cells, text);
+        push_row(&cells, text);
+        *planned += 1;
         Ok(())
     }
 
     /// The first line says what the lines are like.
-    fn first(&mut self, line: &str, text: &mut String) -> Result<(), RecordError> {
+    fn first(
+        &mut self,
+        line: &str,
+        text: &mut String,
+        planned: &mut u64,
+    ) -> Result<(), RecordError> {
         let separator = Separator::of(line);
         let cells = separator.cells(line);
         let is_heading = !cells.iter().any(|cell| cell.parse::<f64>().is_ok());
@@ -313,21 +374,23 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             headings,
         });
         if !is_heading {
-            self.record(&cells, text);
+            push_row(&cells, text);
+            *planned += 1;
         } else if !self.given.is_empty() {
             self.complain(self.lines, "holds the stream's own headings");
         }
         Ok(())
     }
 
-    fn record(&mut self, cells: &[String], text: &mut String) {
-        push_row(cells, text);
-        self.recorded += 1;
+    fn complain(&mut self, line: u64, says: &str) {
+        self.say(format!("line {line} of the stream {says}: left out"));
     }
 
-    fn complain(&mut self, line: u64, says: &str) {
-        let says = format!("line {line} of the stream {says}: left out");
-        self.complaints.push(says);
+    fn say(&mut self, says: String) {
+        self.refused += 1;
+        if self.refused <= NAMED {
+            self.complaints.push(says);
+        }
     }
 }
 
@@ -408,6 +471,52 @@ mod tests {
         let endless = vec![b'1'; LONGEST_LINE + 1];
         let (_, _, wrong) = recorded(&[&endless], &[]);
         assert!(matches!(wrong, Some(RecordError::LongLine { line: 1 })));
+    }
+
+    #[test]
+    fn what_is_counted_is_in_the_file() {
+        /// A disk with room for so many bytes.
+        struct Disk(Vec<u8>, usize);
+        impl Write for Disk {
+            fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+                let room = (self.1 - self.0.len()).min(bytes.len());
+                if room == 0 {
+                    return Err(io::ErrorKind::StorageFull.into());
+                }
+                self.0.extend_from_slice(&bytes[..room]);
+                Ok(room)
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let stream: String = (0..50).map(|k| format!("{k},1\n")).collect();
+        let stream = format!("x_mm,y_mm\n{stream}");
+        for room in 0..stream.len() {
+            let mut recorder = Recorder::new(|| Ok(Disk(Vec::new(), room)), Vec::new());
+            let pieces = stream.as_bytes().chunks(40);
+            let failed = pieces
+                .map(|piece| recorder.take(piece, u64::MAX))
+                .find_map(Result::err);
+            assert!(matches!(failed, Some(RecordError::Io(_))), "{room}");
+            let held = &recorder.out().unwrap().0;
+            let whole = memchr::memrchr(b'\n', held).map_or(0, |end| end + 1);
+            let lines = memchr::memchr_iter(b'\n', held).count() as u64;
+            assert_eq!(recorder.recorded(), lines.saturating_sub(1), "{room}");
+            assert_eq!(recorder.whole_bytes(), whole as u64, "{room}");
+        }
+    }
+
+    #[test]
+    fn rubbish_is_counted_and_not_repeated() {
+        let rubbish = format!("x,y\n{}1,2\n", "what is this\n".repeat(100_000));
+        let mut recorder = Recorder::new(|| Ok(Vec::new()), Vec::new());
+        let mut said = 0;
+        for piece in rubbish.as_bytes().chunks(4096) {
+            recorder.take(piece, u64::MAX).unwrap();
+            said += recorder.complaints().len();
+        }
+        assert_eq!((recorder.recorded(), recorder.refused(), said), (1, 100_000, 20));
     }
 
     #[test]

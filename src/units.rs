@@ -6,6 +6,15 @@
 
 use std::f64::consts::PI;
 
+/// A longer length, mm, is none of a robot or of what measures it.
+pub(crate) const LARGEST_LENGTH_MM: f64 = 1e7;
+/// A larger value of a joint, in degrees or mm, is none.
+pub(crate) const LARGEST_JOINT_VALUE: f64 = 1e6;
+/// A larger mass, kg, is none of a robot.
+pub(crate) const LARGEST_MASS_KG: f64 = 1e6;
+/// A larger time, s, is none: a clock that counts nanoseconds from 1970 stays below it.
+pub(crate) const LARGEST_TIME_S: f64 = 1e20;
+
 /// Degrees to radians.
 #[inline]
 pub fn rad_from_deg(deg: f64) -> f64 {

@@ -36,6 +36,8 @@ use std::thread::{self, Builder, ScopedJoinHandle};
 use anyhow::Error;
 use clap::{Parser, Subcommand};
 
+use crate::unfinished;
+
 use failure::Failure;
 
 const EXIT_STATUS: &str = "Exit status: 0 done; 2 the input or the arguments are wrong, and nothing was \
@@ -97,6 +99,8 @@ pub fn run() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => return complain_about_arguments(&error),
     };
+    // Without it an unfinished file stays until the next write into its folder.
+    let _ = end_at_signals();
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(command) if cfg!(windows) => apart(|| command.run()),
@@ -106,6 +110,34 @@ pub fn run() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// At SIGINT and SIGTERM unfinished files are removed, and the program ends as it would have without
+/// this, at once, whatever it is at.
+#[cfg(unix)]
+fn end_at_signals() -> std::io::Result<()> {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use signal_hook::low_level::emulate_default_handler;
+
+    // What a shell has this program ignore (in the background, say) stays ignored.
+    let ignored = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = ignored.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    let heard = |signal: &i32| ignored.unwrap_or(0) >> (signal - 1) & 1 == 0;
+    let mut signals = Signals::new([SIGINT, SIGTERM].into_iter().filter(heard))?;
+    Builder::new().name("signals".to_owned()).spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            unfinished::remove_all();
+            let _ = emulate_default_handler(signal);
+        }
+    })?;
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn end_at_signals() -> std::io::Result<()> {
+    Ok(())
 }
 
 /// Does it in a thread with the stack that Linux gives: of a program's first thread Windows makes an eighth of that, and

@@ -56,11 +56,22 @@ impl Record {
         let most = self.lines.unwrap_or(u64::MAX);
         let done = Self::listen(&address, connection, &mut recorder, most);
         output::messages(&recorder.complaints());
-        output::messages(&[format!("{} lines recorded", recorder.recorded())]);
-        done?;
-        if let Some(Out::File(file)) = recorder.out() {
-            file.sync_all().context("cannot write the recording")?;
+        if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
+            // Where the disk is full the start of a line stands behind the last whole one. What
+            // cannot be cut off either is left as it is.
+            let _ = file.set_len(recorder.whole_bytes());
         }
+        let synced = match recorder.out() {
+            Some(Out::File(file)) => file.sync_all(),
+            _ => Ok(()),
+        };
+        let mut says = format!("{} lines recorded", recorder.recorded());
+        if recorder.refused() > 0 {
+            says += &format!(", {} left out", recorder.refused());
+        }
+        output::messages(&[says]);
+        done?;
+        synced.context("cannot write the recording")?;
         if recorder.recorded() == 0 {
             return Err(Failure::WrongInput(format!(
                 "{}: the stream ended without a measurement; expected lines of text",

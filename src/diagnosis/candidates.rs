@@ -162,6 +162,8 @@ impl Table {
         for (candidate, slot) in candidates.iter_mut().zip(slots) {
             candidate.first = first(slot);
         }
+        // Numbers that overflowed explain nothing, and a scan could not rank what they score.
+        candidates.retain(|c| c.size > 0 && columns.are_finite(c.first, c.size));
         let mut table = Self {
             candidates,
             columns,

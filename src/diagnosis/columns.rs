@@ -161,6 +161,14 @@ impl Columns {
         self.groups.iter().map(|g| g.values.ncols()).sum()
     }
 
+    /// Whether every number of some columns that are together is finite.
+    pub(crate) fn are_finite(&self, first: usize, count: usize) -> bool {
+        let group = &self.groups[self.group(first)];
+        let at = first - group.first;
+        at + count <= group.values.ncols()
+            && group.values.columns(at, count).iter().all(|v| v.is_finite())
+    }
+
     /// Number of measured rows.
     pub(crate) fn rows(&self) -> usize {
         self.rows

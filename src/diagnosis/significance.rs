@@ -10,7 +10,9 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use statrs::function::beta::{beta_reg, ln_beta};
+use statrs::function::beta::ln_beta;
+
+use crate::distributions::beta_below;
 
 const STEP: f64 = 0.25;
 const LAST: usize = 240;
@@ -93,7 +95,7 @@ impl Significance {
         if left >= 1.0 {
             return 0.0;
         }
-        let p = beta_reg(self.half_nu, self.half_k, left);
+        let p = beta_below(self.half_nu, self.half_k, x / self.half_nu);
         if p > 1e-250 {
             return -p.ln();
         }

@@ -10,8 +10,9 @@
 //! S and s² are of the white part of the noise: a frame that wanders is an answer of its own and
 //! leaves the verdict as it is.
 
-use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
+use statrs::distribution::{ContinuousCDF, Normal};
 
+use crate::distributions::f_tail;
 use crate::sessions::Sigma;
 
 use crate::fit::noise::StatedNoise;
@@ -166,12 +167,12 @@ fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
     }
     let lack = (variance * freedom - pure.variance * pure.freedom) / beyond;
     let f = lack / pure.variance;
-    let Ok(distribution) = FisherSnedecor::new(beyond, pure.freedom) else {
+    if !(beyond > 0.0 && pure.freedom > 0.0) {
         return none;
-    };
+    }
     Excess {
         ratio: (variance / pure.variance).sqrt(),
-        p: if f > 0.0 { distribution.sf(f) } else { 1.0 },
+        p: f_tail(f, beyond, pure.freedom),
         kind: None,
     }
 }
@@ -275,6 +276,7 @@ fn unseen(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use statrs::distribution::FisherSnedecor;
 
     #[test]
     fn a_floor_from_few_returns_says_less_than_a_stated_one() {

@@ -63,10 +63,7 @@ impl<'a> Fields<'a> {
         text: &'a str,
         part: Part<'_>,
     ) -> Result<(Self, Node), ReadError> {
-        let source = Source {
-            file: place.file,
-            text,
-        };
+        let source = Source::new(place.file, text);
         let root = super::parse(&source, part)?;
         let fields = Self {
             source,
@@ -164,13 +161,36 @@ impl<'a> Fields<'a> {
 
     /// Reports keys that nobody reads.
     pub(crate) fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
-        for member in members {
-            if !known.contains(&member.key.as_str()) {
+        let notes = self.notes_of_unknown(members, path, known);
+        self.findings.extend(notes);
+    }
+
+    /// A note for each key that nobody reads, and one for all beyond the first few.
+    pub(crate) fn notes_of_unknown(
+        &self,
+        members: &[Member],
+        path: &Path<'_>,
+        known: &[&str],
+    ) -> Vec<Diagnostic> {
+        const NAMED: usize = 20;
+        let is_unknown = |member: &&Member| !known.contains(&member.key.as_str());
+        let unknown = members.iter().filter(is_unknown);
+        let mut notes: Vec<Diagnostic> = unknown
+            .clone()
+            .take(NAMED)
+            .map(|member| {
                 let place = self.place(member.key_at, &path.key(&member.key));
                 let found = format!("key {} is not known: ignored", quoted(&member.key));
-                self.findings.push(Diagnostic::note(place, found));
-            }
+                Diagnostic::note(place, found)
+            })
+            .collect();
+        let mut more = unknown.skip(NAMED);
+        if let Some(first) = more.next() {
+            let place = self.place(first.key_at, path);
+            let found = format!("{} more keys are not known: ignored", more.count() + 1);
+            notes.push(Diagnostic::note(place, found));
         }
+        notes
     }
 
     /// A member that has to be there; `at` is where its object starts.

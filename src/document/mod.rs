@@ -17,6 +17,7 @@ mod layout;
 pub(crate) mod number;
 pub(crate) mod object;
 mod parser;
+pub(crate) mod ranges;
 mod value;
 
 pub(crate) use degrees::degrees;
@@ -25,6 +26,7 @@ pub(crate) use layout::{text_of, write_document, write_number};
 pub(crate) use parser::{element_offset, parse};
 pub(crate) use value::object;
 
+use std::cell::OnceCell;
 use std::path::PathBuf;
 
 use crate::diagnostic::Place;
@@ -96,20 +98,30 @@ impl Value {
 pub(crate) struct Source<'a> {
     pub(crate) file: Option<PathBuf>,
     pub(crate) text: &'a str,
+    /// Where each line starts, once a place was asked for: a file can be wrong in many places.
+    lines: OnceCell<Vec<usize>>,
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    pub(crate) fn new(file: Option<PathBuf>, text: &'a str) -> Self {
+        let lines = OnceCell::new();
+        Self { file, text, lines }
+    }
+
     /// Line and column (in bytes) of a byte of the document.
     pub(crate) fn place(&self, at: usize) -> Place {
-        let before = &self.text.as_bytes()[..at.min(self.text.len())];
-        let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
-        let line_start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
+        let at = at.min(self.text.len());
+        let lines = self.lines.get_or_init(|| {
+            let feeds = memchr::memchr_iter(b'\n', self.text.as_bytes());
+            std::iter::once(0).chain(feeds.map(|at| at + 1)).collect()
+        });
+        let line = lines.partition_point(|start| *start <= at).max(1);
         Place {
             file: self.file.clone(),
             ..Place::default()
         }
-        .at_line(line)
-        .at_column((before.len() - line_start) as u64 + 1)
+        .at_line(line as u64)
+        .at_column((at - lines[line - 1]) as u64 + 1)
     }
 }
 

@@ -6,9 +6,7 @@
 //! a finished one. What the function never names is a key that nobody knows.
 
 pub(crate) use super::at::At;
-use super::number::quoted;
 use super::{Fields, Member, Node, Path, Value, optional};
-use crate::diagnostic::Diagnostic;
 
 /// How one kind of value stands in a document.
 pub(crate) struct Kind<T> {
@@ -285,15 +283,7 @@ impl Object<'_, '_> {
             ..
         } = self.side
         {
-            let unknown = members
-                .iter()
-                .filter(|member| !known.contains(&member.key.as_str()));
-            let notes = unknown.map(|member| {
-                let place = fields.place(member.key_at, &self.path.key(&member.key));
-                let found = format!("key {} is not known: ignored", quoted(&member.key));
-                Diagnostic::note(place, found)
-            });
-            let notes: Vec<Diagnostic> = notes.collect();
+            let notes = fields.notes_of_unknown(members, self.path, &known);
             fields.findings.splice(first..first, notes);
         }
         self.good

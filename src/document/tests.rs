@@ -8,7 +8,7 @@ fn whole(source: &Source<'_>) -> Result<Node, ReadError> {
 }
 
 fn read(text: &str) -> Result<Node, String> {
-    let source = Source { file: None, text };
+    let source = Source::new(None, text);
     whole(&source).map_err(|diagnostic| diagnostic.to_string())
 }
 
@@ -25,7 +25,7 @@ fn numbers_go_straight_into_a_column() {
 #[test]
 fn values_know_where_they_start() {
     let text = "{\n  \"a\": [true, \"x\"],\n  \"b\": [1, 22,\n 333]\n}";
-    let source = Source { file: None, text };
+    let source = Source::new(None, text);
     let Value::Object(members) = whole(&source).unwrap().value else {
         panic!()
     };

@@ -5,8 +5,8 @@
 //! first derivatives of `A = √(a² + b²)` and `φ = atan2(b, a)`.
 
 use nalgebra::DMatrix;
-use statrs::distribution::{ContinuousCDF, StudentsT};
 
+use crate::distributions::t_quantile;
 use crate::effects::term::setting_quantity;
 use crate::effects::{Form, Setting, Term};
 use crate::kinematics::JointKind;
@@ -20,7 +20,7 @@ pub(crate) fn half_width_factor(degrees_of_freedom: usize) -> f64 {
     if degrees_of_freedom == 0 {
         return f64::INFINITY;
     }
-    StudentsT::new(0.0, 1.0, degrees_of_freedom as f64).map_or(1.96, |t| t.inverse_cdf(0.975))
+    t_quantile(0.975, degrees_of_freedom as f64)
 }
 
 /// The factor by which a standard error becomes half of a 95 % interval where the number of samples

@@ -14,7 +14,9 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
-use super::robot::{Axis, Joint, JointKind, KinematicsError, Pose, Robot, RobotSource};
+use super::robot::{
+    Axis, Joint, JointKind, KinematicsError, MOST_JOINTS, Pose, Robot, RobotSource,
+};
 
 /// Which of the two customs a row follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,10 +59,13 @@ impl DhRow {
 /// The robot of a Denavit–Hartenberg table, joints named `joint 1` and so on, gravity unknown.
 ///
 /// # Errors
-/// No rows, or a number that is not finite.
+/// No rows, more than 100 of them, or a number that is not finite.
 pub fn robot_from_dh(name: impl Into<String>, rows: &[DhRow]) -> Result<Robot, KinematicsError> {
     if rows.is_empty() {
         return Err(KinematicsError::NoJoints);
+    }
+    if rows.len() > MOST_JOINTS {
+        return Err(KinematicsError::TooManyJoints { found: rows.len() });
     }
     let mut joints = Vec::with_capacity(rows.len());
     for (index, row) in rows.iter().enumerate() {

@@ -59,6 +59,7 @@ mod tree;
 pub(crate) mod urdf;
 mod visuals;
 mod xml;
+mod xml_budget;
 
 #[cfg(test)]
 pub(crate) mod testing;
@@ -68,7 +69,7 @@ pub use description::{DescribedRobot, DescriptionFormat, robot_from_file};
 pub use dh::{DhConvention, DhRow, robot_from_dh};
 pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
 pub use mjcf::robot_from_mjcf;
-pub(crate) use problems::MOST_JOINTS;
+pub(crate) use robot::MOST_JOINTS;
 pub use robot::{
     Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
     pose_from_parts,

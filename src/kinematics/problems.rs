@@ -1,10 +1,8 @@
 //! What can be wrong with a robot: numbers that are no numbers, joints that cannot be told apart.
 
-use super::robot::{Axis, Joint, JointKind, Pose, Robot};
+use super::robot::{Axis, Joint, JointKind, MOST_JOINTS, Pose, Robot};
 use crate::diagnostic::{Diagnostic, Place};
-
-/// A chain with more joints is a mistake, and its fit would not end.
-pub(crate) const MOST_JOINTS: usize = 100;
+use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 
 impl Robot {
     /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
@@ -22,34 +20,9 @@ impl Robot {
             ));
             return problems;
         }
+        problems.extend(self.out_of_range(place));
         if self.joints.len() > MOST_JOINTS {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.joints"),
-                format!("{} joints", self.joints.len()),
-                format!("at most {MOST_JOINTS} joints"),
-            ));
             return problems;
-        }
-        if !is_finite_pose(&self.base_from_tool) {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.tool"),
-                "a number that is not finite",
-                "a finite position and orientation",
-            ));
-        }
-        if self
-            .gravity_m_s2
-            .is_some_and(|g| !g.iter().all(|x| x.is_finite()))
-        {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.gravity_m_s2"),
-                "a number that is not finite",
-                "three finite numbers in m/s²",
-            ));
-        }
-        for (index, joint) in self.joints.iter().enumerate() {
-            let at = place.clone().in_field(format!("robot.joints[{index}]"));
-            problems.extend(joint_problems(joint, &at));
         }
         for (index, pair) in self.joints.windows(2).enumerate() {
             if move_alike(&pair[0], &pair[1]) {
@@ -84,8 +57,50 @@ impl Robot {
     }
 }
 
-fn is_finite_pose(pose: &Pose) -> bool {
-    pose.translation.vector.iter().all(|x| x.is_finite())
+impl Robot {
+    /// Numbers that are not finite or beyond any robot's range, and more joints than a fit ends
+    /// with: what every source of a robot is held to, after its own checks.
+    pub(crate) fn out_of_range(&self, place: &Place) -> Vec<Diagnostic> {
+        let mut problems = Vec::new();
+        if self.joints.len() > MOST_JOINTS {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.joints"),
+                format!("{} joints", self.joints.len()),
+                format!("at most {MOST_JOINTS} joints"),
+            ));
+            return problems;
+        }
+        if !is_within_reach(&self.base_from_tool) {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.tool"),
+                "a number that is not finite or too large",
+                "a finite position of at most 10 000 000 mm, and an orientation",
+            ));
+        }
+        if self
+            .gravity_m_s2
+            .is_some_and(|g| !g.iter().all(|x| x.abs() <= 1e6))
+        {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.gravity_m_s2"),
+                "a number that is not finite or too large",
+                "three finite numbers in m/s²",
+            ));
+        }
+        for (index, joint) in self.joints.iter().enumerate() {
+            let at = place.clone().in_field(format!("robot.joints[{index}]"));
+            problems.extend(joint_problems(joint, &at));
+        }
+        problems
+    }
+}
+
+/// A chain of joints adds their lengths up: together they may be longer than each alone.
+const LARGEST_SUM_MM: f64 = LARGEST_LENGTH_MM * MOST_JOINTS as f64;
+
+/// Written so that a NaN is refused too.
+fn is_within_reach(pose: &Pose) -> bool {
+    pose.translation.vector.iter().all(|x| x.abs() <= LARGEST_SUM_MM)
         && pose.rotation.coords.iter().all(|x| x.is_finite())
 }
 
@@ -93,7 +108,7 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     let mut problems = Vec::new();
     let axis = &joint.axis;
     if !axis.direction.iter().all(|x| x.is_finite())
-        || !axis.point_mm.iter().all(|x| x.is_finite())
+        || !axis.point_mm.iter().all(|x| x.abs() <= LARGEST_SUM_MM)
         || (axis.direction.norm() - 1.0).abs() > 1e-9
     {
         problems.push(Diagnostic::error(
@@ -104,23 +119,25 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     }
     if let Some(limits) = joint.limits
         // Written so that a NaN is refused too.
-        && !(limits.from < limits.to && limits.from.is_finite() && limits.to.is_finite())
+        && !(limits.from < limits.to
+            && limits.from.abs() <= LARGEST_JOINT_VALUE
+            && limits.to.abs() <= LARGEST_JOINT_VALUE)
     {
         problems.push(Diagnostic::error(
             place.clone(),
             format!("limits from {} to {}", limits.from, limits.to),
-            "finite limits, the smaller value first",
+            "limits of at most 1 000 000, the smaller value first",
         ));
     }
     if let Some(link) = joint.link {
-        if !(link.mass_kg.is_finite() && link.mass_kg >= 0.0) {
+        if !(0.0..=LARGEST_MASS_KG).contains(&link.mass_kg) {
             problems.push(Diagnostic::error(
                 place.clone(),
                 format!("a link of {} kg", link.mass_kg),
                 "a finite mass of at least 0 kg",
             ));
         }
-        if !link.centre_mm.iter().all(|x| x.is_finite()) {
+        if !link.centre_mm.iter().all(|x| x.abs() <= LARGEST_SUM_MM) {
             problems.push(Diagnostic::error(
                 place.clone(),
                 "a centre of mass that is not finite",

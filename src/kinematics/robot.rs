@@ -14,6 +14,9 @@ pub type Pose = Isometry3<f64>;
 /// Below this length a direction is taken to be zero: what is left of it is rounding.
 const SHORTEST_DIRECTION: f64 = 1e-12;
 
+/// A chain with more joints is a mistake, and its fit would not end.
+pub(crate) const MOST_JOINTS: usize = 100;
+
 /// Why a robot or a pose cannot be built, or cannot be asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum KinematicsError {
@@ -32,6 +35,12 @@ pub enum KinematicsError {
     /// A robot without joints.
     #[error("a robot needs at least one joint")]
     NoJoints,
+    /// More joints than a fit ends with.
+    #[error("{found} joints are more than {MOST_JOINTS}")]
+    TooManyJoints {
+        /// How many there are.
+        found: usize,
+    },
 }
 
 named! {

@@ -12,9 +12,12 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::robot::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot, RobotSource};
+use super::robot::{
+    Axis, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot, RobotSource,
+};
 use super::screw::joint_motion;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::units::LARGEST_JOINT_VALUE;
 
 /// What a joint does.
 #[derive(Debug, Clone)]
@@ -139,6 +142,14 @@ impl Tree {
                         base_from_body *= motion;
                         frames.push(Pose::from_parts(point.into(), base_from_body.rotation));
                         robot.joints.push(moving);
+                        if robot.joints.len() > MOST_JOINTS {
+                            let place = joint.place.clone();
+                            let found = format!("more than {MOST_JOINTS} joints from base to tip");
+                            let expected = format!("at most {MOST_JOINTS} joints");
+                            return Err(Rejected::because(Diagnostic::error(
+                                place, found, expected,
+                            )));
+                        }
                     }
                     Err((found, expected)) => {
                         let field = format!("joint '{}'", joint.name);
@@ -165,7 +176,7 @@ impl Tree {
         robot.base_from_tool = base_from_body;
         robot.source = RobotSource::Links(frames);
         self.add_masses(&mut robot.joints, carried.clone());
-        if is_finite(&robot) {
+        if robot.out_of_range(&self.place).is_empty() {
             Ok((robot, carried))
         } else {
             Err(self.refuse(
@@ -296,21 +307,11 @@ fn add_mass(link: &mut Option<LinkMass>, mass_kg: f64, centre_mm: Point3<f64>) {
     });
 }
 
-fn is_finite(robot: &Robot) -> bool {
-    let finite = |point: &Vector3<f64>| point.iter().all(|x| x.is_finite());
-    finite(&robot.base_from_tool.translation.vector)
-        && robot.joints.iter().all(|joint| {
-            let link = joint.link.as_ref();
-            finite(&joint.axis.point_mm.coords)
-                && finite(&joint.axis.direction)
-                && link
-                    .is_none_or(|link| link.mass_kg.is_finite() && finite(&link.centre_mm.coords))
-        })
-}
-
 /// Limits where both ends say something.
 pub(super) fn limits(from: f64, to: f64) -> Option<Range> {
-    let known = from < to && from.is_finite() && to.is_finite();
+    // Some programs write 1e16 for a joint without limits.
+    let within = |end: f64| end.abs() <= LARGEST_JOINT_VALUE;
+    let known = from < to && within(from) && within(to);
     known.then_some(Range { from, to })
 }
 

@@ -5,18 +5,18 @@
 //! message needs them. What is no well-formed XML is refused with its place; so are numbers that
 //! are none.
 
-use std::fs::File;
-use std::io::Read;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use roxmltree::{Node, ParsingOptions};
 
-use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
+use super::xml_budget;
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::guard;
 
 /// Files larger than this, in bytes, are no robot descriptions.
 const LARGEST_FILE: u64 = 64 << 20;
 /// Documents with more elements, attributes and texts than this are no robot descriptions.
-const MOST_NODES: u32 = 4_000_000;
+const MOST_NODES: u32 = 1_000_000;
 /// So many files may be included.
 const MOST_FILES: usize = 64;
 
@@ -41,7 +41,29 @@ struct Attribute {
 #[derive(Debug)]
 struct Source {
     file: PathBuf,
-    text: String,
+    length: usize,
+    /// Where each line starts: a place is asked for each joint, and the text is long.
+    lines: Vec<usize>,
+}
+
+impl Source {
+    fn new(text: &str, file: &Path) -> Self {
+        let feeds = memchr::memchr_iter(b'\n', text.as_bytes());
+        Self {
+            file: file.to_path_buf(),
+            length: text.len(),
+            lines: std::iter::once(0).chain(feeds.map(|at| at + 1)).collect(),
+        }
+    }
+
+    fn place(&self, at: usize) -> Place {
+        let at = at.min(self.length);
+        let line = self.lines.partition_point(|start| *start <= at);
+        let start = self.lines[line.max(1) - 1];
+        Place::file(&self.file)
+            .at_line(line as u64)
+            .at_column((at - start) as u64 + 1)
+    }
 }
 
 #[derive(Debug)]
@@ -76,6 +98,10 @@ impl Document {
     /// Reads a document behind the elements that are there already; its root element is the answer.
     fn add(&mut self, text: &str, file: &Path) -> Result<usize, Rejected> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let place_in = Source::new(text, file);
+        xml_budget::check(text).map_err(|(at, found, expected)| {
+            Rejected::because(Diagnostic::error(place_in.place(at), found, expected))
+        })?;
         let options = ParsingOptions {
             allow_dtd: true,
             nodes_limit: MOST_NODES,
@@ -91,10 +117,7 @@ impl Document {
             ))
         })?;
         let source = self.sources.len();
-        self.sources.push(Source {
-            file: file.to_path_buf(),
-            text: text.to_owned(),
-        });
+        self.sources.push(place_in);
         let root = self.elements.len();
         // Which element of the list each node became; parents come before their children.
         let mut place_of = vec![usize::MAX; tree.root().descendants().count()];
@@ -203,13 +226,7 @@ impl Document {
     }
 
     fn place_of(&self, source: usize, at: usize) -> Place {
-        let Source { file, text } = &self.sources[source];
-        let before = &text.as_bytes()[..at.min(text.len())];
-        let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
-        let start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
-        Place::file(file)
-            .at_line(line)
-            .at_column((before.len() - start) as u64 + 1)
+        self.sources[source].place(at)
     }
 
     /// A refusal at an element.
@@ -245,7 +262,7 @@ impl Document {
         index: usize,
         name: &str,
     ) -> Result<Option<[f64; N]>, Rejected> {
-        self.numbers_within(index, name, f64::is_finite)
+        self.numbers_within(index, name, is_in_range)
     }
 
     /// The same, by another idea of what a number may be.
@@ -279,6 +296,11 @@ impl Document {
             1 => "one finite number".to_owned(),
             count => format!("{count} finite numbers with spaces between"),
         };
+        let expected = if text.split_ascii_whitespace().any(is_too_large) {
+            format!("{expected}, each of at most 1 000 000")
+        } else {
+            expected
+        };
         Err(self.refuse_value(index, name, expected))
     }
 
@@ -289,6 +311,17 @@ impl Document {
     pub(super) fn number(&self, index: usize, name: &str) -> Result<Option<f64>, Rejected> {
         Ok(self.numbers::<1>(index, name)?.map(|[number]| number))
     }
+}
+
+/// Metres, angles and kilograms of a robot: what is beyond 10⁶ is none of them, and lengths in mm are
+/// checked once more where the chain is built.
+fn is_in_range(number: f64) -> bool {
+    number.abs() <= 1e6
+}
+
+fn is_too_large(text: &str) -> bool {
+    text.parse::<f64>()
+        .is_ok_and(|number| number.is_finite() && !is_in_range(number))
 }
 
 fn element(node: &Node<'_, '_>, source: usize) -> Element {
@@ -338,25 +371,14 @@ fn short(value: &str) -> String {
 
 /// A robot description as text.
 pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
-    const READABLE: &str = "a robot description that can be read";
-    let failed = |error: std::io::Error| (unreadable(&error), READABLE.to_owned());
-    // Opening a device or a pipe could wait for ever.
-    let about = std::fs::metadata(path).map_err(failed)?;
-    if !about.is_file() {
-        return Err(("not a regular file".to_owned(), READABLE.to_owned()));
-    }
-    let too_large = |found: String| Err((found, "a file of at most 64 MiB".to_owned()));
-    if about.len() > LARGEST_FILE {
-        return too_large(format!("{} bytes", about.len()));
-    }
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
-    file.take(LARGEST_FILE + 1)
-        .read_to_end(&mut bytes)
-        .map_err(failed)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return too_large("a file that grows".to_owned());
-    }
+    let bytes = guard::read_regular(path, LARGEST_FILE).map_err(|(found, expected)| {
+        let found = match expected.as_str() {
+            "a regular file" => format!("{found}, not a regular file"),
+            _ => found,
+        };
+        let readable = "a robot description of at most 64 MiB that can be read";
+        (found, readable.to_owned())
+    })?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err(("a file in UTF-16".to_owned(), "UTF-8".to_owned()));
     }
@@ -365,23 +387,8 @@ pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
 
 /// The included file `name` of a document in `folder`: a file there or below.
 pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
-    const EXPECTED: &str = "a file in the folder of the document or below it";
-    let refused = |what: &str| (format!("{what}: {name}"), EXPECTED.to_owned());
-    let inside = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
-    let relative = Path::new(name);
-    if name.is_empty() || name.contains('\0') || !relative.components().all(inside) {
-        return Err(refused("an include that leads elsewhere"));
-    }
-    let path = folder.join(relative);
-    let real = |path: &Path| {
-        let failed = |error: std::io::Error| refused(&unreadable(&error));
-        std::fs::canonicalize(path).map_err(failed)
-    };
-    // A symbolic link may lead elsewhere.
-    if !real(&path)?.starts_with(real(folder)?) {
-        return Err(refused("a link that leaves the folder"));
-    }
-    let text = read_text(&path).map_err(|(found, _)| refused(&found))?;
+    let path = guard::below(folder, name, "the folder of the document")?;
+    let text = read_text(&path).map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
     Ok((path, text))
 }
 

@@ -2,6 +2,8 @@
 //! knows, a tool that is mounted turned. Everything is found from where the nominal robot has its
 //! target, which is near enough.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{
     DMatrix, DVector, Isometry3, Matrix3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion,
     Vector3,
@@ -25,7 +27,7 @@ type Prediction = ([f64; 3], [[f64; 3]; 3]);
 
 /// Every place that the items to be fitted refer to, with those items.
 fn places_in_use(layer: &Layer) -> Vec<(Place, Vec<usize>)> {
-    let mut all: Vec<(Place, Vec<usize>)> = Vec::new();
+    let mut all: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
     for (index, item) in layer.items.iter().enumerate() {
         let Some(place) = KINDS[item.kind].place(layer.session, item.sample) else {
             continue;
@@ -33,13 +35,9 @@ fn places_in_use(layer: &Layer) -> Vec<(Place, Vec<usize>)> {
         if !layer.fit[index] {
             continue;
         }
-        match all.iter_mut().find(|(known, _)| *known == place) {
-            Some((_, items)) => items.push(index),
-            None => all.push((place, vec![index])),
-        }
+        all.entry(place).or_default().push(index);
     }
-    all.sort_by_key(|own| own.0);
-    all
+    all.into_iter().collect()
 }
 
 /// At most so many of them, evenly.

@@ -134,7 +134,7 @@ pub fn connected<F: FnOnce() -> io::Result<W>, W: Write>(
             recorder.end_of_stream();
         }
         standing.left_out = recorder.complaints();
-        standing.refused += standing.left_out.len() as u64;
+        standing.refused = recorder.refused();
         standing.recorded = recorder.recorded();
         let heard = hear(standing);
         standing.left_out.clear();

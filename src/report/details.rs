@@ -11,6 +11,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{TEXT, positive};
 use crate::document::object::{At, Kind, Object, written};
 use crate::document::{Fields, Path, Value, text_of};
+use crate::guard::{below, read_regular};
 
 /// What a document of this kind begins with.
 const FORMAT: &str = "truepose-details/1";
@@ -76,11 +77,7 @@ impl Details {
         let refused = |found: String| {
             Rejected::because(Diagnostic::error(Place::file(path), found, expected))
         };
-        let length = std::fs::metadata(path).map_err(|e| refused(e.to_string()))?;
-        if length.len() > MOST_BYTES {
-            return Err(refused(format!("{} bytes", length.len())));
-        }
-        let bytes = std::fs::read(path).map_err(|e| refused(e.to_string()))?;
+        let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| refused(found))?;
         let text = String::from_utf8(bytes).map_err(|e| refused(e.to_string()))?;
         Self::parse(place, text.strip_prefix('\u{feff}').unwrap_or(&text))
     }
@@ -161,10 +158,17 @@ const LOGO: Kind<Logo> = Kind {
         let Value::Text(name) = &at.node.value else {
             return at.wrong();
         };
-        let path = at.fields.folder().map(|folder| folder.join(name));
-        let read = Logo::read(&path.unwrap_or_else(|| name.into()));
-        read.map_err(|wrong| at.error::<()>(wrong, Logo::EXPECTED))
-            .ok()
+        // Details in memory are the program's own; a file may be somebody else's.
+        let path = match at.fields.folder() {
+            Some(folder) => below(folder, name, "the folder of the details"),
+            None => Ok(name.into()),
+        };
+        match path {
+            Ok(path) => Logo::read(&path)
+                .map_err(|wrong| at.error::<()>(wrong, Logo::EXPECTED))
+                .ok(),
+            Err((found, expected)) => at.error(found, expected),
+        }
     },
     write: |logo| (&*logo.path.to_string_lossy()).into(),
 };

@@ -7,6 +7,10 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::document::number::hexadecimal;
+use crate::guard::read_regular;
+
+/// Longest table, bytes.
+const MOST_BYTES: u64 = 256 << 20;
 
 /// A table file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,9 +61,9 @@ impl ExportedTable {
     /// If one of the two cannot be read, or the sidecar is not `truepose-table/1`.
     pub fn read(path: &Path) -> Result<Self, TableFileError> {
         let read = |path: &Path| {
-            std::fs::read(path).map_err(|source| TableFileError::Unreadable {
+            read_regular(path, MOST_BYTES).map_err(|(found, _)| TableFileError::Unreadable {
                 path: path.to_path_buf(),
-                source,
+                source: std::io::Error::other(found),
             })
         };
         let bytes = read(path)?;

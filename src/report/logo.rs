@@ -5,6 +5,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::guard::read_regular;
 use png::{BitDepth, ColorType, Decoder, Encoder, Limits, Transformations};
 
 /// Largest file, bytes.
@@ -36,11 +37,7 @@ impl Logo {
     /// What is wrong with the file; [`Logo::EXPECTED`] was expected.
     pub fn read(path: &Path) -> Result<Self, String> {
         let wrong = |what: String| format!("{}: {what}", path.display());
-        let length = std::fs::metadata(path).map_err(|e| wrong(e.to_string()))?;
-        if length.len() > MOST_BYTES {
-            return Err(wrong(format!("{} bytes", length.len())));
-        }
-        let bytes = std::fs::read(path).map_err(|e| wrong(e.to_string()))?;
+        let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| wrong(found))?;
         Self::decoded(path.to_path_buf(), &bytes).map_err(wrong)
     }
 

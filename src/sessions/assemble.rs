@@ -3,9 +3,11 @@
 //! Here a cell gets its meaning: units become mm and rad, names become indices, and what a number
 //! cannot be (a direction of 2, a target that nobody declared) is said with its place.
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
-use crate::sessions::columns::{Heading, Quantity};
+use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::observed;
 use crate::sessions::references::References;
@@ -88,6 +90,7 @@ pub(crate) fn samples(
             }
             (Heading::Known(quantity, unit), Cells::Numbers(values)) => {
                 let values = column.scaled(values, unit.factor());
+                column.check_range(&values, quantity.range(*unit), unit.factor());
                 if let Quantity::Direction(_) = quantity {
                     column.check_directions(&values);
                 }
@@ -215,6 +218,24 @@ impl Column<'_> {
         values
     }
 
+    /// Refuses numbers beyond any robot's range; `range` is in inner units, and `factor` leads there
+    /// from the column's.
+    fn check_range(&mut self, values: &[f64], range: ValueRange, factor: f64) {
+        // One pass that a compiler makes wide; NaN, a missing cell, is in every range.
+        let beyond = |value: f64| value.abs() > range.largest;
+        if !values.iter().fold(false, |any, value| any | beyond(*value)) {
+            return;
+        }
+        let rows = rows_where(values, beyond);
+        let column = Column {
+            index: self.index,
+            locate: self.locate,
+            findings: &mut *self.findings,
+        };
+        let found = |row: usize| (values[row] / factor).to_string();
+        column.complain(&rows, &found, range.expected);
+    }
+
     fn check_directions(self, values: &[f64]) {
         let wrong = rows_where(values, |value| {
             !value.is_nan() && value != 0.0 && value.abs() != 1.0
@@ -228,16 +249,14 @@ impl Column<'_> {
 
     fn targets(self, cells: &Names, targets: &[Target]) -> Vec<u32> {
         let only_one = targets.len() == 1;
+        let names = || targets.iter().map(|target| target.name.as_str());
+        let places: BTreeMap<&str, u32> = names().zip(0..).collect();
         let known: Vec<Option<u32>> = cells
             .list
             .iter()
             .map(|name| {
-                let found = targets
-                    .iter()
-                    .zip(0..)
-                    .find(|(target, _)| target.name == *name);
-                match found {
-                    Some((_, index)) => Some(index),
+                match places.get(name.as_str()) {
+                    Some(index) => Some(*index),
                     None if name.is_empty() && only_one => Some(0),
                     None => None,
                 }
@@ -247,8 +266,7 @@ impl Column<'_> {
         let wrong: Vec<usize> = (0..cells.index.len())
             .filter(|&row| known[of(row)].is_none())
             .collect();
-        let names: Vec<&str> = targets.iter().map(|target| target.name.as_str()).collect();
-        let expected = format!("a target of the session: {}", names.join(", "));
+        let expected = format!("a target of the session: {}", observed::first_of(names()));
         let found = |row: usize| match cells.list[of(row)].as_str() {
             "" => "an empty cell, while there are several targets".to_owned(),
             name => format!("target {} is not declared", quoted(name)),

@@ -7,7 +7,9 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::kinematics::{Joint, JointKind};
-use crate::units::rad_from_deg;
+use crate::units::{
+    LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S, rad_from_deg,
+};
 
 /// What a column holds. Joints count from 0 here and from 1 in headings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -131,6 +133,13 @@ impl Declared {
     }
 }
 
+/// The largest size of a quantity's numbers, and what to expect instead of a larger one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ValueRange {
+    pub(crate) largest: f64,
+    pub(crate) expected: &'static str,
+}
+
 impl Quantity {
     /// Every column that a session of so many joints can have, in the order of files.
     pub(crate) fn all(joints: usize) -> impl Iterator<Item = Self> {
@@ -147,6 +156,38 @@ impl Quantity {
     fn declared(self) -> &'static Declared {
         let of = |column: &&Declared| (column.of)(self.joint().unwrap_or(0)) == self;
         COLUMNS.iter().find(of).expect("a column for each quantity")
+    }
+
+    /// The range of its numbers, in inner units: what is beyond it is no measurement.
+    pub(crate) fn range(self, unit: Unit) -> ValueRange {
+        let angle = matches!(unit, Unit::Angle(_));
+        let (largest, expected) = match self {
+            Self::Commanded(_) | Self::ReadBack(_) if angle => (
+                rad_from_deg(LARGEST_JOINT_VALUE),
+                "a joint value of at most 1 000 000°",
+            ),
+            Self::Commanded(_) | Self::ReadBack(_) => (
+                LARGEST_JOINT_VALUE,
+                "a joint value of at most 1 000 000 mm",
+            ),
+            Self::X | Self::Y | Self::Z | Self::Distance => {
+                (LARGEST_LENGTH_MM, "a length of at most 10 000 000 mm")
+            }
+            Self::Azimuth | Self::Elevation => (
+                rad_from_deg(LARGEST_JOINT_VALUE),
+                "an angle of at most 1 000 000°",
+            ),
+            Self::Load => (LARGEST_MASS_KG, "a load of at most 1 000 000 kg"),
+            Self::Temperature | Self::JointTemperature(_) => {
+                (1e6, "a temperature of at most 1 000 000 °C")
+            }
+            Self::Time => (LARGEST_TIME_S, "a time in s"),
+            Self::Orientation(_) => (1e6, "a component of a unit quaternion"),
+            Self::Speed(_) => (1e9, "a speed that a joint can have"),
+            Self::Torque(_) => (1e9, "a torque that a joint can have"),
+            _ => (f64::MAX, "a number"),
+        };
+        ValueRange { largest, expected }
     }
 
     /// The joint that it belongs to.

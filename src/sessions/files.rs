@@ -1,45 +1,18 @@
 //! Opens what a session names, and nothing else.
 //!
 //! A session is often somebody else's file. It may point to its samples in its own folder or
-//! below; a device, a directory or a pipe is refused before it is opened, because opening a pipe
-//! waits for ever and reading a device never ends.
+//! below, and only a regular file is opened (see [`guard`](crate::guard)).
 
-use std::fs::{self, File};
-use std::io::{self, Read};
-use std::path::{Component, Path, PathBuf};
+use std::io::Read;
+use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
+use crate::guard;
+pub(crate) use crate::guard::{Refusal, open_regular};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 
 /// Bytes that are read between two looks at whoever watches.
 const AT_ONCE: u64 = 4 << 20;
-
-/// What was found and what was expected.
-pub(crate) type Refusal = (String, String);
-
-/// Opens a regular file and says how long it is.
-pub(crate) fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
-    let failed = |error: &io::Error| (unreadable(error), "a file that can be read".to_owned());
-    // Looked at before it is opened, and once more after, lest it was exchanged in between.
-    let before = fs::metadata(path).map_err(|error| failed(&error))?;
-    regular(&before)?;
-    let file = File::open(path).map_err(|error| failed(&error))?;
-    let after = file.metadata().map_err(|error| failed(&error))?;
-    regular(&after)?;
-    Ok((file, after.len()))
-}
-
-fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
-    if metadata.is_file() {
-        return Ok(());
-    }
-    let found = if metadata.is_dir() {
-        "a directory"
-    } else {
-        "a device or a pipe"
-    };
-    Err((found.to_owned(), "a regular file".to_owned()))
-}
 
 /// The whole of a file that the user named; nothing but a regular file is opened.
 ///
@@ -74,28 +47,7 @@ pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, R
 
 /// The path of the samples that a session in `folder` calls `name`.
 pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
-    const EXPECTED: &str = "a file in the session's folder or below it";
-    let refused = |found: &str| (format!("{found}: {name}"), EXPECTED.to_owned());
-    let relative = Path::new(name);
-    if name.is_empty() || name.contains('\0') {
-        return Err(refused("not a file name"));
-    }
-    for component in relative.components() {
-        match component {
-            Component::Normal(_) | Component::CurDir => {}
-            Component::ParentDir => return Err(refused("a path that leads upwards")),
-            Component::RootDir | Component::Prefix(_) => return Err(refused("an absolute path")),
-        }
-    }
-    let path = folder.join(relative);
-    let failed = |error: &io::Error| refused(&unreadable(error));
-    // A symbolic link may lead elsewhere.
-    let real = fs::canonicalize(&path).map_err(|error| failed(&error))?;
-    let real_folder = fs::canonicalize(folder).map_err(|error| failed(&error))?;
-    if !real.starts_with(&real_folder) {
-        return Err(refused("a link that leaves the session's folder"));
-    }
-    Ok(path)
+    guard::below(folder, name, "the session's folder")
 }
 
 /// A JSON document as text.

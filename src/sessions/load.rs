@@ -6,12 +6,13 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::folder_of;
-use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, unreadable};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unreadable};
 use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::assemble::Declared;
 use crate::sessions::domain::{Samples, Session};
+use crate::sessions::file_hash::{self, HashedInput};
 use crate::sessions::format_v1::head::{self, SamplesAt};
 use crate::sessions::format_v1::inline;
 use crate::sessions::format_v1::robot::ROBOT;
@@ -175,7 +176,7 @@ fn read_session(
                 )
             })
         }
-        Some(SamplesAt::File(name, at)) => {
+        Some(SamplesAt::File(name, at, sha256)) => {
             let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
             samples_file(
                 &name,
@@ -188,6 +189,7 @@ fn read_session(
                         references: &head.instrument.references,
                     },
                     part: part.part(parsed, 0.95),
+                    sha256,
                 },
                 &mut fields,
             )
@@ -228,6 +230,8 @@ struct Wanted<'a> {
     kinds: Option<&'a [JointKind]>,
     declared: Declared<'a>,
     part: Part<'a>,
+    /// The hash of the samples that the document was written with.
+    sha256: Option<String>,
 }
 
 /// Reads the samples that the document at `place` calls `name`.
@@ -241,7 +245,8 @@ fn samples_file(
     let findings = &mut fields.findings;
     let opened = match beside {
         Beside::Csv(bytes) => {
-            return samples_from(bytes, None, &Place::file(name), wanted, findings);
+            let file = Place::file(name);
+            return samples_from(bytes, None, &file, place, wanted, findings);
         }
         Beside::Nothing => Err((
             format!("samples in a file: {name}"),
@@ -261,17 +266,27 @@ fn samples_file(
         }
     };
     fields.also_read.push(path.clone());
-    samples_from(file, Some(length), &Place::file(path), wanted, findings)
+    let csv = Place::file(path);
+    samples_from(file, Some(length), &csv, place, wanted, findings)
 }
 
 fn samples_from(
     input: impl Read,
     bytes: Option<u64>,
     file: &Place,
+    named_at: &Place,
     wanted: &Wanted<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
+    let hash = file_hash::begun(wanted.sha256.is_some());
+    let input = HashedInput::new(input, &hash);
     let table = csv::read(input, bytes, file, wanted.kinds, findings, wanted.part);
+    if let (Some(found), Some(own)) = (file_hash::ended(hash), &wanted.sha256)
+        && found != *own
+        && matches!(table, Ok(Some(_)))
+    {
+        findings.push(others_samples(&found, own, file, named_at));
+    }
     let table = table.unwrap_or_else(|error: io::Error| {
         let expected = "a file that can be read to its end";
         findings.push(Diagnostic::error(
@@ -284,6 +299,21 @@ fn samples_from(
     Some(assemble::rows(table, wanted.declared, file, findings))
 }
 
+/// What is said where the samples beside a document are not those that it was written with.
+fn others_samples(found: &str, own: &str, file: &Place, named_at: &Place) -> Diagnostic {
+    let csv = file.file.as_deref().map(Path::display);
+    let csv = csv.map_or_else(String::new, |csv| csv.to_string());
+    let found = format!(
+        "the samples in {csv} are not those that this session was saved with: their sha256 is {}…, \
+         the session's {}…",
+        &found[..12],
+        &own[..12]
+    );
+    let expected = "the samples file that was written with the session; if it was edited on purpose, \
+                    save the session anew or take \"sha256\" out of it";
+    Diagnostic::warning(named_at.clone(), found, expected)
+}
+
 /// Lets notes and warnings pass; an error refuses everything.
 fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
     if findings
@@ -292,5 +322,5 @@ fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
     {
         return Err(Rejected::of(findings));
     }
-    Ok(findings)
+    Ok(summarised(findings))
 }

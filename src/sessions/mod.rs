@@ -17,6 +17,7 @@ pub(crate) mod columns;
 mod csv;
 pub(crate) mod division;
 mod domain;
+mod file_hash;
 pub(crate) mod files;
 pub(crate) mod format_v1;
 mod growing;

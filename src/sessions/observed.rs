@@ -1,6 +1,8 @@
 //! Columns of measurements other than points, from cells to indices and inner units, and which
 //! rows lack what they need: a distance needs its anchor, a direction both of its angles.
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::sessions::assemble::Locate;
@@ -20,17 +22,15 @@ pub(crate) fn indices(
     locate: Locate<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Vec<Option<u32>> {
-    let place = |name: &String| {
-        let found = declared.iter().zip(0..).find(|(own, _)| *own == name);
-        found.map(|(_, index)| index)
-    };
+    let places: BTreeMap<&str, u32> = declared.iter().copied().zip(0..).collect();
+    let place = |name: &String| places.get(name.as_str()).copied();
     let known: Vec<Option<u32>> = cells.list.iter().map(place).collect();
     let of = |row: usize| cells.index[row] as usize;
     let wrong = (0..cells.index.len())
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
         0 => format!("{what} of the session, which declares none"),
-        _ => format!("{} of the session: {}", what, declared.join(", ")),
+        _ => format!("{} of the session: {}", what, first_of(declared.iter().copied())),
     };
     for row in wrong.take(MOST_COMPLAINTS) {
         let name = quoted(&cells.list[of(row)]);
@@ -43,6 +43,13 @@ pub(crate) fn indices(
     let known: Vec<Option<u32>> = known.collect();
     let rows = 0..cells.index.len();
     rows.map(|row| known[of(row)]).collect()
+}
+
+/// The first few names, for a message.
+pub(crate) fn first_of<'a>(mut names: impl Iterator<Item = &'a str>) -> String {
+    let shown: Vec<&str> = names.by_ref().take(MOST_COMPLAINTS).collect();
+    let more = if names.next().is_some() { ", …" } else { "" };
+    shown.join(", ") + more
 }
 
 /// Completes what only one thing can be meant by, and complains of rows that lack something.
@@ -70,7 +77,7 @@ pub(crate) fn complete(
         let lacking: Vec<usize> = (0..rows)
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
-        let names = references.named(Quantity::Anchor).1.join(", ");
+        let names = first_of(references.named(Quantity::Anchor).1.into_iter());
         let expected = format!("one of the anchors of the session in the column anchor: {names}");
         complain(
             Quantity::Distance,
@@ -112,7 +119,7 @@ pub(crate) fn complete(
             let lacking: Vec<usize> = (0..rows)
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
-            let names = references.named(Quantity::Station).1.join(", ");
+            let names = first_of(references.named(Quantity::Station).1.into_iter());
             let expected = format!(
                 "one of the stations of the session in the column station: {names}; or the key \
                  pointing, where the tool itself points"

@@ -3,7 +3,7 @@
 //! Both files are on the disk under names of their own before either gets its real name; then the
 //! samples are renamed, then the document. What fails before leaves the old pair; a failure
 //! between the two puts the old samples back. Only a kill in that instant can leave the new samples
-//! beside the old document.
+//! beside the old document; the document holds the hash of its own, so that reading says so.
 //!
 //! Numbers are written with the fewest digits that read back as the same double, angles in degrees,
 //! so that a session that was read saves and loads to the last bit.
@@ -21,6 +21,7 @@ use crate::atomic::{
 use crate::document::{Value, object, write_document, write_number};
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
+use crate::sessions::file_hash::Hashed;
 use crate::sessions::format_v1::head;
 use crate::sessions::saved_columns::{Column, Values, columns};
 
@@ -69,13 +70,17 @@ pub fn save_watched(
     refuse_to_replace_inputs(path, replacing.inputs)?;
     refuse_to_replace_inputs(&csv, replacing.inputs)?;
     let csv_name = name_of(path, &csv)?;
+    let mut sha256 = String::new();
+    let samples = Prepared::write(&csv, replacing.force, |output| {
+        let mut hashed = Hashed::new(output);
+        write_rows(session, &mut hashed, whole.part(0.0, 0.9))?;
+        sha256 = hashed.finish();
+        Ok(())
+    })?;
     let document = Document {
         head: head::write(session),
-        samples: object! { "file": csv_name },
+        samples: object! { "file": csv_name, "sha256": sha256.as_str() },
     };
-    let samples = Prepared::write(&csv, replacing.force, |output| {
-        write_rows(session, output, whole.part(0.0, 0.9))
-    })?;
     let document = Prepared::write(path, replacing.force, |output| {
         write_document(output, &document)
     })?;
@@ -86,7 +91,7 @@ pub fn save_watched(
 }
 
 /// Saves the document of a session of which the samples stand beside it already, or will: as a CSV
-/// file of the same name ([`samples_path`]).
+/// file of the same name ([`samples_path`]). It holds no hash of them, as they grow.
 ///
 /// # Errors
 /// As [`save`].

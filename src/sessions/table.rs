@@ -3,6 +3,8 @@
 //! Both ways to give samples (a CSV file, arrays inside the JSON) end here; [`super::assemble`]
 //! makes [`Samples`](super::Samples) of it.
 
+use std::collections::BTreeMap;
+
 use crate::sessions::columns::{CellKind, Layout};
 use crate::sessions::lines::Lines;
 
@@ -13,8 +15,8 @@ pub(crate) struct Names {
     pub(crate) list: Vec<String>,
     /// Index into `list`, one per row.
     pub(crate) index: Vec<u32>,
-    /// Indices into `list`, ordered by name; only kept when a linear search would be slow.
-    ordered: Vec<u32>,
+    /// Where each name is in `list`; only kept when a linear search would be slow.
+    known: BTreeMap<String, u32>,
 }
 
 impl Names {
@@ -39,18 +41,13 @@ impl Names {
                 return index;
             }
         } else {
-            if self.ordered.len() < self.list.len() {
-                self.ordered = (0..next).collect();
-                self.ordered
-                    .sort_by(|&a, &b| self.list[a as usize].cmp(&self.list[b as usize]));
+            if self.known.is_empty() {
+                self.known = self.list.iter().cloned().zip(0..).collect();
             }
-            let at = self
-                .ordered
-                .binary_search_by(|&other| self.list[other as usize].as_str().cmp(name));
-            match at {
-                Ok(at) => return self.ordered[at],
-                Err(at) => self.ordered.insert(at, next),
+            if let Some(index) = self.known.get(name) {
+                return *index;
             }
+            self.known.insert(name.to_owned(), next);
         }
         self.list.push(name.to_owned());
         next

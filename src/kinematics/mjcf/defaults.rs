@@ -9,6 +9,20 @@ use crate::diagnostic::Rejected;
 
 use super::super::xml::Document;
 
+/// An attribute is looked for in so many elements at most: what a class says, and what the classes
+/// around it say.
+const MOST_LEVELS: usize = 64;
+
+/// Refuses what would make every element cost as much as all classes together.
+fn within_budget(document: &Document, element: usize, levels: usize) -> Result<(), Rejected> {
+    if levels <= MOST_LEVELS {
+        return Ok(());
+    }
+    let found = format!("more than {MOST_LEVELS} levels of default classes");
+    let expected = format!("at most {MOST_LEVELS}");
+    Err(document.refuse(element, found, expected))
+}
+
 #[derive(Debug, Default)]
 pub(super) struct Defaults {
     /// For each class the elements that describe it, the innermost first.
@@ -30,7 +44,8 @@ impl Defaults {
         for top in document.children(root, "default") {
             // A second outermost element goes on with the first.
             all.main.insert(0, top);
-            all.index(document, top);
+            all.index(document, top)?;
+            within_budget(document, top, all.main.len())?;
             let name = document.attribute(top, "class").unwrap_or("main");
             let main = all.main.clone();
             all.classes.insert(name.to_owned(), main.clone());
@@ -40,7 +55,8 @@ impl Defaults {
             let name = document.required(element, "class")?;
             let mut own = vec![element];
             own.extend(&around);
-            all.index(document, element);
+            within_budget(document, element, own.len())?;
+            all.index(document, element)?;
             if all.classes.insert(name.to_owned(), own.clone()).is_some() {
                 let found = format!("two default classes called '{name}'");
                 return Err(document.refuse(element, found, "a name of its own for each class"));
@@ -54,13 +70,16 @@ impl Defaults {
         Ok(all)
     }
 
-    fn index(&mut self, document: &Document, class: usize) {
+    fn index(&mut self, document: &Document, class: usize) -> Result<(), Rejected> {
         for &child in &document.element(class).children {
             let kind = document.element(child).name.clone();
             let of_kind = self.kinds.entry(kind).or_default();
             // What is said later replaces what was said before.
-            of_kind.entry(class).or_default().insert(0, child);
+            let own = of_kind.entry(class).or_default();
+            own.insert(0, child);
+            within_budget(document, child, own.len())?;
         }
+        Ok(())
     }
 
     /// Elements of this kind in a class, the innermost first; `None` where there is no such class.

@@ -17,7 +17,9 @@
 mod defaults;
 mod orientation;
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::rc::Rc;
 
 use nalgebra::{Point3, Translation3, Vector3};
 
@@ -153,8 +155,8 @@ struct Open {
     body: usize,
     /// The frames between the body and the element.
     body_from_frame: Pose,
-    /// The default class of what says none.
-    class: Option<String>,
+    /// The default class of what says none; shared, as every element within it has it.
+    class: Option<Rc<str>>,
 }
 
 impl Reader<'_> {
@@ -186,10 +188,10 @@ impl Reader<'_> {
     }
 
     /// Reads an element; where others stand in it, their body, frame and default class.
-    fn read(&mut self, me: &Open) -> Result<Option<(usize, Pose, Option<String>)>, Rejected> {
+    fn read(&mut self, me: &Open) -> Result<Option<(usize, Pose, Option<Rc<str>>)>, Rejected> {
         let document = self.document;
         let class = document.attribute(me.element, "childclass");
-        let class = class.map(str::to_owned).or_else(|| me.class.clone());
+        let class = class.map(Rc::from).or_else(|| me.class.clone());
         match document.element(me.element).name.as_str() {
             "worldbody" => return Ok(Some((0, Pose::identity(), class))),
             "frame" => {
@@ -357,18 +359,26 @@ impl Reader<'_> {
 
 /// Joints that an equality makes follow another have no value of their own.
 fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
+    // What each tied joint follows; the last equality that names it says so.
+    let mut followed: BTreeMap<&str, &str> = BTreeMap::new();
     for equality in document.children(root, "equality") {
         for tie in document.children(equality, "joint") {
-            let follows = document.attribute(tie, "joint1");
             if document.attribute(tie, "active") == Some("false") {
                 continue;
             }
-            let all = bodies.iter_mut().flat_map(|body| &mut body.joints);
-            for joint in all.filter(|joint| follows == Some(joint.name.as_str())) {
+            if let Some(follows) = document.attribute(tie, "joint1") {
                 let of = document.attribute(tie, "joint2").unwrap_or("a constant");
-                let expected = "joints with values of their own".to_owned();
-                joint.motion = Motion::Other(format!("a joint that follows {of}"), expected);
+                followed.insert(follows, of);
             }
+        }
+    }
+    if followed.is_empty() {
+        return;
+    }
+    for joint in bodies.iter_mut().flat_map(|body| &mut body.joints) {
+        if let Some(of) = followed.get(joint.name.as_str()) {
+            let expected = "joints with values of their own".to_owned();
+            joint.motion = Motion::Other(format!("a joint that follows {of}"), expected);
         }
     }
 }

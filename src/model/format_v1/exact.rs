@@ -122,7 +122,8 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
             Value::Numbers(all) if all.len() == readable.len() => all,
             _ => return at.wrong(),
         };
-        if exact.iter().any(|v| !v.is_finite()) {
+        // Larger than any coefficient in mm, rad or parts of one; a sum of squares stays finite.
+        if !exact.iter().all(|v| v.abs() <= 1e15) {
             return at.wrong();
         }
         let scale = readable.iter().fold(0.0_f64, |m, v| m.max(v.abs()));

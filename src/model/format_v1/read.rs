@@ -14,6 +14,7 @@ use super::term::{term, term_written};
 use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
 use crate::document::number::hexadecimal;
+use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
 use crate::document::{Fields, Node, Path, Value, text_of};
 use crate::effects::Term;
@@ -147,7 +148,14 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
         o.part("robot_exact", &mut robot, expected, exact_robot);
     }
     o.end_if_wrong();
-    o.usual("targets", &mut own.targets, &TARGETS);
+    let targets = Kind {
+        read: |at| {
+            ranges::check(at.fields, at.node, at.path);
+            (TARGETS.read)(at)
+        },
+        ..TARGETS
+    };
+    o.usual("targets", &mut own.targets, &targets);
     let mut terms = own.model.terms().to_vec();
     let joints = robot.joints.len();
     if o.needs("effects", "an array") {

@@ -7,6 +7,9 @@ use crate::document::number::{any_decimal, quoted};
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
 
+/// A session has fewer columns, with every quantity of a hundred joints.
+const MOST_COLUMNS: usize = 10_000;
+
 /// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
 pub(crate) fn read<R: Read>(
     blocks: &mut Blocks<R>,
@@ -39,6 +42,14 @@ pub(crate) fn read<R: Read>(
     loop {
         let cell = Cell::read(lines.bytes, at, lines.end);
         match cell.text() {
+            Ok(_) if names.len() == MOST_COLUMNS => {
+                findings.push(Diagnostic::error(
+                    file.clone().at_line(1),
+                    format!("more than {MOST_COLUMNS} columns"),
+                    "the columns of a session",
+                ));
+                return Ok(None);
+            }
             Ok(text) if cell.line_feeds == 0 => names.push(text.trim().to_owned()),
             Ok(text) => {
                 let place = file.clone().at_line(1).at_column(names.len() as u64 + 1);

@@ -6,6 +6,8 @@ use super::references::references;
 use super::robot::ROBOT;
 use super::{DEFAULT_TARGET, FORMAT};
 use crate::document::kinds::{DEGREES, TEXT, point, positive};
+use crate::document::number::quoted;
+use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, degrees};
 use crate::kinematics::Robot;
@@ -15,8 +17,9 @@ use crate::sessions::domain::{
 
 /// Where the samples are.
 pub(crate) enum SamplesAt {
-    /// In a file with this name; the byte is where the document says so.
-    File(String, usize),
+    /// In a file with this name; the byte is where the document says so. With its hash, where the
+    /// document holds it.
+    File(String, usize, Option<String>),
     /// In the document itself.
     Inline(Node),
 }
@@ -73,6 +76,13 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
             .map(|index| members.remove(index)),
         _ => None,
     };
+    if let Value::Object(members) = &root.value {
+        // The robot's numbers are checked where robots are read, the samples' with their columns.
+        for member in members.iter().filter(|member| member.key != "robot") {
+            let path = Path::Root.key(&member.key);
+            ranges::check(fields, &member.node, &path);
+        }
+    }
     let mut own = Head {
         name: String::new(),
         note: String::new(),
@@ -277,20 +287,35 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
         fields.mismatch(&node, path, EXPECTED);
         return None;
     };
-    fields.unknown_keys(&members, path, &["file", "columns"]);
+    fields.unknown_keys(&members, path, &["file", "sha256", "columns"]);
     let mut file = None;
     let mut columns = None;
+    let mut sha256 = None;
     for member in members {
         match member.key.as_str() {
             "file" if member.node.value != Value::Null => file = Some(member.node),
             "columns" if member.node.value != Value::Null => columns = Some(member.node),
+            "sha256" if member.node.value != Value::Null => sha256 = Some(member.node),
             _ => {}
         }
     }
+    let sha256 = match sha256 {
+        Some(node) => {
+            let key = path.key("sha256");
+            let text = fields.text(&node, &key)?;
+            let digits = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
+            if !digits {
+                fields.error(node.at, &key, quoted(&text), "64 hexadecimal digits");
+                return None;
+            }
+            Some(text.to_ascii_lowercase())
+        }
+        None => None,
+    };
     match (file, columns) {
         (Some(file), None) => {
             let name = fields.text(&file, &path.key("file"))?;
-            Some(SamplesAt::File(name, file.at))
+            Some(SamplesAt::File(name, file.at, sha256))
         }
         (None, Some(columns)) => Some(SamplesAt::Inline(columns)),
         (None, None) => {

@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::Value;
 use crate::document::degrees;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, point, wxyz};
+use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
 use crate::kinematics::{
     Axis, DescriptionFormat, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
@@ -19,7 +20,10 @@ use crate::kinematics::{
 /// A robot. A file that it names is looked for beside the document.
 pub(crate) const ROBOT: Kind<Robot> = Kind {
     expected: "an object that describes the robot",
-    read: |at| at.object(blank(), robot),
+    read: |at| {
+        ranges::check(at.fields, at.node, at.path);
+        at.object(blank(), robot)
+    },
     write: |own| written(own.clone(), robot),
 };
 

@@ -24,6 +24,7 @@ use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{NUMBER, TEXT};
 use crate::document::object::{At, Kind, Object, written};
+use crate::document::ranges;
 use crate::document::{Fields, Node, Path, Value};
 use crate::effects::places::PlaceKind;
 use crate::kinematics::Robot;
@@ -122,6 +123,11 @@ fn offset_of(root: &Node, path: &str) -> usize {
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
     let expected = "a scenario: an object with the key \"format\"";
     fields.of_format(root, FORMAT, expected)?;
+    if let Value::Object(members) = &root.value {
+        for member in members.iter().filter(|member| member.key != "robot") {
+            ranges::check(fields, &member.node, &Path::Root.key(&member.key));
+        }
+    }
     let mut scenario = Scenario::new("simulated session", blank(), Poses::List(Vec::new()));
     scenario.targets = default_targets();
     let mut at = At {

@@ -25,8 +25,11 @@ const RECORD_HEAD: usize = 9;
 /// A chunk that would become longer is refused: recorders write some megabytes.
 const LONGEST_CHUNK: u64 = 1 << 28;
 
+/// Bytes of a type's name.
+const LONGEST_TYPE: usize = 1 << 10;
+
 /// A topic of the recording.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Channel {
     pub(super) topic: String,
     /// How its messages are encoded, such as `cdr`.
@@ -96,6 +99,8 @@ impl Broken {
 pub(super) struct Reader {
     /// Channels in the order in which they were announced.
     pub(super) channels: Vec<Channel>,
+    /// Place in `channels` of each of them: a recording may announce as many as it has records.
+    places: BTreeMap<Channel, usize>,
     /// Place in `channels` of a channel's number.
     numbers: BTreeMap<u16, usize>,
     schemas: BTreeMap<u16, String>,
@@ -201,6 +206,11 @@ impl Reader {
         }
         match parsed(opcode, content, byte)? {
             Record::Schema { header, .. } => {
+                // Every channel has a copy of it.
+                if header.name.len() > LONGEST_TYPE {
+                    let found = format!("a type whose name has {} bytes", header.name.len());
+                    return Err(Broken::new(byte, found, "a name such as sensor_msgs/msg/Joy"));
+                }
                 self.schemas.insert(header.id, header.name);
             }
             Record::Channel(channel) => self.channel(channel),
@@ -231,10 +241,11 @@ impl Reader {
             type_name: type_name.cloned().unwrap_or_default(),
         };
         // The same channel may be announced in every chunk, and by several writers.
-        let known = self.channels.iter().position(|other| *other == channel);
-        let place = known.unwrap_or_else(|| {
+        let place = self.places.get(&channel).copied().unwrap_or_else(|| {
+            let place = self.channels.len();
+            self.places.insert(channel.clone(), place);
             self.channels.push(channel);
-            self.channels.len() - 1
+            place
         });
         self.numbers.insert(announced.id, place);
     }
