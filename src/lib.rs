@@ -142,6 +142,7 @@ pub(crate) mod answers;
 pub mod fit;
 pub mod simulation;
 
+pub mod row_checks;
 pub mod set_up_errors;
 
 pub mod diagnosis;

@@ -59,6 +59,15 @@ impl Noise {
         noise
     }
 
+    /// The same with a white part of at least this along x, y, z, mm.
+    #[must_use]
+    pub(crate) fn at_least(mut self, least_mm: [f64; 3]) -> Self {
+        for (sigma, least) in self.sigma_mm.iter_mut().zip(least_mm) {
+            *sigma = sigma.max(least);
+        }
+        self
+    }
+
     /// Root mean square of both parts over some axes, mm.
     pub fn total_mm(&self, axes: &[usize]) -> f64 {
         let one = |a: &usize| {

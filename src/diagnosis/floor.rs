@@ -7,8 +7,23 @@ use super::prepare::Prepared;
 use super::regression::Fit;
 use crate::answers::diagnosis::{Floor, FloorFrom};
 
-/// From returns to the same pose, else the instrument, else the residuals of the final fit.
+/// From returns to the same pose, else the instrument, else the residuals of the final fit; never below
+/// what rounding to the digit of the coordinates leaves.
 pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
+    let rows = &prepared.regression.rows;
+    let squares = rows
+        .axes
+        .iter()
+        .filter_map(|axis| rows.digits_mm.get(*axis));
+    let digits_mm = squares.map(|mm| mm * mm).sum::<f64>().sqrt();
+    let floor = as_shown(prepared, fit);
+    Floor {
+        mm: floor.mm.max(digits_mm),
+        ..floor
+    }
+}
+
+fn as_shown(prepared: &Prepared, fit: &Fit) -> Floor {
     let regression = &prepared.regression;
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return of_observations(prepared, fit, noise_mm);

@@ -7,6 +7,7 @@
 
 use crate::fit::problem::Problem;
 use crate::sessions::Samples;
+use crate::sessions::measuring_order::measuring_order;
 
 use crate::set_up_errors::DataProblem;
 
@@ -32,6 +33,9 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
         .map(|i| lacking.contains(&i))
         .collect();
     problem.leave_out(&left_out);
+    if is_the_beginning(samples, &lacking) {
+        return None;
+    }
     let shown: Vec<String> = lacking
         .iter()
         .take(8)
@@ -58,6 +62,18 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
         samples: lacking,
         mend: None,
     })
+}
+
+/// Whether only the sample that was measured first lacks something, and that is the side from which it
+/// came: it never has one, and there is nothing to say.
+fn is_the_beginning(samples: &Samples, lacking: &[usize]) -> bool {
+    let order = measuring_order(samples.time_s.as_deref());
+    let first = order.as_ref().and_then(|order| order.first().copied());
+    let sides_only = |sample: usize| {
+        let mut all = conditions(samples).into_iter();
+        all.all(|c| c.zero_is_unknown || !c.lacks(sample))
+    };
+    lacking == [first.unwrap_or(0)] && lacking.iter().all(|sample| sides_only(*sample))
 }
 
 /// A column of a condition and which of its cells say nothing.

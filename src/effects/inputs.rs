@@ -1,5 +1,6 @@
 //! The samples of a session as the effects take them: one column for each condition, no cell
-//! missing, travel since the last reversal worked out from the order of the file.
+//! missing, travel since the last reversal worked out from the order of measuring: that of the file,
+//! unless a clock contradicts it.
 //!
 //! Where a condition is missing an effect cannot act, so the cell takes the value at which it
 //! does not: side 0, speed 0, load 0 kg, 20 °C. A missing time is taken from the samples around
@@ -7,6 +8,7 @@
 
 use std::borrow::Cow;
 
+use crate::sessions::measuring_order::measuring_order;
 use crate::sessions::{Samples, Session};
 
 /// Which joint values the simulation starts from.
@@ -65,8 +67,14 @@ impl<'a> Inputs<'a> {
             .iter()
             .map(|c| or_fill(c.as_ref(), 0.0))
             .collect();
-        let travel = q.iter().zip(&dir);
-        let travel = travel.map(|(q, dir)| dir.as_ref().map(|dir| travel_since_reversal(q, dir)));
+        let order = measuring_order(samples.time_s.as_deref());
+        let travel = q.iter().zip(&dir).map(|(q, dir)| {
+            let dir = dir.as_ref()?;
+            Some(match &order {
+                None => travel_since_reversal(q, dir),
+                Some(order) => travel_in_order(q, dir, order),
+            })
+        });
         Self {
             travel: travel.collect(),
             speed: samples
@@ -83,7 +91,13 @@ impl<'a> Inputs<'a> {
                 .map(|joint| or_fill(of_joint(&samples.torque_nm, joint), 0.0))
                 .collect(),
             time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
-            start_s: None,
+            start_s: order.as_ref().and_then(|order| {
+                let times = samples.time_s.as_ref()?;
+                order
+                    .iter()
+                    .map(|row| times[*row])
+                    .find(|time| time.is_finite())
+            }),
             setup: samples
                 .setups
                 .as_ref()
@@ -254,9 +268,30 @@ fn travel_since_reversal(q: &[f64], dir: &[f64]) -> Vec<f64> {
     travel
 }
 
+/// The same of samples that were measured in this order.
+fn travel_in_order(q: &[f64], dir: &[f64], order: &[usize]) -> Vec<f64> {
+    let pick = |column: &[f64]| -> Vec<f64> { order.iter().map(|row| column[*row]).collect() };
+    let in_order = travel_since_reversal(&pick(q), &pick(dir));
+    let mut travel = vec![0.0; q.len()];
+    for (row, own) in order.iter().zip(in_order) {
+        travel[*row] = own;
+    }
+    travel
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn travel_follows_the_order_of_measuring() {
+        let (q, dir) = (
+            [0.0, 0.5, 1.0, 1.0, 2.0, 3.0],
+            [1.0, -1.0, 1.0, 1.0, -1.0, 1.0],
+        );
+        let travel = travel_in_order(&q, &dir, &[0, 2, 5, 4, 1, 3]);
+        assert_eq!(travel[1..], [2.5, f64::INFINITY, 0.5, 1.0, f64::INFINITY]);
+    }
 
     #[test]
     fn travel_adds_up_while_the_side_stays_and_restarts_when_it_changes() {

@@ -6,6 +6,8 @@ use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
 use crate::observations::Layer;
+use crate::sessions::measuring_order::falls_of_the_clock;
+use crate::sessions::resolution::resolution_mm;
 use crate::sessions::{Session, Sigma};
 
 use super::noise::Noise;
@@ -31,6 +33,10 @@ pub struct Problem<'a> {
     pub beside: Vec<[Vec<f64>; 3]>,
     /// Whether the session has times, and not the same for every sample.
     has_clock: bool,
+    /// Whether the rows of the file are not in the order of that clock.
+    is_sorted: bool,
+    /// What the digits of the coordinates add to the noise of each axis, mm: d/√12.
+    pub(super) digits_mm: [f64; 3],
     /// The noise, where it is known; its white part is in `axis_weights` as well.
     pub noise: Option<Noise>,
     /// What is known of the coefficients beforehand; nothing of a robot with a single joint.
@@ -68,6 +74,14 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
+/// Standard deviation of what rounding to the digit of each coordinate adds, mm.
+pub(crate) fn digits_mm(session: &Session) -> [f64; 3] {
+    let samples = &session.samples;
+    let of = |column: &[f64]| resolution_mm(column).map_or(0.0, |digit| digit / 12.0_f64.sqrt());
+    let z = samples.z_mm.as_deref().unwrap_or(&[]);
+    [of(&samples.x_mm), of(&samples.y_mm), of(z)]
+}
+
 impl<'a> Problem<'a> {
     /// All usable samples of a session that are not held out.
     pub fn new(session: &'a Session, values: JointValues) -> Self {
@@ -79,6 +93,7 @@ impl<'a> Problem<'a> {
         let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
         let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
         let clock = inputs.time_s.as_deref();
+        let is_sorted = clock.is_some_and(|t| falls_of_the_clock(t).is_some());
         let has_clock = clock.is_some_and(|t| t.iter().any(|v| *v != t[0]));
         let spatial = f64::from(u8::from(session.samples.z_mm.is_some()));
         let axis_weights = match session.instrument.sigma_mm {
@@ -101,6 +116,8 @@ impl<'a> Problem<'a> {
             axis_weights,
             beside: Vec::new(),
             has_clock,
+            is_sorted,
+            digits_mm: digits_mm(session),
             noise: None,
             priors: Priors::default(),
             watch: Watch::default(),
@@ -215,6 +232,13 @@ impl<'a> Problem<'a> {
     /// When samples were measured, s; where the session has no clock, their places in the file.
     pub fn times(&self, samples: &[usize]) -> Vec<f64> {
         samples.iter().map(|i| self.time(*i)).collect()
+    }
+
+    /// Puts samples into the order in which they were measured.
+    pub(super) fn in_measuring_order(&self, samples: &mut [usize]) {
+        if self.is_sorted {
+            samples.sort_by(|a, b| self.time(*a).total_cmp(&self.time(*b)).then(a.cmp(b)));
+        }
     }
 
     /// Whether the order of the samples can be taken for time: poses of several joints without a clock

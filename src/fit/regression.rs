@@ -27,6 +27,8 @@ pub struct Rows<'a> {
     pub times: Vec<f64>,
     /// Those samples as the effects take them.
     pub inputs: Inputs<'static>,
+    /// Standard deviation of what rounding to the digit of each coordinate adds, mm.
+    pub digits_mm: [f64; 3],
     measured_mm: Vec<Vec<f64>>,
     observed: Option<ObservedRows<'a>>,
 }
@@ -42,14 +44,16 @@ impl<'a> Rows<'a> {
                 axes: (0..rows.width).collect(),
                 times: problem.times(&of_session),
                 inputs: problem.inputs.select(&of_session),
+                digits_mm: [0.0; 3],
                 measured_mm: Vec::new(),
                 samples,
                 observed: Some(rows),
             };
         }
-        let samples: Vec<usize> = (0..problem.used.len())
+        let mut samples: Vec<usize> = (0..problem.used.len())
             .filter(|i| problem.used[*i])
             .collect();
+        problem.in_measuring_order(&mut samples);
         let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
         let all = &problem.session.samples;
         let measured = |axis: &usize| {
@@ -64,6 +68,7 @@ impl<'a> Rows<'a> {
             measured_mm: axes.iter().map(measured).collect(),
             times: problem.times(&samples),
             inputs: problem.inputs.select(&samples),
+            digits_mm: problem.digits_mm,
             samples,
             axes,
             observed: None,

@@ -29,6 +29,23 @@ pub enum Sigma {
     PerAxis([f64; 3]),
 }
 
+impl Sigma {
+    /// The same with more noise along each of so many axes, mm, none of which says anything of the other.
+    /// A number for all axes stays one: the ratio between them is estimated.
+    #[must_use]
+    pub(crate) fn widened(self, by_mm: [f64; 3], axes: usize) -> Self {
+        match self {
+            Self::Overall(sigma) => {
+                let squares: f64 = by_mm[..axes].iter().map(|by| by * by).sum();
+                Self::Overall(sigma.hypot((squares / axes as f64).sqrt()))
+            }
+            Self::PerAxis(sigma) => {
+                Self::PerAxis(std::array::from_fn(|axis| sigma[axis].hypot(by_mm[axis])))
+            }
+        }
+    }
+}
+
 /// The measuring instrument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instrument {

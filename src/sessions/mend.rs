@@ -54,6 +54,40 @@ pub enum Mend {
     FreeFrame,
     /// Without these samples, counted from 0 in ascending order.
     Remove(Vec<usize>),
+    /// Rows are paired again with the points that belong to them. From each row (counted from 0, in
+    /// ascending order) on the point of a row is that of so many rows below it (negative: above), up to
+    /// the next; rows without a point of their own lose it. What the controller and the clock say
+    /// stays where it is.
+    PairRows(Vec<(usize, isize)>),
+    /// The recorded speeds of a joint (counted from 0) times this: −1 for a sign, π/180 for a unit.
+    ScaleSpeed {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// What its speeds are multiplied by.
+        factor: f64,
+    },
+    /// The loads times this: 0.001 for grams.
+    ScaleLoad(f64),
+    /// The temperatures times `factor`, and `offset`: kelvin, or degrees Fahrenheit.
+    ConvertTemperature {
+        /// °C per unit.
+        factor: f64,
+        /// What is added then, °C.
+        offset: f64,
+    },
+    /// The instrument's noise has this besides along x, y and z, mm: what was rounded away.
+    WidenNoise([f64; 3]),
+    /// A target sits elsewhere in the tool than the session says: its place and this, tool frame, mm.
+    MoveTarget {
+        /// The target, counted from 0.
+        target: usize,
+        /// What is added to its place, mm.
+        by_mm: [f64; 3],
+    },
+    /// Where the targets sit in the tool is not known: their places are fitted.
+    FreeTargets,
+    /// Where a socket (counted from 0) is, is not known: its place is fitted.
+    FreeSocket(usize),
 }
 
 impl Mend {
@@ -110,6 +144,23 @@ impl Mend {
             Self::FreeFrame => "Fit the measuring frame".to_owned(),
             Self::Remove(rows) if rows.len() == 1 => "Remove this sample".to_owned(),
             Self::Remove(rows) => format!("Remove these {} samples", rows.len()),
+            Self::PairRows(_) => "Pair the rows again".to_owned(),
+            Self::ScaleSpeed { joint, factor } if *factor < 0.0 => {
+                format!("Reverse the speeds of joint {}", joint + 1)
+            }
+            Self::ScaleSpeed { joint, factor } => {
+                format!("Multiply the speeds of joint {} by {factor:.6}", joint + 1)
+            }
+            Self::ScaleLoad(factor) if *factor < 1.0 => "Read the loads as grams".to_owned(),
+            Self::ScaleLoad(factor) => format!("Multiply the loads by {factor:.6}"),
+            Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
+                "Read the temperatures as Fahrenheit".to_owned()
+            }
+            Self::ConvertTemperature { .. } => "Read the temperatures as kelvin".to_owned(),
+            Self::WidenNoise(_) => "Count the digit as noise".to_owned(),
+            Self::MoveTarget { target, .. } => format!("Move target {}", target + 1),
+            Self::FreeTargets => "Fit the places of the targets".to_owned(),
+            Self::FreeSocket(socket) => format!("Fit the place of socket {}", socket + 1),
         }
     }
 
@@ -168,7 +219,88 @@ impl Mend {
                 });
             }
             Self::Remove(rows) => samples.remove(rows),
+            Self::PairRows(shifts) => pair_rows(samples, shifts),
+            Self::ScaleSpeed { joint, factor } => {
+                let speeds = samples.speed.get_mut(*joint).into_iter().flatten();
+                speeds.for_each(|v| scale(v, *factor));
+            }
+            Self::ScaleLoad(factor) => samples.load_kg.iter_mut().for_each(|v| scale(v, *factor)),
+            Self::ConvertTemperature { factor, offset } => {
+                let joints = samples.joint_temperature_c.iter_mut().flatten();
+                for column in samples.temperature_c.iter_mut().chain(joints) {
+                    column.iter_mut().for_each(|v| *v = *v * factor + offset);
+                }
+            }
+            Self::WidenNoise(by_mm) => {
+                let axes = samples.axes();
+                let own = &mut session.instrument.sigma_mm;
+                *own = own.map(|sigma| sigma.widened(*by_mm, axes));
+            }
+            Self::MoveTarget { target, by_mm } => {
+                if let Some(target) = session.targets.get_mut(*target) {
+                    target.position_mm += nalgebra::Vector3::from(*by_mm);
+                }
+            }
+            Self::FreeTargets => session.instrument.targets_sigma_mm = None,
+            Self::FreeSocket(socket) => {
+                let sockets = &mut session.instrument.references.sockets;
+                if let Some(socket) = sockets.get_mut(*socket) {
+                    socket.position_mm = None;
+                }
+            }
         }
+    }
+
+    /// Whether it changes which rows count or belong together, and nothing that holds for another
+    /// session of the same robot.
+    pub fn is_of_rows(&self) -> bool {
+        matches!(self, Self::Remove(_) | Self::PairRows(_))
+    }
+}
+
+fn scale(column: &mut Vec<f64>, factor: f64) {
+    column.iter_mut().for_each(|v| *v *= factor);
+}
+
+/// Moves everything that an instrument measured; see [`Mend::PairRows`].
+fn pair_rows(samples: &mut Samples, shifts: &[(usize, isize)]) {
+    let n = samples.len();
+    let mut from: Vec<Option<usize>> = (0..n).map(Some).collect();
+    for (k, (first, by)) in shifts.iter().enumerate() {
+        let end = shifts.get(k + 1).map_or(n, |next| next.0.min(n));
+        let first = (*first).min(end);
+        // A point is that of one row only: the rows above have theirs.
+        let taken = from[..first]
+            .iter()
+            .flatten()
+            .max()
+            .map_or(0, |last| last + 1);
+        for row in first..end {
+            let point = row.checked_add_signed(*by);
+            from[row] = point.filter(|point| *point < n && *point >= taken);
+        }
+    }
+    let numbers = |column: &mut Vec<f64>| {
+        let at = |row: &Option<usize>| row.map_or(f64::NAN, |row| column[row]);
+        *column = from.iter().map(at).collect();
+    };
+    let points = [&mut samples.x_mm, &mut samples.y_mm];
+    points
+        .into_iter()
+        .chain(samples.z_mm.as_mut())
+        .for_each(numbers);
+    samples
+        .orientation_wxyz
+        .iter_mut()
+        .flatten()
+        .for_each(numbers);
+    let observed = &mut samples.observed;
+    for column in [
+        &mut observed.distance_mm,
+        &mut observed.azimuth,
+        &mut observed.elevation,
+    ] {
+        column.iter_mut().for_each(numbers);
     }
 }
 
@@ -176,7 +308,7 @@ fn scale_joint(samples: &mut Samples, joint: usize, factor: f64) {
     if joint >= samples.q.len() {
         return;
     }
-    let scale = |column: &mut Vec<f64>| column.iter_mut().for_each(|v| *v *= factor);
+    let scale = |column: &mut Vec<f64>| scale(column, factor);
     scale(&mut samples.q[joint]);
     samples.q_read[joint].iter_mut().for_each(scale);
     samples.speed[joint].iter_mut().for_each(scale);

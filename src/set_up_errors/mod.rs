@@ -20,6 +20,7 @@ use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::row_checks;
 use crate::sessions::{Samples, Session, Setups};
 use crate::units::rad_from_deg;
 
@@ -60,10 +61,10 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
     points as f64 >= ENOUGH_POINTS * all as f64
 }
 
-/// Tries the blunders and mends what it finds.
+/// Checks the rows, tries the set-up errors and corrects what it finds.
 pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
-    let mut problems = Vec::new();
-    let mut mended: Cow<'a, Session> = Cow::Borrowed(session);
+    let checked = row_checks::check(session, joint_values);
+    let (mut mended, mut problems) = (checked.session, checked.problems);
     if !has_enough_points(session, joint_values) {
         return Mended {
             session: mended,
@@ -72,7 +73,7 @@ pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
     }
     losses(session, &mut problems);
     if base_model::is_arm(session) {
-        if let Some(better) = arms::corrected(session, joint_values, &mut problems) {
+        if let Some(better) = arms::corrected(&mended, joint_values, &mut problems) {
             mended = Cow::Owned(better);
         }
     } else {
@@ -95,22 +96,19 @@ pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
     }
 }
 
-/// The gross mistakes alone, for an identification: a robot with several joints is identified without
-/// them, one joint as it stands.
+/// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
+/// joints is identified without set-up errors, one joint as it is.
 pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_> {
-    let mut problems = Vec::new();
-    if base_model::is_arm(session) {
-        let better = arms::corrected(session, joint_values, &mut problems);
-        return Mended {
-            session: better.map_or(Cow::Borrowed(session), Cow::Owned),
-            problems,
-        };
+    let checked = row_checks::check(session, joint_values);
+    let (mut session, mut problems) = (checked.session, checked.problems);
+    if base_model::is_arm(&session) {
+        if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
+        }
+    } else {
+        problems.extend(gross_blunder(&session, joint_values).map(|found| found.1));
     }
-    problems.extend(gross_blunder(session, joint_values).map(|found| found.1));
-    Mended {
-        session: Cow::Borrowed(session),
-        problems,
-    }
+    Mended { session, problems }
 }
 
 fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {

@@ -131,7 +131,8 @@ impl Noise {
         let scale = restricted
             .scale(&sums, &noise.sigma_mm)
             .max(SMALLEST_SIGMA_MM);
-        noise.scaled(scale)
+        // What was rounded away is noise, whatever the residuals of few digits look like.
+        noise.scaled(scale).at_least(rows.digits_mm)
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ.

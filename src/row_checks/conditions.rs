@@ -1,0 +1,152 @@
+//! Loads and temperatures in another unit: no robot of that size carries a tonne, and no workshop is at
+//! 295 °C.
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::sessions::{Mend, Session};
+
+use super::said;
+
+/// What a robot may carry, kg: so much …
+const LEAST_PAYLOAD_KG: f64 = 60.0;
+/// … and so much for the square of its reach in metres (the strongest arms: 2300 kg at 3.7 m).
+const PAYLOAD_KG_PER_M2: f64 = 300.0;
+/// A load of less is none, kg.
+const LEAST_LOAD_KG: f64 = 0.005;
+/// Temperatures of a machine in kelvin …
+const KELVIN: std::ops::Range<f64> = 230.0..390.0;
+/// … and in degrees Fahrenheit, where no air is as hot in degrees Celsius.
+const FAHRENHEIT: std::ops::Range<f64> = 58.0..120.0;
+/// 0 °C in kelvin.
+const ZERO_KELVIN: f64 = 273.15;
+
+pub(super) fn in_other_units(session: &Session, _: JointValues) -> Vec<DataProblem> {
+    let mut problems = Vec::new();
+    problems.extend(load(session));
+    problems.extend(temperature(session));
+    problems
+}
+
+fn load(session: &Session) -> Option<DataProblem> {
+    let (least, most) = range(session.samples.load_kg.as_deref()?, |v| v.abs() > 0.0)?;
+    let reach_m = reach_mm(session) / 1000.0;
+    let payload = LEAST_PAYLOAD_KG + PAYLOAD_KG_PER_M2 * reach_m * reach_m;
+    if most <= payload || least * 0.001 < LEAST_LOAD_KG || most * 0.001 > payload {
+        return None;
+    }
+    Some(DataProblem {
+        what: format!("load in grams: load_kg holds values up to {most:.0}"),
+        evidence: format!(
+            "no robot that reaches {reach_m:.2} m carries {most:.0} kg; in grams the largest load is \
+             {:.3} kg",
+            most / 1000.0
+        ),
+        proposal: "the loads are read as grams; divide the column load_kg by 1000".to_owned(),
+        mend: Some(Mend::ScaleLoad(0.001)),
+        samples: Vec::new(),
+    })
+}
+
+fn temperature(session: &Session) -> Option<DataProblem> {
+    let column = session.samples.temperature_c.as_deref()?;
+    let (least, most) = range(column, |_| true)?;
+    if KELVIN.contains(&least) && KELVIN.contains(&most) {
+        return Some(DataProblem {
+            what: format!("temperature in kelvin: temperature_c runs from {least:.2} to {most:.2}"),
+            evidence: format!(
+                "no machine is as hot; in kelvin it is {:.1} to {:.1} °C",
+                least - ZERO_KELVIN,
+                most - ZERO_KELVIN
+            ),
+            proposal: "the temperatures are read as kelvin; subtract 273.15".to_owned(),
+            mend: Some(Mend::ConvertTemperature {
+                factor: 1.0,
+                offset: -ZERO_KELVIN,
+            }),
+            samples: Vec::new(),
+        });
+    }
+    // A warm gear is as hot: it is asked, not changed.
+    let celsius = |f: f64| (f - 32.0) / 1.8;
+    (FAHRENHEIT.contains(&least) && FAHRENHEIT.contains(&most)).then(|| {
+        said(
+            format!("temperature may be in degrees Fahrenheit: {least:.1} to {most:.1}"),
+            format!(
+                "as degrees Fahrenheit it is {:.1} to {:.1} °C",
+                celsius(least),
+                celsius(most)
+            ),
+            "check the unit of temperature_c; everything that depends on temperature refers to 20 °C"
+                .to_owned(),
+        )
+    })
+}
+
+/// The least and the largest of the values that count.
+fn range(column: &[f64], counts: impl Fn(f64) -> bool) -> Option<(f64, f64)> {
+    let all = column
+        .iter()
+        .copied()
+        .filter(|v| v.is_finite() && counts(*v));
+    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    });
+    (low <= high).then_some((low, high))
+}
+
+/// How far the tool is from the first axis along all links, mm.
+fn reach_mm(session: &Session) -> f64 {
+    let robot = &session.robot;
+    let tool = robot.base_from_tool.translation.vector;
+    let mut points: Vec<_> = robot
+        .joints
+        .iter()
+        .map(|j| j.axis.point_mm.coords)
+        .collect();
+    points.push(tool);
+    let along: f64 = points
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).norm())
+        .sum();
+    along.max(tool.norm())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row_checks::tests::axis;
+
+    #[test]
+    fn loads_in_grams_are_said_and_read_as_such() {
+        let mut session = axis(40);
+        let loads = |most: f64| Some((0..40).map(|k| most * f64::from(k % 3) / 2.0).collect());
+        session.samples.load_kg = loads(6.0);
+        assert!(in_other_units(&session, JointValues::Commanded).is_empty());
+        session.samples.load_kg = loads(6000.0);
+        let problems = in_other_units(&session, JointValues::Commanded);
+        assert_eq!(problems.len(), 1);
+        assert!(problems[0].what.contains("load in grams"));
+        problems[0]
+            .mend
+            .as_ref()
+            .expect("known")
+            .apply(&mut session);
+        assert!((session.samples.load_kg.as_ref().expect("there")[2] - 6.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn temperatures_in_kelvin_are_converted_and_fahrenheit_is_asked() {
+        let mut session = axis(40);
+        let warm = |from: f64| Some((0..40).map(|k| from + 0.1 * f64::from(k)).collect());
+        session.samples.temperature_c = warm(35.0);
+        assert!(in_other_units(&session, JointValues::Commanded).is_empty());
+        session.samples.temperature_c = warm(68.0);
+        let asked = in_other_units(&session, JointValues::Commanded);
+        assert!(asked[0].what.contains("Fahrenheit") && asked[0].mend.is_none());
+        session.samples.temperature_c = warm(293.15);
+        let kelvin = in_other_units(&session, JointValues::Commanded);
+        assert!(kelvin[0].what.contains("kelvin"));
+        kelvin[0].mend.as_ref().expect("known").apply(&mut session);
+        assert!((session.samples.temperature_c.as_ref().expect("there")[0] - 20.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,124 @@
+//! Coordinates that were rounded: their digit, where it matters beside the noise.
+//!
+//! Rounding to a digit d adds d²/12 to the variance of a coordinate, whatever the instrument is capable
+//! of; what is stated for the instrument is widened by that ([`Mend::WidenNoise`]).
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::fit::problem::digits_mm;
+use crate::sessions::{Mend, Session, Sigma};
+
+use super::said;
+
+/// What rounding adds matters above this share of the noise otherwise expected.
+const MATTERS: f64 = 1.0 / 3.0;
+/// The noise of a point where nothing is stated, mm: what a tracker has.
+const USUAL_NOISE_MM: f64 = 0.05;
+
+pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
+    let added_mm = digits_mm(session);
+    let stated = session.instrument.sigma_mm;
+    let expected = |axis: usize| match stated {
+        Some(Sigma::Overall(sigma)) => sigma,
+        Some(Sigma::PerAxis(sigma)) => sigma[axis],
+        None => USUAL_NOISE_MM,
+    };
+    let coarse: Vec<usize> = (0..3)
+        .filter(|axis| added_mm[*axis] > MATTERS * expected(*axis))
+        .collect();
+    if coarse.is_empty() {
+        return Vec::new();
+    }
+    let digit = |axis: usize| added_mm[axis] * 12.0_f64.sqrt();
+    let alike = coarse
+        .iter()
+        .all(|axis| (digit(*axis) / digit(coarse[0]) - 1.0).abs() < 1e-9);
+    let in_mm = |axis: usize| trimmed(digit(axis));
+    let names = |axes: &[usize]| -> String {
+        let names: Vec<&str> = axes.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
+        names.join(", ")
+    };
+    let of = if alike {
+        format!("{} mm in {}", in_mm(coarse[0]), names(&coarse))
+    } else {
+        let each = coarse.iter();
+        let each: Vec<String> = each
+            .map(|a| format!("{} mm in {}", in_mm(*a), names(&[*a])))
+            .collect();
+        each.join(", ")
+    };
+    let largest = coarse
+        .iter()
+        .map(|axis| added_mm[*axis])
+        .fold(0.0, f64::max);
+    let beside = match stated {
+        Some(_) => "the noise stated for the instrument",
+        None => "what an instrument usually has",
+    };
+    let mut problem = said(
+        format!("resolution: the coordinates are rounded to {of}"),
+        format!(
+            "every value is a multiple of it; rounding adds {largest:.4} mm to the noise of a \
+             coordinate, which is more than a third of {beside}"
+        ),
+        "the digit counts as noise, and nothing below it can be told; record more digits"
+            .to_owned(),
+    );
+    if stated.is_some() {
+        problem.mend = Some(Mend::WidenNoise(added_mm));
+    }
+    vec![problem]
+}
+
+/// A length without the zeros behind.
+fn trimmed(mm: f64) -> String {
+    let text = format!("{mm:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row_checks::tests::axis;
+
+    fn rounded(session: &mut Session, step: f64) {
+        let samples = &mut session.samples;
+        for column in [&mut samples.x_mm, &mut samples.y_mm] {
+            column
+                .iter_mut()
+                .for_each(|v| *v = (*v / step).round() * step);
+        }
+    }
+
+    #[test]
+    fn a_digit_that_matters_is_said_and_widens_what_is_stated() {
+        let mut session = axis(80);
+        session.instrument.sigma_mm = Some(Sigma::Overall(0.02));
+        assert!(coarse(&session, JointValues::Commanded).is_empty());
+        rounded(&mut session, 0.1);
+        let problems = coarse(&session, JointValues::Commanded);
+        assert_eq!(problems.len(), 1);
+        assert!(
+            problems[0].what.contains("resolution") && problems[0].what.contains("0.1 mm in x, y")
+        );
+        problems[0]
+            .mend
+            .as_ref()
+            .expect("stated")
+            .apply(&mut session);
+        // Two of three axes are rounded; the ratio between them is estimated from the residuals.
+        let Some(Sigma::Overall(sigma)) = session.instrument.sigma_mm else {
+            panic!("{:?}", session.instrument.sigma_mm)
+        };
+        let added = 0.01 / 12.0 * 2.0 / 3.0;
+        assert!((sigma - (0.02_f64.powi(2) + added).sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_digit_that_is_far_below_the_noise_is_not_worth_a_word() {
+        let mut session = axis(80);
+        session.instrument.sigma_mm = Some(Sigma::Overall(0.02));
+        rounded(&mut session, 0.01);
+        assert!(coarse(&session, JointValues::Commanded).is_empty());
+    }
+}

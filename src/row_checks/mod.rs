@@ -1,0 +1,168 @@
+//! Mistakes in the rows of a session, looked for before anything is fitted: points beside the wrong
+//! commands, copies, an order that is not that of measuring, speeds and loads in another unit, digits.
+//!
+//! A row that is wrong makes a model wrong that fits every sample, so these checks come before the
+//! set-up errors and the effects. Each says what it saw, how sure that is, and, where that is
+//! mechanical, the change of the session that takes it back. The caller goes on with that change made;
+//! no row changes its place, so that a sample keeps its number.
+
+mod conditions;
+mod copies;
+mod digits;
+pub mod equal_steps;
+mod order;
+mod shifted;
+mod speeds;
+
+use std::borrow::Cow;
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::sessions::{Mend, Session};
+
+/// A session without the mistakes of its rows, and what they were.
+#[derive(Debug, Clone)]
+pub struct Checked<'a> {
+    /// The session to go on with, its rows at their places.
+    pub session: Cow<'a, Session>,
+    /// What was wrong.
+    pub problems: Vec<DataProblem>,
+}
+
+/// A check: what it found in a session. A correction that it proposes is made before the next check.
+type Check = fn(&Session, JointValues) -> Vec<DataProblem>;
+
+/// Every check, in the order in which they are made: what others would stumble over comes first.
+const CHECKS: [Check; 6] = [
+    copies::copied,
+    order::out_of_order,
+    conditions::in_other_units,
+    speeds::turned_or_scaled,
+    digits::coarse,
+    shifted::shifted,
+];
+
+/// Makes every check, one after the other.
+pub fn check(session: &Session, values: JointValues) -> Checked<'_> {
+    let mut checked = Checked {
+        session: Cow::Borrowed(session),
+        problems: Vec::new(),
+    };
+    for check in CHECKS {
+        for problem in check(&checked.session, values) {
+            if let Some(mend) = &problem.mend {
+                correct(mend, checked.session.to_mut());
+            }
+            checked.problems.push(problem);
+        }
+    }
+    checked
+}
+
+/// Makes a correction; rows that it removes are left out of every fit instead, so that the others keep
+/// their numbers.
+fn correct(mend: &Mend, session: &mut Session) {
+    let Mend::Remove(rows) = mend else {
+        return mend.apply(session);
+    };
+    let n = session.samples.len();
+    let out = session
+        .samples
+        .excluded
+        .get_or_insert_with(|| vec![false; n]);
+    for row in rows {
+        if let Some(out) = out.get_mut(*row) {
+            *out = true;
+        }
+    }
+}
+
+/// A problem that is about all samples and is said only.
+fn said(what: String, evidence: String, proposal: String) -> DataProblem {
+    DataProblem {
+        what,
+        evidence,
+        proposal,
+        mend: None,
+        samples: Vec::new(),
+    }
+}
+
+/// Rows for reading, counted from 1: "rows 3–12, 40 and 7 more".
+fn listed(rows: &[usize]) -> String {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for &row in rows {
+        match runs.last_mut() {
+            Some(run) if run.1 + 1 == row => run.1 = row,
+            _ => runs.push((row, row)),
+        }
+    }
+    let shown = runs.iter().take(4).map(|(first, last)| {
+        if first == last {
+            format!("{}", first + 1)
+        } else {
+            format!("{}–{}", first + 1, last + 1)
+        }
+    });
+    let text = shown.collect::<Vec<_>>().join(", ");
+    let more: usize = runs
+        .iter()
+        .skip(4)
+        .map(|(first, last)| last - first + 1)
+        .sum();
+    let noun = if rows.len() == 1 { "row" } else { "rows" };
+    if more > 0 {
+        format!("{noun} {text} and {more} more")
+    } else {
+        format!("{noun} {text}")
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// One axis, commands all over the place, so many samples, noise of 0.02 mm, zero offset 0.3°.
+    pub(in crate::row_checks) fn axis(n: usize) -> Session {
+        let mut at: f64 = 0.0;
+        let poses: Vec<String> = (0..n)
+            .map(|k| {
+                let to = 300.0 * ((k as f64 * 0.618_033_988_7).fract() - 0.5);
+                let side = if to > at { 1 } else { -1 };
+                at = to;
+                format!(r#"{{"q_deg":[{to}],"dir":[{side}]}}"#)
+            })
+            .collect();
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"r","robot":{{"name":"r","joints":[
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}}],
+            "tool":{{"position_mm":[320,0,210],"quaternion_wxyz":[1,0,0,0]}}}},
+            "targets":{{"A":[0,0,0],"B":[90,30,50]}},"instrument":{{"name":"t","sigma_mm":0.02}},
+            "poses":{{"list":[{}]}},"conditions":{{"seconds_per_pose":8}},
+            "effects":[{{"effect":"joint-zero-offset","joint":1,"parameters":{{"offset_deg":0.3}}}}],
+            "noise":{{"sigma_mm":0.02,"kind":"gauss"}},"seed":4}}"#,
+            poses.join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        simulate(&scenario, 1, unwatched).unwrap().0
+    }
+
+    #[test]
+    fn a_session_without_mistakes_has_nothing_to_say() {
+        let session = axis(60);
+        let checked = check(&session, JointValues::Commanded);
+        assert!(checked.problems.is_empty(), "{:?}", checked.problems);
+        assert!(matches!(checked.session, Cow::Borrowed(_)));
+        for n in [1, 2, 5] {
+            assert!(check(&axis(n), JointValues::Commanded).problems.is_empty());
+        }
+    }
+
+    #[test]
+    fn rows_are_listed_as_runs() {
+        assert_eq!(listed(&[4]), "row 5");
+        assert_eq!(listed(&[0, 1, 2, 6]), "rows 1–3, 7");
+        assert_eq!(listed(&[0, 2, 4, 6, 8, 9]), "rows 1, 3, 5, 7 and 2 more");
+    }
+}

@@ -1,0 +1,352 @@
+//! The likeliest path of shifts through the rows.
+
+use nalgebra::Vector3;
+
+use crate::fit::problem::unusable;
+use crate::model::Positions;
+use crate::sessions::Session;
+
+/// Shifts that are tried, to either side.
+pub(super) const MOST_SHIFT: isize = 3;
+const STATES: usize = 2 * MOST_SHIFT as usize + 1;
+/// Degrees of freedom of the heavy-tailed noise.
+const TAILS: f64 = 4.0;
+/// The logarithm of the price of a change, beside that of its place.
+const PRICE: f64 = 6.0;
+/// What a row without a point costs: as much as one 3 σ off.
+const WITHOUT_A_POINT: f64 = 4.0;
+/// Rows to either side between which the place of a change is sought again.
+const NEAR: usize = 4;
+
+/// The measured points of a session; `None` where a row has none that counts.
+pub(super) struct Points {
+    all: Vec<Option<Vector3<f64>>>,
+    size_mm: f64,
+}
+
+impl Points {
+    /// `None` where too few rows have a point.
+    pub(super) fn of(session: &Session) -> Option<Self> {
+        let samples = &session.samples;
+        let spatial = samples.z_mm.is_some();
+        let point = |row: usize| {
+            let [x, y, z] = samples.coordinates(row);
+            unusable(session, row)
+                .is_none()
+                .then(|| Vector3::new(x, y, if spatial { z } else { 0.0 }))
+        };
+        let all: Vec<Option<Vector3<f64>>> = (0..samples.len()).map(point).collect();
+        let known: Vec<&Vector3<f64>> = all.iter().flatten().collect();
+        let n = known.len() as f64;
+        if known.len() < super::FEWEST_SAMPLES {
+            return None;
+        }
+        let mean: Vector3<f64> = known.iter().copied().sum::<Vector3<f64>>() / n;
+        let variance = known
+            .iter()
+            .map(|p| (**p - mean).norm_squared())
+            .sum::<f64>()
+            / n;
+        (variance > 0.0).then(|| Self {
+            all,
+            size_mm: variance.sqrt(),
+        })
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Spread of the points about their mean, root mean square, mm.
+    pub(super) fn size_mm(&self) -> f64 {
+        self.size_mm
+    }
+
+    pub(super) fn get(&self, row: usize) -> Option<Vector3<f64>> {
+        self.all.get(row).copied().flatten()
+    }
+
+    /// How far the point of one row is from where the robot is predicted at the command of another;
+    /// `None` where there is none.
+    pub(super) fn deviation_mm(
+        &self,
+        predicted: &Positions,
+        command: usize,
+        point: usize,
+    ) -> Option<f64> {
+        let deviation = self.get(point)? - Vector3::from(predicted.get(command));
+        let deviation = deviation.norm();
+        deviation.is_finite().then_some(deviation)
+    }
+}
+
+/// From each of these rows on the point is that of so many rows below; before the first it is the own.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Path {
+    pub(super) changes: Vec<(usize, isize)>,
+}
+
+impl Path {
+    /// Whether no row is shifted.
+    pub(super) fn is_none(&self) -> bool {
+        self.changes.iter().all(|change| change.1 == 0)
+    }
+
+    fn shift_of(&self, row: usize) -> isize {
+        let last = self.changes.iter().rev().find(|change| change.0 <= row);
+        last.map_or(0, |change| change.1)
+    }
+
+    /// The row whose point belongs to the command of this one; `None` where it has been lost.
+    pub(super) fn point_of(&self, row: usize, rows: usize) -> Option<usize> {
+        let at = self.changes.iter().rposition(|change| change.0 <= row);
+        let Some(at) = at else { return Some(row) };
+        let (first, by) = self.changes[at];
+        let point = row.checked_add_signed(by).filter(|point| *point < rows)?;
+        // A point is that of one row only: the row above the change has its own.
+        let above = first.checked_sub(1);
+        let taken = above.and_then(|above| above.checked_add_signed(self.shift_of(above)));
+        taken.is_none_or(|taken| point > taken).then_some(point)
+    }
+
+    /// Rows whose point is not their own.
+    pub(super) fn moved(&self, rows: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..rows).filter(|row| self.shift_of(*row) != 0)
+    }
+
+    /// What the changes cost in so many rows.
+    pub(super) fn price(&self, rows: usize) -> f64 {
+        let mut before = 0;
+        let mut price = 0.0;
+        for (_, by) in &self.changes {
+            price += price_of(before, *by, rows);
+            before = *by;
+        }
+        price
+    }
+
+    /// What happened, for a person.
+    pub(super) fn in_words(&self) -> String {
+        let mut before = 0;
+        let mut parts = Vec::new();
+        for (first, by) in &self.changes {
+            let (lost, row) = (before - by, first + 1);
+            let (count, points) = match lost.unsigned_abs() {
+                1 => ("one".to_owned(), "point"),
+                count => (count.to_string(), "points"),
+            };
+            let which = if lost > 0 { "missing" } else { "too many" };
+            parts.push(match (first, lost) {
+                (0, _) => format!(
+                    "all points belong to the command {} rows {}",
+                    by.unsigned_abs(),
+                    if *by < 0 { "below" } else { "above" }
+                )
+                .replace(" 1 rows ", " one row "),
+                _ => format!("{count} {points} {which} at row {row}"),
+            });
+            before = *by;
+        }
+        parts.join("; ")
+    }
+}
+
+/// What a change from one shift to another costs.
+fn price_of(from: isize, to: isize, rows: usize) -> f64 {
+    if from == to {
+        return 0.0;
+    }
+    let jump = from.abs_diff(to) as f64;
+    PRICE * (1.0 + 0.5 * (jump - 1.0)) + (rows.max(2) as f64).ln()
+}
+
+/// What a deviation costs.
+pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
+    deviation_mm.map_or(WITHOUT_A_POINT, |r| {
+        0.5 * (TAILS + 3.0) * (r * r / (TAILS * sigma_mm * sigma_mm)).ln_1p()
+    })
+}
+
+/// The median, of nothing `None`.
+pub(super) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut all: Vec<f64> = values.filter(|v| v.is_finite()).collect();
+    if all.is_empty() {
+        return None;
+    }
+    let middle = all.len() / 2;
+    Some(*all.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The likeliest path of all rows beside where the robot is predicted; `None` where no row is shifted.
+pub(super) fn likeliest(points: &Points, predicted: &Positions, sigma_mm: f64) -> Option<Path> {
+    let deviation = |row: usize, by: isize| {
+        let point = row.checked_add_signed(by)?;
+        points.deviation_mm(predicted, row, point)
+    };
+    let n = points.len();
+    let rows: Vec<usize> = (0..n).collect();
+    let (mut path, _) = along(&rows, n, &|row, by| cost(deviation(row, by), sigma_mm));
+    place_exactly(&mut path, n, &|row, point| {
+        cost(
+            point.and_then(|p| points.deviation_mm(predicted, row, p)),
+            sigma_mm,
+        )
+    });
+    (!path.is_none()).then_some(path)
+}
+
+/// The likeliest path along some rows of so many, and its cost with the prices.
+pub(super) fn along(
+    some: &[usize],
+    rows: usize,
+    cost: &dyn Fn(usize, isize) -> f64,
+) -> (Path, f64) {
+    let shift = |state: usize| state as isize - MOST_SHIFT;
+    let prices: [[f64; STATES]; STATES] = std::array::from_fn(|from| {
+        std::array::from_fn(|to| price_of(shift(from), shift(to), rows))
+    });
+    // One byte for each row and state: the state before.
+    let mut came_from: Vec<[u8; STATES]> = Vec::with_capacity(some.len());
+    let mut so_far = prices[MOST_SHIFT as usize];
+    for (k, row) in some.iter().enumerate() {
+        let mut next = [0.0; STATES];
+        let mut from = [0_u8; STATES];
+        for to in 0..STATES {
+            let (mut best, mut at) = (so_far[to], to);
+            if k > 0 {
+                for state in 0..STATES {
+                    let own = so_far[state] + prices[state][to];
+                    if own < best {
+                        (best, at) = (own, state);
+                    }
+                }
+            }
+            next[to] = best + cost(*row, shift(to));
+            from[to] = at as u8;
+        }
+        so_far = next;
+        came_from.push(from);
+    }
+    let end = (0..STATES).min_by(|a, b| so_far[*a].total_cmp(&so_far[*b]));
+    let mut state = end.unwrap_or(MOST_SHIFT as usize);
+    let total = so_far[state];
+    let mut states = vec![state; some.len()];
+    for k in (1..some.len()).rev() {
+        state = usize::from(came_from[k][state]);
+        states[k - 1] = state;
+    }
+    let mut changes = Vec::new();
+    let mut before = 0;
+    for (row, state) in some.iter().zip(states) {
+        let by = shift(state);
+        if by != before {
+            changes.push((*row, by));
+            before = by;
+        }
+    }
+    (Path { changes }, total)
+}
+
+/// Moves every change to the row beside it where the points fit best, now that a point belongs to one
+/// row only.
+fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize>) -> f64) {
+    for k in 0..path.changes.len() {
+        let at = path.changes[k].0;
+        if at == 0 {
+            continue;
+        }
+        let least = k
+            .checked_sub(1)
+            .map_or(1, |before| path.changes[before].0 + 1);
+        let most = path.changes.get(k + 1).map_or(rows, |next| next.0) - 1;
+        let around = at.saturating_sub(NEAR).max(least)..=(at + NEAR).min(most);
+        let part = at.saturating_sub(2 * NEAR)..(at + 2 * NEAR).min(rows);
+        let of = |first: usize| {
+            let mut moved = path.clone();
+            moved.changes[k].0 = first;
+            let own = part.clone().map(|row| cost(row, moved.point_of(row, rows)));
+            own.sum::<f64>()
+        };
+        let best = around
+            .map(|first| (of(first), first))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, first)) = best {
+            path.changes[k].0 = first;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Costs of rows whose right shifts are known.
+    fn found(right: &[isize]) -> Path {
+        let rows: Vec<usize> = (0..right.len()).collect();
+        along(&rows, right.len(), &|row, by| {
+            if right[row] == by { 1.0 } else { 8.0 }
+        })
+        .0
+    }
+
+    #[test]
+    fn a_change_is_found_where_it_is() {
+        let mut right = vec![0; 30];
+        assert!(found(&right).is_none());
+        right[17..].fill(-1);
+        assert_eq!(found(&right).changes, [(17, -1)]);
+        right[25..].fill(0);
+        assert_eq!(found(&right).changes, [(17, -1), (25, 0)]);
+        assert_eq!(found(&[2; 30]).changes, [(0, 2)]);
+        assert!(found(&[]).is_none());
+    }
+
+    #[test]
+    fn a_point_belongs_to_one_row_only() {
+        // One point is missing at row 3: its command has none, and the rows behind have those above.
+        let lost = Path {
+            changes: vec![(3, -1)],
+        };
+        let of = |path: &Path| (0..6).map(|row| path.point_of(row, 6)).collect::<Vec<_>>();
+        assert_eq!(
+            of(&lost),
+            [Some(0), Some(1), Some(2), None, Some(3), Some(4)]
+        );
+        // One is there twice.
+        let twice = Path {
+            changes: vec![(3, 1)],
+        };
+        assert_eq!(
+            of(&twice),
+            [Some(0), Some(1), Some(2), Some(4), Some(5), None]
+        );
+        assert_eq!(lost.in_words(), "one point missing at row 4");
+        assert_eq!(twice.in_words(), "one point too many at row 4");
+    }
+
+    #[test]
+    fn the_correction_pairs_rows_as_the_path_does() {
+        let mut session = crate::row_checks::tests::axis(30);
+        let x = session.samples.x_mm.clone();
+        for changes in [
+            vec![(3, -1)],
+            vec![(3, 1)],
+            vec![(0, 2)],
+            vec![(4, -2), (11, 1), (20, 0)],
+        ] {
+            let path = Path { changes };
+            let mut paired = session.clone();
+            crate::sessions::Mend::PairRows(path.changes.clone()).apply(&mut paired);
+            for row in 0..30 {
+                let expected = path.point_of(row, 30).map_or(f64::NAN, |point| x[point]);
+                assert!(
+                    paired.samples.x_mm[row].to_bits() == expected.to_bits(),
+                    "{path:?} {row}"
+                );
+            }
+        }
+        session.samples.select(&[]);
+        crate::sessions::Mend::PairRows(vec![(0, 1), (7, 2)]).apply(&mut session);
+        assert!(session.samples.is_empty());
+    }
+}

@@ -1,0 +1,136 @@
+//! Where the instrument stands, before the rows are known: from each quarter of the session with each
+//! shift, by the best rigid motion of the nominal robot.
+
+use nalgebra::{Isometry3, Vector3};
+
+use crate::effects::Inputs;
+use crate::model::rigid_motion::rigid_motion;
+use crate::model::{Model, Positions};
+use crate::sessions::Session;
+
+use super::path::{MOST_SHIFT, Path, Points, along, cost, median};
+
+/// Stretches that are tried.
+const STRETCHES: usize = 4;
+/// Fewer rows of a setup show no motion.
+const FEWEST_ROWS: usize = 6;
+/// Rows that a trial looks at; of a long session they are spread evenly.
+const MOST_ROWS: usize = 2000;
+/// What a robot that was never calibrated leaves, as a share of the size of the session.
+const NOMINAL_SHARE: f64 = 0.002;
+/// The rows are right where they leave less than this share of what the nearest shift leaves.
+const CLEAR_SHARE: f64 = 0.3;
+
+/// One way to see the session, and the likeliest path then.
+pub(super) struct Start {
+    pub(super) path: Path,
+    pub(super) cost: f64,
+    /// Whether no row is shifted, and that is beyond doubt.
+    pub(super) rows_are_right: bool,
+}
+
+/// Every start; the first alone where it leaves no doubt.
+pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points) -> Vec<Start> {
+    let nominal = Model::nominal(session.robot.clone()).predict(inputs);
+    let setups = Setups::of(session);
+    let sigma = NOMINAL_SHARE * points.size_mm();
+    let n = points.len();
+    let rows: Vec<usize> = if n > MOST_ROWS {
+        (0..MOST_ROWS).map(|k| k * n / MOST_ROWS).collect()
+    } else {
+        (0..n).collect()
+    };
+    let trial = |motions: &[Isometry3<f64>]| {
+        let seen =
+            |row: usize| motions[setups.of_row(row)] * nalgebra::Point3::from(nominal.get(row));
+        let places: Vec<Vector3<f64>> = rows.iter().map(|row| seen(*row).coords).collect();
+        let at = |row: usize| rows.binary_search(&row).map_or(0, |k| k);
+        let deviation = |row: usize, by: isize| {
+            let point = points.get(row.checked_add_signed(by)?)?;
+            Some((point - places[at(row)]).norm())
+        };
+        let (path, cost) = along(&rows, n, &|row, by| cost(deviation(row, by), sigma));
+        let own = median(rows.iter().filter_map(|row| deviation(*row, 0)));
+        let shifted = median(rows.iter().filter_map(|row| {
+            let others = [-1, 1].into_iter().filter_map(|by| deviation(*row, by));
+            others.reduce(f64::min)
+        }));
+        let clear = own
+            .zip(shifted)
+            .is_some_and(|(own, other)| own < CLEAR_SHARE * other);
+        Start {
+            rows_are_right: path.is_none() && clear,
+            path,
+            cost,
+        }
+    };
+    let still = vec![Isometry3::identity(); setups.count];
+    let mut all: Vec<Start> = Vec::new();
+    let whole = motions(&nominal, points, &setups, 0, 0..1, 1);
+    for motions in [Some(still), whole].into_iter().flatten() {
+        let start = trial(&motions);
+        if start.rows_are_right {
+            return vec![start];
+        }
+        all.push(start);
+    }
+    for stretch in 0..STRETCHES {
+        for by in -MOST_SHIFT..=MOST_SHIFT {
+            let part = stretch..stretch + 1;
+            if let Some(motions) = motions(&nominal, points, &setups, by, part, STRETCHES) {
+                all.push(trial(&motions));
+            }
+        }
+    }
+    all
+}
+
+/// The setup of every row.
+struct Setups<'a> {
+    index: Option<&'a [u32]>,
+    count: usize,
+}
+
+impl<'a> Setups<'a> {
+    fn of(session: &'a Session) -> Self {
+        let setups = session.samples.setups.as_ref();
+        Self {
+            index: setups.map(|s| &s.index[..]),
+            count: setups.map_or(1, |s| s.names.len().max(1)),
+        }
+    }
+
+    fn of_row(&self, row: usize) -> usize {
+        self.index.map_or(0, |index| index[row] as usize)
+    }
+}
+
+/// The motion of each setup that a stretch of its rows shows, which is one of so many, if its points are
+/// shifted; `None` where one shows none.
+fn motions(
+    nominal: &Positions,
+    points: &Points,
+    setups: &Setups,
+    by: isize,
+    part: std::ops::Range<usize>,
+    of: usize,
+) -> Option<Vec<Isometry3<f64>>> {
+    let motion = |setup: usize| {
+        let own: Vec<usize> = (0..points.len())
+            .filter(|row| setups.of_row(*row) == setup)
+            .collect();
+        let (from, to) = (part.start * own.len() / of, part.end * own.len() / of);
+        let stretch = &own[from..to];
+        let every = stretch.len().div_ceil(MOST_ROWS).max(1);
+        let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = stretch
+            .iter()
+            .step_by(every)
+            .filter_map(|row| {
+                let point = points.get(row.checked_add_signed(by)?)?;
+                Some((Vector3::from(nominal.get(*row)), point))
+            })
+            .collect();
+        (pairs.len() >= FEWEST_ROWS).then(|| rigid_motion(&pairs))?
+    };
+    (0..setups.count).map(motion).collect()
+}

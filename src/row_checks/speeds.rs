@@ -1,0 +1,210 @@
+//! Recorded speeds against the direction of approach and against the way in time: their sign, and
+//! their unit.
+//!
+//! A joint that is measured while it moves comes from the side from which it moves: the signs of speed
+//! and direction agree. While it is recorded along its way its values change by speed times time.
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::sessions::measuring_order::measuring_order;
+use crate::sessions::{Mend, Session};
+use crate::units::{deg_from_rad, rad_from_deg};
+
+/// With fewer samples that move nothing is said.
+const FEWEST: usize = 8;
+/// So large a share has to say the same.
+const NEARLY_ALL: f64 = 0.95;
+/// A unit explains the way in time within this, as a ratio.
+const CLOSE: f64 = 0.05;
+/// Half of the ratios have to be as near to their median as this.
+const ALIKE: f64 = 0.1;
+
+pub(super) fn turned_or_scaled(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    let joints = 0..session.samples.q.len();
+    let of_joint = joints.filter_map(|joint| of_joint(session, joint, values));
+    of_joint.collect()
+}
+
+fn of_joint(session: &Session, joint: usize, _: JointValues) -> Option<DataProblem> {
+    let samples = &session.samples;
+    let speed = samples.speed.get(joint)?.as_deref()?;
+    sign(session, joint, speed).or_else(|| unit(session, joint, speed))
+}
+
+fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
+    let samples = &session.samples;
+    let number = joint + 1;
+    let side = samples.dir.get(joint)?.as_deref()?;
+    let moves = (0..speed.len()).filter(|i| speed[*i] * side[*i] != 0.0);
+    let products: Vec<f64> = moves
+        .map(|i| speed[i] * side[i])
+        .filter(|v| v.is_finite())
+        .collect();
+    let against = products.iter().filter(|v| **v < 0.0).count();
+    if products.len() < FEWEST || (against as f64) < NEARLY_ALL * products.len() as f64 {
+        return None;
+    }
+    // Of the two the one that the commands contradict is wrong.
+    let (with_side, of) = agreement(session, joint, side);
+    let of_side = of >= FEWEST && (with_side as f64) < (1.0 - NEARLY_ALL) * of as f64;
+    let evidence = format!(
+        "in {against} of {} samples that were measured while joint {number} moved, speed{number} and \
+         dir{number} have opposite signs; from row to row the commands agree with dir{number} in \
+         {with_side} of {of}",
+        products.len()
+    );
+    if of_side {
+        return Some(super::said(
+            format!(
+                "the direction of approach of joint {number} has the wrong sign beside its speed"
+            ),
+            evidence,
+            format!("reverse the sign of dir{number}"),
+        ));
+    }
+    Some(DataProblem {
+        what: format!("the speed of joint {number} has the wrong sign"),
+        evidence,
+        proposal: format!("the sign of speed{number} is reversed; correct the column"),
+        mend: Some(Mend::ScaleSpeed {
+            joint,
+            factor: -1.0,
+        }),
+        samples: Vec::new(),
+    })
+}
+
+/// In how many rows the joint has come from the side that is recorded, and of how many.
+fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize, usize) {
+    let samples = &session.samples;
+    let order = measuring_order(samples.time_s.as_deref());
+    let order = order.unwrap_or_else(|| (0..samples.len()).collect());
+    let q = &samples.q[joint];
+    let moves = order
+        .windows(2)
+        .map(|pair| (q[pair[1]] - q[pair[0]]) * side[pair[1]]);
+    let moves: Vec<f64> = moves.filter(|v| *v != 0.0 && v.is_finite()).collect();
+    (moves.iter().filter(|v| **v > 0.0).count(), moves.len())
+}
+
+/// Units of speed that are taken for one another, with what is wrong.
+fn units() -> [(f64, &'static str); 6] {
+    [
+        (deg_from_rad(1.0), "radians per second"),
+        (rad_from_deg(1.0), "degrees per second, read as radians"),
+        (6.0, "revolutions per minute"),
+        (1.0 / 60.0, "units per minute"),
+        (1000.0, "metres per second"),
+        (0.001, "thousandths of its unit"),
+    ]
+}
+
+fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
+    let samples = &session.samples;
+    let number = joint + 1;
+    let time_s = samples.time_s.as_deref()?;
+    let q = &samples.q[joint];
+    let order = measuring_order(Some(time_s));
+    let order = order.unwrap_or_else(|| (0..samples.len()).collect());
+    // The way from one row to the next in the time between, where both move at the same speed.
+    let ratio = |pair: &[usize]| {
+        let (a, b) = (pair[0], pair[1]);
+        let mean = 0.5 * (speed[a] + speed[b]);
+        let alike = (speed[a] - speed[b]).abs() < 0.2 * mean.abs();
+        let passed = time_s[b] - time_s[a];
+        let ratio = (q[b] - q[a]) / passed / mean;
+        (alike && passed > 0.0 && ratio.is_finite()).then_some(ratio)
+    };
+    let mut ratios: Vec<f64> = order.windows(2).filter_map(ratio).collect();
+    if ratios.len() < FEWEST {
+        return None;
+    }
+    ratios.sort_by(f64::total_cmp);
+    let median = ratios[ratios.len() / 2];
+    let near = ratios
+        .iter()
+        .filter(|r| (*r / median - 1.0).abs() < ALIKE)
+        .count();
+    if (near as f64) < 0.7 * ratios.len() as f64 {
+        return None;
+    }
+    let (factor, name) = units()
+        .into_iter()
+        .find(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)?;
+    Some(DataProblem {
+        what: format!("the speed of joint {number} is in another unit: {name}"),
+        evidence: format!(
+            "joint {number} moves {median:.4} times as fast from row to row as speed{number} says, in \
+             {near} of {} pairs of rows",
+            ratios.len()
+        ),
+        proposal: format!("speed{number} is multiplied by {factor:.6}; correct its unit"),
+        mend: Some(Mend::ScaleSpeed { joint, factor }),
+        samples: Vec::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row_checks::tests::axis;
+
+    #[test]
+    fn a_speed_with_the_wrong_sign_is_turned() {
+        let mut session = axis(60);
+        let speed = |session: &Session| -> Vec<f64> {
+            let side = session.samples.dir[0].as_ref().expect("there");
+            side.iter()
+                .enumerate()
+                .map(|(k, s)| s * 0.1 * (k % 3) as f64)
+                .collect()
+        };
+        session.samples.speed[0] = Some(speed(&session));
+        assert!(turned_or_scaled(&session, JointValues::Commanded).is_empty());
+        let turned = speed(&session).iter().map(|v| -v).collect();
+        session.samples.speed[0] = Some(turned);
+        let problems = turned_or_scaled(&session, JointValues::Commanded);
+        assert_eq!(problems.len(), 1);
+        assert!(
+            problems[0]
+                .what
+                .contains("speed of joint 1 has the wrong sign")
+        );
+        problems[0]
+            .mend
+            .as_ref()
+            .expect("known")
+            .apply(&mut session);
+        assert_eq!(session.samples.speed[0], Some(speed(&session)));
+        // The same with the directions turned.
+        let side = session.samples.dir[0].as_mut().expect("there");
+        side.iter_mut().for_each(|s| *s = -*s);
+        let problems = turned_or_scaled(&session, JointValues::Commanded);
+        assert!(
+            problems[0].what.contains("direction of approach"),
+            "{problems:?}"
+        );
+        assert_eq!(problems[0].mend, None);
+    }
+
+    #[test]
+    fn a_speed_in_another_unit_is_told_by_the_way_in_time() {
+        let mut session = axis(60);
+        let time_s: Vec<f64> = (0..60).map(|k| 0.1 * f64::from(k)).collect();
+        session.samples.q[0] = time_s.iter().map(|t| 0.35 * t).collect();
+        session.samples.dir[0] = None;
+        session.samples.time_s = Some(time_s);
+        let with = |session: &mut Session, v: f64| {
+            session.samples.speed[0] = Some(vec![v; 60]);
+            turned_or_scaled(session, JointValues::Commanded)
+        };
+        assert!(with(&mut session, 0.35).is_empty());
+        let problems = with(&mut session, 0.35 * rad_from_deg(1.0));
+        assert!(
+            problems[0].what.contains("radians per second"),
+            "{problems:?}"
+        );
+        // Between poses at standstill the way says nothing.
+        assert!(with(&mut session, 0.0).is_empty());
+    }
+}
