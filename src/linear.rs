@@ -137,6 +137,45 @@ impl Basis {
         all
     }
 
+    /// What some columns of `A` alone span: `c`, with `Q c` orthonormal and orthogonal to all other columns, and
+    /// `(Q c)ᵀ A` of those columns. `None` where the others span all of it.
+    ///
+    /// The columns of `R⁻ᵀ` are dual to those of `A`.
+    pub(crate) fn only_of(&self, own: &[usize]) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+        let rank = self.rank();
+        let at: Vec<usize> = (0..rank).filter(|k| own.contains(&self.kept[*k])).collect();
+        if at.is_empty() {
+            return None;
+        }
+        let mut directions = DMatrix::zeros(rank, at.len());
+        for (place, unit) in at.iter().enumerate() {
+            let mut dual = vec![0.0; rank];
+            for row in *unit..rank {
+                let one = if row == *unit { 1.0 } else { 0.0 };
+                let column = self.r.column(row);
+                let known: f64 = (*unit..row).map(|j| column[j] * dual[j]).sum();
+                dual[row] = (one - known) / column[row];
+            }
+            let mut dual = DVector::from_vec(dual);
+            for _ in 0..2 {
+                for before in 0..place {
+                    let along = directions.column(before).dot(&dual);
+                    dual.axpy(-along, &directions.column(before), 1.0);
+                }
+            }
+            let norm = dual.norm();
+            directions.set_column(place, &(dual / norm.max(1e-300)));
+        }
+        let mut parts = DMatrix::zeros(at.len(), own.len());
+        for unit in &at {
+            let along = directions.tr_mul(&self.r.column(*unit));
+            let place = own.iter().position(|k| *k == self.kept[*unit]);
+            let Some(place) = place else { continue };
+            parts.set_column(place, &along);
+        }
+        Some((directions, parts))
+    }
+
     /// Share of row `i` that the fit explains by itself.
     pub(crate) fn leverage(&self, row: usize) -> f64 {
         self.q.row(row).norm_squared()

@@ -124,6 +124,7 @@ impl Diagnose {
                 seed: self.seed,
                 joint_values: self.joint_values.into(),
                 correct_unexplained: self.correct_unexplained,
+                keep_when_stopped: false,
             },
             start: self.start,
         };

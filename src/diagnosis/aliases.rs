@@ -32,6 +32,8 @@ const SETTINGS_ALONE: usize = 2;
 const ALONE: usize = 8;
 /// Candidates of pairs that are made orthonormal together.
 const AT_ONCE: usize = 64;
+/// A gain that is known to first order may be so many times as much.
+const MORE: f64 = 1.2;
 /// In a larger model only single terms are taken out.
 const MOST_FOR_PAIRS: usize = 5;
 
@@ -167,7 +169,14 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let rest = Rc::new(regression.fit(&model, &fit.shapes));
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
     let there = regression.added(&rest);
-    let mut scores = regression.scan(&rest, Among::Names);
+    // By the table beside the whole fit; what comes close is refitted.
+    let mut scores = match regression.without_all(fit, removed) {
+        Some(without) => {
+            let around = regression.surroundings(fit, Among::Names);
+            regression.scan_without(&around, &without)
+        }
+        None => regression.scan(&rest, Among::Names),
+    };
     let is_new = |s: &Score| {
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
@@ -223,14 +232,16 @@ pub(crate) fn with_pairs<'f>(
 }
 
 /// The candidates that pairs are made from.
-fn short_list<'s>(regression: &Regression, scores: impl Iterator<Item = &'s Score>) -> Vec<usize> {
-    let short = best_of_each(regression, scores, |term| {
+fn short_list<'s>(
+    regression: &Regression,
+    scores: impl Iterator<Item = &'s Score>,
+) -> Vec<&'s Score> {
+    best_of_each(regression, scores, |term| {
         match term.effect.about().setting {
             Setting::Order { to, .. } if to <= 6 => 5,
             _ => SETTINGS,
         }
-    });
-    short.into_iter().map(|s| s.candidate).collect()
+    })
 }
 
 /// Of scores in order, at most so many settings of every name.
@@ -269,7 +280,7 @@ struct Piece {
 fn best_pairs(
     regression: &Regression,
     rest: &Fit,
-    list: &[usize],
+    scores: &[&Score],
     enough: f64,
 ) -> Vec<(usize, usize, f64)> {
     let m = regression.m();
@@ -280,6 +291,12 @@ fn best_pairs(
     // Correlated candidates can do more together than the sum of both, but seldom: a quick look
     // saves the rest.
     let hopeless = |bound: f64, price: f64| worth(4.0 * bound, 2, price) < enough;
+    // Nothing is made of candidates of which none may be the better one of a pair.
+    let best = scores.iter().map(|s| s.gain).fold(0.0, f64::max);
+    if hopeless(2.0 * MORE * best, 2.0 * PRICE_OF_A_NAME) {
+        return Vec::new();
+    }
+    let list: Vec<usize> = scores.iter().map(|s| s.candidate).collect();
     // Each candidate made orthonormal by itself. The better one of a pair does half of it at least:
     // products with those that may be the better one are all that is needed.
     let mut pieces: Vec<Piece> = Vec::new();

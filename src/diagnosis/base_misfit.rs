@@ -17,6 +17,9 @@ const SEVERAL: usize = 2;
 /// Names that are right leave less than this many times the floor.
 const MOST_OVER_THE_FLOOR: f64 = 1.5;
 
+/// So many likelier sets of names are held against what is said of them, likeliest first.
+const MOST_HELD_AGAINST: usize = 6;
+
 /// Withdraws the names of a robot with several joints whose base model does not fit.
 pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let regression = &prepared.regression;
@@ -56,6 +59,9 @@ fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
     }
     // The evidence rises with each exchange, so that it ends.
     loop {
+        if regression.work.is_spent() {
+            return fit;
+        }
         let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
         let stands = |r: &Rival| {
             let said = final_set::said(prepared, r.fit.clone())?;
@@ -63,7 +69,8 @@ fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
             (fits && final_set::is_above(&said, &fit)).then_some(said)
         };
         let rivals = aliases::rivals(regression, &fit).into_iter();
-        let Some(likelier) = rivals.filter(above).find_map(|r| stands(&r)) else {
+        let mut rivals = rivals.filter(above).take(MOST_HELD_AGAINST);
+        let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
             return fit;
         };
         fit = likelier;

@@ -32,7 +32,7 @@ use super::unseen::held_out;
 use super::values::Values;
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
-use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut};
+use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Verdict};
 use crate::answers::pose::NextPose;
 use crate::set_up_errors::Mended;
 
@@ -49,6 +49,16 @@ pub(crate) struct Undecided<'u, 'a> {
 pub(crate) struct Proposal {
     pub(crate) poses: Vec<NextPose>,
     pub(crate) separate_by: Vec<String>,
+}
+
+impl Proposal {
+    /// No poses for so many rivals.
+    fn not_looked_for(rivals: usize) -> Self {
+        Self {
+            poses: Vec::new(),
+            separate_by: vec!["not looked for: the search was stopped".to_owned(); rivals],
+        }
+    }
 }
 
 /// Proposes poses.
@@ -125,10 +135,25 @@ pub(crate) fn answer(
         rivals: &equivalent,
         not_testable: &not_testable,
     };
-    let proposal = planner(&undecided);
+    let proposal = if regression.work.was_stopped() {
+        Proposal::not_looked_for(equivalent.len())
+    } else {
+        planner(&undecided)
+    };
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
-    let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
+    let mut verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
+    if let Some(why) = regression.work.ended() {
+        unexplained.present = true;
+        let before = std::mem::take(&mut unexplained.says);
+        let apart = if before.is_empty() { "" } else { "; " };
+        unexplained.says = format!("{why}{apart}{before}");
+        verdict = match verdict {
+            Verdict::Noise => Verdict::Unexplained,
+            Verdict::Explained => Verdict::PartlyExplained,
+            same => same,
+        };
+    }
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
     let history = history(session, &gap, &held_out, &steps);
     let held = prepared.not_identifiable.clone();

@@ -201,6 +201,8 @@ impl Regression<'_> {
             let next = parts.iter().filter(|_| there < CHUNK);
             let end = next.copied().find(|end| *end > within).unwrap_or(CHUNK);
             let chunk = (there / CHUNK) as u64;
+            let columns = self.table.columns.count() * self.rows.samples.len();
+            self.work.did((columns * (end - within)) as f64);
             let noise = null.flipped.as_ref();
             null.take(trials.simulated(noise, seed, chunk, within..end));
             if null.largest.len() == CHUNK && null.flipped.is_none() {

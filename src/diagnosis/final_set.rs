@@ -144,7 +144,7 @@ fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;
     let likelier = regression.added(fit).into_iter().filter_map(|term| {
         let worth = worth(prepared, fit, term);
-        Next::than(prepared, term, &worth)?.fit
+        Next::than(prepared, fit, term, &worth)?.fit
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
     is_above(&best, fit).then_some(best)

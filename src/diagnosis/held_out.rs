@@ -6,10 +6,11 @@
 
 use std::rc::Rc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DMatrixView, DVector};
 
-use crate::effects::Setting;
+use crate::effects::{Setting, Term};
 
+use super::columns::Among;
 use super::left_out::{Groups, LeftOut};
 use super::regression::{Fit, Regression};
 use crate::linear::Basis;
@@ -125,12 +126,19 @@ impl Folds {
     /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
     /// measurements than plain points in units of their noise, each by its own.
     pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
-        self.unseen(regression, fit).rms
+        self.known(regression, fit)[0]
     }
 
     /// The same in mm whatever was measured.
     pub(crate) fn rms_mm(&self, regression: &Regression, fit: &Fit) -> f64 {
-        self.unseen(regression, fit).rms_mm
+        self.known(regression, fit)[1]
+    }
+
+    fn known(&self, regression: &Regression, fit: &Fit) -> [f64; 2] {
+        regression.unseen.of(fit, || {
+            let unseen = self.unseen(regression, fit);
+            [unseen.rms, unseen.rms_mm]
+        })
     }
 
     /// What is left of samples that the fit has not seen.
@@ -145,8 +153,14 @@ impl Folds {
             };
         }
         let all = Whitened::of(regression, fit);
-        let scanned = scanned_terms(regression, fit);
+        let scanned = scanned_terms(regression, fit, &all.white);
         let whole = Whole::new(&scanned, &all);
+        let (height, width) = all.white.shape();
+        let settings: usize = scanned.iter().map(|s| 2 + s.candidates.len()).sum();
+        let bases = (1 + scanned.len()) * 3 * width + 4 * settings;
+        regression
+            .work
+            .did((height * width) as f64 * (10 + bases) as f64);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
@@ -243,7 +257,58 @@ struct Scanned {
     white: DMatrix<f64>,
 }
 
-fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
+/// Settings that are scanned afresh, at most …
+const MOST_SETTINGS: usize = 16;
+/// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
+/// does not make up for the rest.
+const NEAR: f64 = 0.3;
+
+/// A term that gains so much is no chance: only settings that look like its own may pass for it.
+const STRONG: f64 = 100.0;
+
+/// Leaves the settings that may be better than the term's own where some samples are left out.
+fn keep_near(
+    regression: &Regression,
+    fit: &Fit,
+    (term, white): (&Term, DMatrixView<f64>),
+    candidates: Vec<usize>,
+) -> Vec<usize> {
+    let Some(rest) = regression.without(fit, term) else {
+        return candidates;
+    };
+    let own = rest.rss - fit.rss;
+    let setting = |index: &usize| {
+        let term = regression.table.candidates[*index].what.term();
+        term.map(|t| t.setting)
+    };
+    let others = candidates.into_iter();
+    let others: Vec<usize> = others
+        .filter(|c| setting(c) != Some(term.setting))
+        .collect();
+    if own > STRONG * (fit.rss / regression.m()).max(1e-300) {
+        let alike = regression.settings_alike.of_setting(term, || {
+            Rc::new(regression.alike(&white.into_owned(), &others, 0.5 * NEAR))
+        });
+        if alike.len() <= MOST_SETTINGS {
+            return alike.to_vec();
+        }
+    }
+    let around = regression.surroundings(fit, Among::Names);
+    let mut gains: Vec<(f64, usize)> = Vec::new();
+    for index in others {
+        let gain = around.gain(&rest, &regression.table.candidates[index]);
+        if gain > NEAR * own {
+            gains.push((gain, index));
+        }
+    }
+    gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    gains.truncate(MOST_SETTINGS);
+    let mut kept: Vec<usize> = gains.iter().map(|g| g.1).collect();
+    kept.sort_unstable();
+    kept
+}
+
+fn scanned_terms(regression: &Regression, fit: &Fit, white: &DMatrix<f64>) -> Vec<Scanned> {
     let mut first = 0;
     let mut all = Vec::new();
     for term in fit.model.terms() {
@@ -263,7 +328,19 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
                     .is_some_and(|t| t.effect.about().id == about.id && t.joint == term.joint)
             };
             let count = regression.table.candidates.len();
-            let candidates: Vec<usize> = (0..count).filter(same).collect();
+            let mut candidates: Vec<usize> = (0..count).filter(same).collect();
+            if regression.rows.samples.len() >= FEW {
+                candidates = keep_near(
+                    regression,
+                    fit,
+                    (term, white.columns(first, size)),
+                    candidates,
+                );
+            }
+            if candidates.is_empty() {
+                first += size;
+                continue;
+            }
             let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
             let white = regression.white_columns(&of_table.collect::<Vec<_>>());
             all.push(Scanned {

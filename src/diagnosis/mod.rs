@@ -57,11 +57,13 @@ mod shapes;
 pub(crate) mod significance;
 mod step_time;
 mod steps;
+pub(crate) mod surroundings;
 pub(crate) mod testable;
 mod trials;
 mod unseen;
 mod values;
 mod verdict;
+pub(crate) mod work;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
@@ -79,6 +81,7 @@ use crate::fit::noise::Noise;
 use crate::sessions::Session;
 use crate::set_up_errors::{self, Mended};
 use prepare::Prepared;
+use work::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]
@@ -95,6 +98,9 @@ pub struct Options {
     pub joint_values: JointValues,
     /// Whether what no name explains is to be corrected by a smooth curve.
     pub correct_unexplained: bool,
+    /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
+    /// [`DiagnoseError::Cancelled`].
+    pub keep_when_stopped: bool,
 }
 
 /// How far the diagnosis is.
@@ -161,7 +167,26 @@ pub(crate) fn diagnose(
     options.check()?;
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    conclude::answer(&mended, &prepared, &found, planner, watch)
+    let told = until_stopped(&prepared.regression.work, options, watch);
+    conclude::answer(&mended, &prepared, &found, planner, &told)
+}
+
+/// A watcher who is not asked again once the search was stopped, where what is proven until then is wanted.
+fn until_stopped<'w>(
+    work: &'w Work,
+    options: &Options,
+    watch: Watch<'w>,
+) -> impl Fn(&Progress) -> bool + use<'w> {
+    let keep = options.keep_when_stopped;
+    move |progress| {
+        if work.was_stopped() || watch(progress) {
+            return true;
+        }
+        if keep {
+            work.stop();
+        }
+        keep
+    }
 }
 
 fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
@@ -192,21 +217,37 @@ pub(crate) fn searched<'a>(
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
     tell(watch, &Progress::Preparing)?;
     let mut prepared = Prepared::new(session, options)?;
+    let work = prepared.regression.work.clone();
+    let told = until_stopped(&work, options, watch);
+    let watch: Watch = &told;
+    work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
-    if prepared.reconsider(&found) {
-        found = prepared.search(watch)?;
+    work.up_to(SECOND_SEARCH);
+    let unfinished = work.ended().is_some();
+    if prepared.reconsider(&found) || unfinished {
+        work.begin_again();
+        found = if unfinished || prepared.may_go_on(&found) {
+            prepared.search_on(&found, watch)?
+        } else {
+            prepared.search(watch)?
+        };
     }
+    work.up_to(RIVALS);
     // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
     // curve is held against those it has, and the verdict says that something is left.
     if !prepared.is_capped(&found) {
         (prepared, found) = against_rivals(&prepared, found, watch)?;
+        // What was held against the end was not left out of it.
+        work.begin_again();
     }
+    work.up_to(OTHER_SETS);
     final_set::test(&prepared, &mut found, watch)?;
     if final_set::exchanged(&prepared, &mut found) {
         final_set::test(&prepared, &mut found, watch)?;
     }
     final_set::as_said(&prepared, &mut found, watch)?;
     base_misfit::withdraw(&prepared, &mut found);
+    work.up_to(1.0);
     Ok((prepared, found))
 }
 

@@ -35,6 +35,10 @@ impl OfBase {
         }
     }
 
+    pub(crate) fn basis(&self) -> &Rc<Basis> {
+        &self.basis
+    }
+
     /// A basis of all columns of a fit, from that of the base; `None` where the base's columns are others.
     pub(crate) fn extended(
         &self,
@@ -63,7 +67,8 @@ impl OfBase {
         among: Among,
     ) -> DMatrix<f64> {
         let extends = basis.extends.as_ref();
-        if !extends.is_some_and(|own| Rc::ptr_eq(own, &self.basis)) {
+        let is_own = std::ptr::eq(basis, Rc::as_ptr(&self.basis));
+        if !is_own && !extends.is_some_and(|own| Rc::ptr_eq(own, &self.basis)) {
             return columns.products(filter, &basis.q, among);
         }
         let known = self.basis.rank();

@@ -37,6 +37,9 @@ const LONG: usize = 600;
 /// … and the search looks at so many of them.
 const MOST_SAMPLES: usize = 500;
 
+/// A search that found so many names goes on from them.
+const MANY_NAMES: usize = 4;
+
 /// Twice the logarithm by which a slow part has to be likelier beside a frame that stands still
 /// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
 const LEAST_MOVE: f64 = 6.0;
@@ -113,7 +116,14 @@ impl<'a> Prepared<'a> {
     /// Whether a search ended because it may add no more.
     pub(crate) fn is_capped(&self, found: &Found) -> bool {
         let count = self.regression.added(&found.fit).len() + found.fit.shapes.len();
-        count >= self.cap()
+        count >= self.cap() || self.regression.work.ended().is_some()
+    }
+
+    /// Whether a search that is done again may begin where the last one ended: of several joints with so many
+    /// names that one more or less, or another noise, leaves the most of them what they are.
+    pub(crate) fn may_go_on(&self, found: &Found) -> bool {
+        let names = self.regression.added(&found.fit).len();
+        names >= MANY_NAMES && self.regression.base.robot.joints.len() > 1
     }
 
     pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
@@ -179,7 +189,8 @@ impl<'a> Prepared<'a> {
             self.regression = self.regression.with_noise(noise);
         } else {
             let base = crate::fit::solver::solve(&self.problem, &self.regression.base).model;
-            let regression = bare_regression(&self.problem, &base, &self.survey, &self.options);
+            let mut regression = bare_regression(&self.problem, &base, &self.survey, &self.options);
+            regression.work = self.regression.work.clone();
             self.regression = regression.with_noise(noise);
         }
         self.folds = Folds::new(&self.regression);

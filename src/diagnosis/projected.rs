@@ -27,11 +27,27 @@ pub(crate) struct Projected<'r> {
 }
 
 /// Gram matrices of every candidate's own columns, one after the other.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Grams {
     values: Vec<f64>,
     /// Where each candidate's starts, by its first column.
     at: Vec<usize>,
+}
+
+/// What has to be left of a column with this square for a candidate to count.
+pub(super) fn least_seen(square: f64) -> f64 {
+    (SEEN * square).max(1e-300)
+}
+
+impl Among {
+    /// Whether a candidate is one of them.
+    pub(crate) fn has(self, candidate: &Candidate) -> bool {
+        match self {
+            Self::All => true,
+            Self::Names => candidate.named(),
+            Self::Shapes => !candidate.named(),
+        }
+    }
 }
 
 /// Columns that are whitened at once.
@@ -70,7 +86,7 @@ impl Grams {
         Self { values, at }
     }
 
-    fn of(&self, candidate: &Candidate) -> &[f64] {
+    pub(super) fn of(&self, candidate: &Candidate) -> &[f64] {
         let at = self.at[candidate.first];
         &self.values[at..at + candidate.size * candidate.size]
     }
@@ -135,13 +151,13 @@ impl<'r> Projected<'r> {
         }
     }
 
-    /// Of which candidates it knows anything.
-    pub(crate) fn has(&self, candidate: &Candidate) -> bool {
-        match self.among {
-            Among::All => true,
-            Among::Names => candidate.named(),
-            Among::Shapes => !candidate.named(),
-        }
+    /// Which candidates it knows anything of.
+    pub(crate) fn among(&self) -> Among {
+        self.among
+    }
+
+    fn has(&self, candidate: &Candidate) -> bool {
+        self.among.has(candidate)
     }
 
     pub(crate) fn basis(&self) -> &'r Basis {
@@ -150,20 +166,52 @@ impl<'r> Projected<'r> {
 
     /// Cholesky factor of a candidate's columns (lower, row by row), and their rank.
     pub(crate) fn factor(&self, candidate: &Candidate) -> (Vec<f64>, usize) {
-        let (first, k) = (candidate.first, candidate.size);
+        let k = candidate.size;
         let whole = self.grams.of(candidate);
-        let mut gram = whole.to_vec();
+        let mut gram = self.left_of(candidate);
+        let tolerance: Vec<f64> = (0..k).map(|i| least_seen(whole[i * k + i])).collect();
+        let rank = small_cholesky(&mut gram, k, &tolerance);
+        (gram, rank)
+    }
+
+    /// Products of what the basis leaves of a candidate's columns (lower, row by row).
+    fn left_of(&self, candidate: &Candidate) -> Vec<f64> {
+        let (first, k) = (candidate.first, candidate.size);
+        let mut gram = self.grams.of(candidate).to_vec();
         for i in 0..k {
             let a = self.along.column(first + i);
             for j in 0..=i {
                 gram[i * k + j] -= a.dot(&self.along.column(first + j));
             }
         }
-        let tolerance: Vec<f64> = (0..k)
-            .map(|i| (SEEN * whole[i * k + i]).max(1e-300))
-            .collect();
-        let rank = small_cholesky(&mut gram, k, &tolerance);
-        (gram, rank)
+        gram
+    }
+
+    /// The same for every candidate; of those that it does not know, what they are.
+    pub(crate) fn grams(&self, candidates: &[Candidate]) -> Grams {
+        let mut grams = self.grams.clone();
+        for candidate in candidates.iter().filter(|c| self.has(c)) {
+            let at = grams.at[candidate.first];
+            let left = self.left_of(candidate);
+            grams.values[at..at + left.len()].copy_from_slice(&left);
+        }
+        grams
+    }
+
+    /// How much has to be left of every column of the candidates for it to count.
+    pub(crate) fn least(&self, candidates: &[Candidate]) -> Vec<f64> {
+        let mut least = vec![1e-300; self.columns.count()];
+        for candidate in candidates {
+            let (k, whole) = (candidate.size, self.grams.of(candidate));
+            for i in 0..k {
+                least[candidate.first + i] = least_seen(whole[i * k + i]);
+            }
+        }
+        least
+    }
+
+    pub(crate) fn into_along(self) -> DMatrix<f64> {
+        self.along
     }
 
     pub(crate) fn columns(&self, candidate: &Candidate) -> DMatrix<f64> {

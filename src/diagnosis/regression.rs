@@ -20,6 +20,8 @@ use super::placed::Placed;
 use super::projected::Grams;
 use super::scores::Score;
 use super::significance::Tests;
+use super::surroundings::Surroundings;
+use super::work::Work;
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::linear::Basis;
@@ -49,10 +51,18 @@ pub(crate) struct Regression<'a> {
     /// Number of rows beside those of the samples.
     pub(super) beside: usize,
     pub(crate) seed: u64,
+    /// What was done so far of what may be done.
+    pub(crate) work: Work,
     pub(crate) familywise: RefCell<Familywise>,
     fits: Memo<Fit>,
     pub(super) scores_of_names: Memo<Vec<Score>>,
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
+    /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
+    pub(super) unseen: Memo<[f64; 2]>,
+    /// Candidates that samples could take for a setting.
+    pub(super) settings_alike: Memo<Rc<Vec<usize>>>,
+    /// What candidates would do beside the last fits.
+    pub(super) surroundings: Memo<Rc<Surroundings>>,
     /// Other names for a fit ([`super::aliases`]).
     pub(crate) rivals: Memo<Vec<Rival>>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -71,10 +81,17 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 64;
-/// Fits that are kept: so many numbers of their bases (8 MiB), and no more than scores, as to look for one is
+/// Fits that are kept: so many numbers of their bases (16 MiB), and no more than scores, as to look for one is
 /// not to take longer than a small fit.
-const FITS_KEPT: usize = 1 << 20;
+const FITS_KEPT: usize = 1 << 21;
 const RIVALS_KEPT: usize = 4;
+/// Errors on unseen samples that are kept.
+const UNSEEN_KEPT: usize = 256;
+/// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
+const SURROUNDINGS_KEPT: usize = 2;
+
+/// Products for each number of a fit's columns beside those of making them orthonormal.
+const OF_A_FIT: f64 = 30.0;
 
 /// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
 /// where it is.
@@ -104,6 +121,7 @@ impl<'a> Regression<'a> {
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {
             ln_noise,
+            work: Work::new(rows.samples.len()),
             problem,
             rows,
             noise,
@@ -120,6 +138,9 @@ impl<'a> Regression<'a> {
             fits: Memo::new(fits_kept),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
+            unseen: Memo::new(UNSEEN_KEPT),
+            settings_alike: Memo::new(SCORES_KEPT),
+            surroundings: Memo::new(SURROUNDINGS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }
     }
@@ -136,6 +157,7 @@ impl<'a> Regression<'a> {
         );
         Self {
             tests: Rc::clone(&self.tests),
+            work: self.work.clone(),
             ..other
         }
     }
@@ -199,6 +221,9 @@ impl<'a> Regression<'a> {
             let (raw, columns) = self.raw(&model);
             let (residual, jacobian) = self.whitened(&model, &raw, &columns);
             let own = jacobian.ncols();
+            let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
+            self.work
+                .did((self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64));
             let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
             let mut all = jacobian.resize_horizontally(width, 0.0);
             let mut at = own;

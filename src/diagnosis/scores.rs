@@ -1,6 +1,8 @@
 //! What each candidate would do beside a fit.
 
-use nalgebra::{DMatrix, DVector};
+use std::rc::Rc;
+
+use nalgebra::DMatrix;
 
 use crate::effects::{Form, Term};
 use crate::linear::{Basis, small_cholesky, small_gain};
@@ -10,6 +12,7 @@ use super::columns::Among;
 use super::evidence::{PRICE_OF_A_NAME, choices, price_of, subsets};
 use super::projected::{Grams, Projected};
 use super::regression::{Fit, Regression, lengthened};
+use super::significance::Significance;
 
 /// What one candidate would do beside a fit.
 #[derive(Debug, Clone, Copy)]
@@ -49,17 +52,32 @@ impl Regression<'_> {
     /// The same with the table projected already.
     fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
         let pulls = projected.pulls(&fit.residual);
+        let factor = |candidate: &Candidate| projected.factor(candidate);
+        let beside = (fit.basis.rank(), fit.rss);
+        self.scores(beside, projected.among(), factor, pulls.as_slice())
+    }
+
+    /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
+    /// leaves of each and their products with its residual.
+    pub(super) fn scores(
+        &self,
+        (rank_beside, rss): (usize, f64),
+        among: Among,
+        factor: impl Fn(&Candidate) -> (Vec<f64>, usize),
+        pulls: &[f64],
+    ) -> Vec<Score> {
         let m = self.m();
-        let freedom = m - fit.basis.rank() as f64;
-        let total = self.rounded(fit.rss);
+        let freedom = m - rank_beside as f64;
+        let total = self.rounded(rss);
         let mut scores = Vec::new();
+        let mut tests: Vec<Option<Rc<Significance>>> = Vec::new();
         let candidates = self.table.candidates.iter().enumerate();
-        for (index, candidate) in candidates.filter(|c| projected.has(c.1)) {
+        for (index, candidate) in candidates.filter(|c| among.has(c.1)) {
             let Some(Gain {
                 all: gain,
                 rank,
                 parts,
-            }) = Self::gain(projected, candidate, &pulls)
+            }) = Self::gain(factor(candidate), candidate, pulls)
             else {
                 continue;
             };
@@ -67,7 +85,8 @@ impl Regression<'_> {
             if nu < 2.0 {
                 continue;
             }
-            let test = self.tests.of(rank, nu);
+            tests.resize(tests.len().max(rank + 1), None);
+            let test = tests[rank].get_or_insert_with(|| self.tests.of(rank, nu));
             let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
             let worth = |gain: f64, rank: usize| {
                 let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
@@ -98,6 +117,9 @@ impl Regression<'_> {
         let make = || Grams::new(columns, filter, &self.table.candidates);
         let table = (columns, filter, self.grams.get_or_init(make));
         let along = self.of_base().along(columns, filter, basis, among);
+        let more = basis.rank().saturating_sub(self.of_base().basis().rank()) + 8;
+        self.work
+            .did((columns.count() * self.rows.samples.len() * more) as f64);
         Projected::new(table, basis, along, among)
     }
 
@@ -134,13 +156,16 @@ impl Regression<'_> {
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
     /// where it would have to be negative and cannot.
-    fn gain(projected: &Projected, candidate: &Candidate, pulls: &DVector<f64>) -> Option<Gain> {
+    fn gain(
+        (factor, rank): (Vec<f64>, usize),
+        candidate: &Candidate,
+        pulls: &[f64],
+    ) -> Option<Gain> {
         let k = candidate.size;
-        let (factor, rank) = projected.factor(candidate);
         if rank == 0 {
             return None;
         }
-        let pull = &pulls.as_slice()[candidate.first..candidate.first + k];
+        let pull = &pulls[candidate.first..candidate.first + k];
         let about = candidate.what.term().map(|t| t.effect.about());
         if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
             return None;

@@ -6,16 +6,19 @@
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
+use std::rc::Rc;
+
 use crate::effects::{Over, Term};
 
 use super::aliases;
-use super::candidates::What;
+use super::candidates::{Candidate, What};
 use super::columns::Among;
 use super::held_out::Folds;
 use super::memo::Memo;
 use super::placed::Placed;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
+use super::surroundings::{Surroundings, Without};
 use super::{Cancelled, Progress, Watch};
 use crate::model::shapes::Variable;
 
@@ -125,6 +128,16 @@ impl Search<'_, '_> {
         }
     }
 
+    /// The search is where it has found this; it is never said to be further than it is.
+    fn tell_found(&self, fit: &Fit) -> Result<(), Cancelled> {
+        let names = self.regression.added(fit).into_iter();
+        self.tell(&Progress::Searching {
+            found: names
+                .map(|term| term.name_on(&self.regression.base.robot))
+                .collect(),
+        })
+    }
+
     fn count(&self, fit: &Fit) -> usize {
         self.regression.added(fit).len() + fit.shapes.len()
     }
@@ -132,7 +145,7 @@ impl Search<'_, '_> {
     /// Adds what is significant, best first, until nothing is.
     fn forward(&self, start: Fit, allow: Allow) -> Result<Fit, Cancelled> {
         let mut fit = start;
-        while self.count(&fit) < self.most {
+        while self.count(&fit) < self.most && !self.regression.work.is_over() {
             let next = self.step(&fit, allow);
             let Some(next) = next.or_else(|| self.two_at_once(&fit, allow)) else {
                 break;
@@ -142,12 +155,7 @@ impl Search<'_, '_> {
                 break;
             }
             fit = next;
-            let names = self.regression.added(&fit).into_iter();
-            self.tell(&Progress::Searching {
-                found: names
-                    .map(|term| term.name_on(&self.regression.base.robot))
-                    .collect(),
-            })?;
+            self.tell_found(&fit)?;
         }
         Ok(fit)
     }
@@ -245,31 +253,70 @@ impl Search<'_, '_> {
         fit
     }
 
-    /// Exchanges each term or shape for the candidate that does best in its place.
+    /// Exchanges each term or shape for the candidate that does best in its place. What could not come near by
+    /// the table beside the whole fit is not tried.
     fn swap(&self, fit: Fit, allow: Allow) -> Fit {
         let mut fit = fit;
         if self.count(&fit) < 2 && fit.shapes.is_empty() {
             return fit;
         }
         let terms: Vec<Term> = self.regression.added(&fit).into_iter().cloned().collect();
+        let mut around = None;
         for term in terms {
+            let without = self.regression.without(&fit, &term);
+            let is_own = |c: &Candidate| c.what.term().is_some_and(|t| t.same_column(&term));
+            let scores = self.near(&fit, without, &mut around, allow, is_own);
+            if scores.is_empty() {
+                continue;
+            }
             let rest = self.regression.without_term(&fit, &term);
-            if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
-                fit = better;
+            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
+                (fit, around) = (better, None);
             }
         }
         for index in (0..fit.shapes.len()).rev() {
+            let without = self.regression.without_placed(&fit, index);
+            let scores = self.near(&fit, without, &mut around, allow, |_| false);
+            if scores.is_empty() {
+                continue;
+            }
             let rest = self.regression.without_shape(&fit, index);
-            if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
-                fit = better;
+            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
+                (fit, around) = (better, None);
             }
         }
         fit
     }
 
-    fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
-        let mut scores = self.regression.scan(rest, allow.among());
-        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - 3.0);
+    /// Candidates but this one that may be likelier in the place of what is taken out.
+    fn near(
+        &self,
+        fit: &Fit,
+        without: Option<Without>,
+        around: &mut Option<Rc<Surroundings>>,
+        allow: Allow,
+        is_own: impl Fn(&Candidate) -> bool,
+    ) -> Vec<Score> {
+        let regression = self.regression;
+        let Some(without) = without else {
+            return Vec::new();
+        };
+        let around = around.get_or_insert_with(|| regression.surroundings(fit, allow.among()));
+        let scores = regression.scan_without(around, &without);
+        let enough = fit.ln_evidence - NEAR - FIRST_ORDER - without.ln_evidence;
+        let candidates = &regression.table.candidates;
+        let other = |s: &Score| s.ln_odds > enough && !is_own(&candidates[s.candidate]);
+        scores.into_iter().filter(other).collect()
+    }
+
+    fn best_beside(
+        &self,
+        rest: &Fit,
+        mut scores: Vec<Score>,
+        allow: Allow,
+        than: f64,
+    ) -> Option<Fit> {
+        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - NEAR - FIRST_ORDER);
         self.may_join(rest, allow, &mut scores);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
@@ -297,11 +344,22 @@ impl Search<'_, '_> {
                     }
                 }
             };
+            let clear = |without: Option<Without>, needed: f64| {
+                without.is_some_and(|rest| {
+                    fit.ln_evidence - rest.ln_evidence > needed + FIRST_ORDER
+                        && self.matters(SURELY * (rest.rss - fit.rss), &fit)
+                })
+            };
             for term in self.regression.added(&fit) {
-                consider(self.regression.without_term(&fit, term), needed(&fit, term));
+                let needed = needed(&fit, term);
+                if !clear(self.regression.without(&fit, term), needed) {
+                    consider(self.regression.without_term(&fit, term), needed);
+                }
             }
             for index in 0..fit.shapes.len() {
-                consider(self.regression.without_shape(&fit, index), NEEDED);
+                if !clear(self.regression.without_placed(&fit, index), NEEDED) {
+                    consider(self.regression.without_shape(&fit, index), NEEDED);
+                }
             }
             match best {
                 Some(rest) => fit = rest,
@@ -314,7 +372,10 @@ impl Search<'_, '_> {
     fn pairs(&self, fit: Fit) -> Result<Fit, Cancelled> {
         let mut fit = fit;
         for _ in 0..3 {
-            self.tell(&Progress::Comparing)?;
+            self.tell_found(&fit)?;
+            if self.regression.work.is_over() {
+                break;
+            }
             let mut rivals = aliases::rivals(self.regression, &fit);
             rivals.retain(|r| self.count(&r.fit) <= self.most);
             let Some(best) = rivals.into_iter().next() else {
@@ -329,6 +390,12 @@ impl Search<'_, '_> {
     }
 }
 
+/// What a scan says may be so much too little: settings are fitted finely before they are judged.
+const NEAR: f64 = 3.0;
+/// So far off may log-odds be that are known to first order …
+const FIRST_ORDER: f64 = 2.0;
+/// … and a fall of the sum of squares is at least this share of what it is to first order.
+const SURELY: f64 = 0.8;
 /// Log-odds by which a term has to be needed beside the others.
 const NEEDED: f64 = 1.0;
 /// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …

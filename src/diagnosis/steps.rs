@@ -1,16 +1,19 @@
 //! What each effect adds, in the order of what it adds, with its evidence in numbers and words.
 
+use nalgebra::DMatrix;
+
 use crate::effects::Term;
 
 use super::columns::Among;
 use super::familywise::FamilyP;
 use super::final_set::{Worth, worth};
 use super::prepare::Prepared;
-use super::regression::Fit;
+use super::regression::{Fit, Regression};
 use super::search::compatible;
 use super::step_time;
 use super::values::Values;
 use crate::answers::diagnosis::{Floor, Found};
+use crate::linear::Basis;
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
 const CLOSE: f64 = 6.0;
@@ -36,14 +39,17 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
         regression.rows.rms_mm(&e)
     };
     let mut steps = Vec::new();
+    let (raw, columns) = regression.raw(&fit.model);
+    let (_, white) = regression.whitened(&fit.model, &raw, &columns);
     while !left.is_empty() {
-        let fits = left.iter().map(|term| {
+        let with = |index: usize| {
+            let term = &left[index];
             let absent = Term::absent(term.effect, term.joint, term.setting);
             regression.fit(&now.model.with_term(absent), &now.shapes)
-        });
-        let best = fits
-            .enumerate()
-            .max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
+        };
+        let fits = likeliest(regression, (fit, &white), &now, &left);
+        let fits = fits.into_iter().map(|index| (index, with(index)));
+        let best = fits.max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
         let seen = prepared.folds.rms_mm(regression, &next);
         steps.push(Step {
@@ -54,6 +60,49 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
         (now, unseen) = (next, seen);
     }
     steps
+}
+
+/// Of many terms only so many are fitted before one is chosen.
+const FITTED: usize = 3;
+
+/// Places of the terms that may be the likeliest beside a fit with the fewer of them, by their columns in the fit
+/// with all.
+fn likeliest(
+    regression: &Regression,
+    (all, white): (&Fit, &DMatrix<f64>),
+    now: &Fit,
+    left: &[Term],
+) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..left.len()).collect();
+    if left.len() <= FITTED {
+        return places;
+    }
+    let worth = |term: &Term| {
+        let mut first = 0;
+        for own in all.model.terms() {
+            let size = own.coefficients.len();
+            if own.same_column(term) {
+                let mut free = white.columns(first, size).into_owned();
+                let along = now.basis.q.tr_mul(&free);
+                free.gemm(-1.0, &now.basis.q, &along, 1.0);
+                let basis = Basis::new(&free);
+                let gain = basis.q.tr_mul(&now.residual).norm_squared();
+                let share = (gain / now.rss.max(1e-300)).min(1.0 - 1e-12);
+                // Of a vector the components that are not there are spared.
+                let rank = basis.rank().min(2) as f64;
+                return -0.5 * regression.m() * (-share).ln_1p()
+                    - 0.5 * rank * regression.m().ln()
+                    - regression.price_of_term(term);
+            }
+            first += size;
+        }
+        f64::NEG_INFINITY
+    };
+    let worths: Vec<f64> = left.iter().map(worth).collect();
+    places.sort_by(|a, b| worths[*b].total_cmp(&worths[*a]).then(a.cmp(b)));
+    places.truncate(FITTED);
+    places.sort_unstable();
+    places
 }
 
 /// The likeliest other name in the place of one.
@@ -67,11 +116,18 @@ pub(crate) struct Next {
 
 impl Next {
     /// The likeliest that is compatible with the rest.
-    pub(crate) fn than(prepared: &Prepared, term: &Term, worth: &Worth) -> Option<Self> {
+    pub(crate) fn than(prepared: &Prepared, fit: &Fit, term: &Term, worth: &Worth) -> Option<Self> {
         let regression = &prepared.regression;
         let about = term.effect.about();
         let there = regression.added(&worth.rest);
-        let scores = regression.scan(&worth.rest, Among::Names);
+        // By the table beside the whole fit; what comes close is refitted.
+        let scores = match regression.without(fit, term) {
+            Some(rest) => {
+                let around = regression.surroundings(fit, Among::Names);
+                regression.scan_without(&around, &rest)
+            }
+            None => regression.scan(&worth.rest, Among::Names),
+        };
         let others = scores.iter().filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
             let same_name = other.effect.about().id == about.id
@@ -110,7 +166,7 @@ pub(crate) fn found(
         let about = step.term.effect.about();
         let term = &step.term;
         let worth = worth(prepared, with_shapes, term);
-        let next = Next::than(prepared, term, &worth);
+        let next = Next::than(prepared, with_shapes, term, &worth);
         let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.ln_odds.max(0.0));
         let next = next.map(|n| n.term.name_on(&regression.base.robot));
         let p_family = regression.family_p(worth.minus_ln_p, with_shapes);

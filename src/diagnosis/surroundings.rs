@@ -1,0 +1,276 @@
+//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table.
+//!
+//! With `Q` the orthonormal columns of the fit and `u = Q c` the part of them that only one term spans, the
+//! columns of the rest are those of `Q` without `u`. Everything beside the rest follows by rank:
+//!
+//! ```text
+//! b = cᵀ (Qᵀ W),   PᵀP + bᵀb,   Pᵀr + bᵀβ,   ‖r‖² + ‖β‖²,   β = uᵀ (what the term explains)
+//! ```
+//!
+//! so that a question about each of the terms in turn costs no fit and no sample is looked at again. To first
+//! order: the others' columns stay where the fit has them. What comes close is fitted before it is used.
+
+use std::rc::Rc;
+
+use nalgebra::{DMatrix, DMatrixView, DVector};
+
+use super::candidates::Candidate;
+use super::columns::Among;
+use super::evidence::{PRICE_OF_A_NAME, price_of};
+use super::projected::Grams;
+use super::regression::{Fit, Regression};
+use super::scores::Score;
+use crate::effects::Term;
+use crate::linear::{Basis, small_cholesky, small_gain};
+
+/// The candidates beside a fit.
+pub(crate) struct Surroundings {
+    among: Among,
+    /// Products of the fit's orthonormal columns with the candidates'.
+    along: DMatrix<f64>,
+    /// What the fit leaves of every candidate's own products.
+    left: Grams,
+    /// How much of each column has to be left for it to count.
+    least: Vec<f64>,
+    /// Products of what is left of the candidates with the residual.
+    pulls: DVector<f64>,
+}
+
+/// What a fit is without some of its columns, to first order.
+#[derive(Debug, Clone)]
+pub(crate) struct Without {
+    /// `c`: of the fit's orthonormal columns, those that the columns alone span.
+    directions: DMatrix<f64>,
+    /// `β`.
+    explained: DVector<f64>,
+    /// The sum of squares that is left.
+    pub(crate) rss: f64,
+    /// The rank.
+    pub(crate) rank: usize,
+    /// At least how likely it is; [`Regression::without`] says by how much it may be less.
+    pub(crate) ln_evidence: f64,
+}
+
+impl Regression<'_> {
+    /// The candidates beside a fit.
+    pub(crate) fn surroundings(&self, fit: &Fit, among: Among) -> Rc<Surroundings> {
+        let work = || Rc::new(self.surroundings_anew(fit, among));
+        match among {
+            Among::Names => self.surroundings.of(fit, work),
+            Among::Shapes | Among::All => work(),
+        }
+    }
+
+    fn surroundings_anew(&self, fit: &Fit, among: Among) -> Surroundings {
+        let projected = self.projected(&fit.basis, among);
+        let pulls = projected.pulls(&fit.residual);
+        Surroundings {
+            among,
+            left: projected.grams(&self.table.candidates),
+            least: projected.least(&self.table.candidates),
+            along: projected.into_along(),
+            pulls,
+        }
+    }
+
+    /// A fit without a term that was added. The evidence is an upper bound but for rounding: what a vector is
+    /// spared for components that are not there is not taken off.
+    pub(crate) fn without(&self, fit: &Fit, term: &Term) -> Option<Without> {
+        self.without_all(fit, std::slice::from_ref(term))
+    }
+
+    /// The same without some of them.
+    pub(crate) fn without_all(&self, fit: &Fit, terms: &[Term]) -> Option<Without> {
+        let (mut first, mut price) = (0, 0.0);
+        let (mut columns, mut coefficients) = (Vec::new(), Vec::new());
+        for own in fit.model.terms() {
+            let size = own.coefficients.len();
+            if terms.iter().any(|t| t.same_column(own)) {
+                columns.extend(first..first + size);
+                coefficients.extend_from_slice(&own.coefficients);
+                price += PRICE_OF_A_NAME + self.price_of_term(own);
+            }
+            first += size;
+        }
+        self.less(fit, &columns, &coefficients, price)
+    }
+
+    /// A fit without one of its shapes.
+    pub(crate) fn without_placed(&self, fit: &Fit, index: usize) -> Option<Without> {
+        let terms = fit.model.terms().iter().map(|t| t.coefficients.len());
+        let before = fit.shapes[..index].iter().map(|s| s.white.ncols());
+        let first = terms.sum::<usize>() + before.sum::<usize>();
+        let own = &fit.shapes[index];
+        let price = own.shape.tried.max(1.0).ln() + price_of(&own.shape) - own.credit;
+        let columns: Vec<usize> = (first..first + own.white.ncols()).collect();
+        self.less(fit, &columns, own.coefficients.as_slice(), price)
+    }
+
+    fn less(
+        &self,
+        fit: &Fit,
+        columns: &[usize],
+        coefficients: &[f64],
+        price: f64,
+    ) -> Option<Without> {
+        let (directions, parts) = fit.basis.only_of(columns)?;
+        let explained = parts * DVector::from_column_slice(coefficients);
+        let rss = fit.rss + explained.norm_squared();
+        let (m, gone) = (self.m(), directions.ncols());
+        let fell = -0.5 * m * (self.rounded(rss) / self.rounded(fit.rss)).ln();
+        Some(Without {
+            rss,
+            rank: fit.basis.rank().saturating_sub(gone),
+            ln_evidence: fit.ln_evidence + fell + 0.5 * gone as f64 * m.ln() + price,
+            directions,
+            explained,
+        })
+    }
+
+    /// Of candidates, those that the samples of this regression could take for whitened columns: which share with
+    /// them, once the base is projected out, more than this part of their square.
+    pub(crate) fn alike(&self, own: &DMatrix<f64>, candidates: &[usize], share: f64) -> Vec<usize> {
+        let basis = self.of_base().basis();
+        let mut free = own.clone();
+        let along = basis.q.tr_mul(&free);
+        free.gemm(-1.0, &basis.q, &along, 1.0);
+        let unit = Basis::new(&free).q;
+        let projected = self.projected(basis, Among::Names);
+        let products = self
+            .table
+            .columns
+            .products(&self.filter, &unit, Among::Names);
+        let near = |index: &usize| {
+            let candidate = &self.table.candidates[*index];
+            let (factor, _) = projected.factor(candidate);
+            let (first, k) = (candidate.first, candidate.size);
+            let rows = products.columns(first, k);
+            let shared: f64 = (0..unit.ncols())
+                .map(|row| {
+                    let mut pull: Vec<f64> = rows.row(row).iter().copied().collect();
+                    small_gain(&factor, k, &mut pull)
+                })
+                .sum();
+            shared > share
+        };
+        candidates.iter().copied().filter(near).collect()
+    }
+
+    /// Scores of candidates beside a fit without some columns.
+    pub(crate) fn scan_without(&self, around: &Surroundings, rest: &Without) -> Vec<Score> {
+        let along = rest.directions.tr_mul(&around.along);
+        let mut pulls = around.pulls.clone();
+        pulls.gemv_tr(1.0, &along, &rest.explained, 1.0);
+        let factor = |c: &Candidate| around.factor(c, along.columns(c.first, c.size));
+        let beside = (rest.rank, rest.rss);
+        self.scores(beside, around.among, factor, pulls.as_slice())
+    }
+}
+
+impl Surroundings {
+    /// Cholesky factor of what is left of a candidate's columns where these products of them come back, and
+    /// their rank.
+    fn factor(&self, candidate: &Candidate, back: DMatrixView<f64>) -> (Vec<f64>, usize) {
+        let (first, k) = (candidate.first, candidate.size);
+        let mut gram = self.left.of(candidate).to_vec();
+        for i in 0..k {
+            for j in 0..=i {
+                gram[i * k + j] += back.column(i).dot(&back.column(j));
+            }
+        }
+        let rank = small_cholesky(&mut gram, k, &self.least[first..first + k]);
+        (gram, rank)
+    }
+
+    /// By how much a candidate would lower the sum of squares of a fit without some columns.
+    pub(crate) fn gain(&self, rest: &Without, candidate: &Candidate) -> f64 {
+        let (first, k) = (candidate.first, candidate.size);
+        let back = rest.directions.tr_mul(&self.along.columns(first, k));
+        let (factor, _) = self.factor(candidate, back.as_view());
+        let mut pulls = self.pulls.rows(first, k).into_owned();
+        pulls.gemv_tr(1.0, &back, &rest.explained, 1.0);
+        small_gain(&factor, k, pulls.as_mut_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::diagnosis::prepare::Prepared;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// Two axes: the second with an eccentric encoder and a gear, the first with backlash.
+    #[test]
+    fn what_is_known_from_one_table_is_what_fits_without_each_term_say() {
+        let stops = (0..120).map(|k| {
+            let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
+            let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
+            let side = |by: u32| if k / by % 2 == 0 { 1 } else { -1 };
+            let (a, b) = (side(1), side(3));
+            format!(r#"{{"q_deg":[{tilt},{turn}],"dir":[{a},{b}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
+            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
+            "tool":{{"position_mm":[300,50,200],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},
+            "effects":[{{"effect":"encoder-eccentricity","joint":2,
+            "parameters":{{"amplitude_deg":0.03,"phase_deg":20}}}},
+            {{"effect":"gear-transmission-error","joint":2,
+            "parameters":{{"order":17,"amplitude_deg":0.02,"phase_deg":70}}}},
+            {{"effect":"backlash","joint":1,"parameters":{{"width_deg":0.03}}}}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":1}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let mut fit = regression.fit(&regression.base, &[]);
+        for (id, joint, order) in [
+            ("encoder-eccentricity", 1, 0.0),
+            ("gear-transmission-error", 1, 17.0),
+            ("backlash", 0, 0.0),
+        ] {
+            let wanted = |c: &&Candidate| {
+                let term = c.what.term();
+                term.is_some_and(|t| {
+                    t.effect.about().id == id && t.joint == joint && t.setting == order
+                })
+            };
+            let candidates = &regression.table.candidates;
+            fit = regression.with(&fit, &candidates.iter().find(wanted).unwrap().what);
+        }
+        let around = regression.surroundings(&fit, Among::Names);
+        for term in regression.added(&fit) {
+            let known = regression.without(&fit, term).unwrap();
+            let rest = regression.without_term(&fit, term);
+            assert!(
+                (known.rss / rest.rss - 1.0).abs() < 0.01,
+                "{} {}",
+                known.rss,
+                rest.rss
+            );
+            assert_eq!(known.rank, rest.basis.rank());
+            assert!((known.ln_evidence - rest.ln_evidence).abs() < 1.0);
+            let by_table = regression.scan_without(&around, &known);
+            let by_fit = regression.scan(&rest, Among::Names);
+            assert_eq!(by_table.len(), by_fit.len());
+            for (a, b) in by_table.iter().zip(&by_fit) {
+                assert_eq!(a.candidate, b.candidate);
+                let apart = (a.gain - b.gain).abs();
+                assert!(
+                    apart < 1.0 + 0.03 * b.gain,
+                    "{:?} {} {}",
+                    regression.table.candidates[a.candidate].what,
+                    a.gain,
+                    b.gain
+                );
+                let one = around.gain(&known, &regression.table.candidates[a.candidate]);
+                assert!((one - a.gain).abs() < 1e-6 * (1.0 + a.gain));
+            }
+        }
+    }
+}

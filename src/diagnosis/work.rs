@@ -1,0 +1,122 @@
+//! What a search may cost: counted in products of numbers, never by a clock, so that the same session ends the
+//! same way on every machine.
+//!
+//! The search has shares of it one after the other. Where its share is spent nothing more is looked for: what was
+//! found so far is tested and said, and that the search ended there. The same where whoever watches asks it to stop.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+/// Products of numbers for a whole diagnosis, and so many more for each sample that is searched.
+const PRODUCTS: f64 = 2.0e9;
+const FOR_A_SAMPLE: f64 = 8.0e6;
+
+/// Shares of the whole.
+pub(crate) const FIRST_SEARCH: f64 = 0.4;
+pub(crate) const SECOND_SEARCH: f64 = 0.55;
+pub(crate) const RIVALS: f64 = 0.7;
+pub(crate) const OTHER_SETS: f64 = 0.85;
+
+/// Work that was done so far, shared by everything that one diagnosis makes.
+#[derive(Debug, Clone)]
+pub(crate) struct Work(Rc<Counts>);
+
+#[derive(Debug)]
+struct Counts {
+    done: Cell<f64>,
+    most: f64,
+    /// Up to which share of the whole the search may go on now.
+    share: Cell<f64>,
+    ended: Cell<bool>,
+    asked_to_stop: Cell<bool>,
+}
+
+impl Work {
+    /// None yet, for so many samples that are searched.
+    pub(crate) fn new(samples: usize) -> Self {
+        Self(Rc::new(Counts {
+            done: Cell::new(0.0),
+            most: PRODUCTS + FOR_A_SAMPLE * samples as f64,
+            share: Cell::new(1.0),
+            ended: Cell::new(false),
+            asked_to_stop: Cell::new(false),
+        }))
+    }
+
+    /// So many products more.
+    pub(crate) fn did(&self, products: f64) {
+        self.0.done.set(self.0.done.get() + products);
+    }
+
+    /// From here on the search may go on up to this share of the whole.
+    pub(crate) fn up_to(&self, share: f64) {
+        self.0.share.set(share);
+    }
+
+    /// Whoever watches wants what is proven so far.
+    pub(crate) fn stop(&self) {
+        self.0.asked_to_stop.set(true);
+    }
+
+    /// Whether it was asked to stop.
+    pub(crate) fn was_stopped(&self) -> bool {
+        self.0.asked_to_stop.get()
+    }
+
+    /// Whether nothing more is to be looked for; who asks leaves something undone.
+    pub(crate) fn is_over(&self) -> bool {
+        let over = self.is_spent();
+        if over {
+            self.0.ended.set(true);
+        }
+        over
+    }
+
+    /// Whether its share is spent; who asks leaves nothing undone that could be found.
+    pub(crate) fn is_spent(&self) -> bool {
+        let Counts {
+            done, most, share, ..
+        } = &*self.0;
+        self.was_stopped() || done.get() > share.get() * most
+    }
+
+    /// What was left undone is looked for again.
+    pub(crate) fn begin_again(&self) {
+        self.0.ended.set(false);
+    }
+
+    /// Why something that might have been found was not looked for; `None` where everything was.
+    pub(crate) fn ended(&self) -> Option<&'static str> {
+        if self.was_stopped() {
+            Some("the search was stopped: this is what was proven until then")
+        } else if self.0.ended.get() {
+            Some("the search stopped at its budget: this is what was proven until then")
+        } else {
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_that_is_spent_ends_what_is_looked_for_and_says_so() {
+        let work = Work::new(100);
+        work.up_to(0.5);
+        assert!(!work.is_over() && work.ended().is_none());
+        let all = PRODUCTS + 100.0 * FOR_A_SAMPLE;
+        work.did(0.6 * all);
+        let shared = work.clone();
+        // Nobody was kept from looking so far.
+        assert!(work.ended().is_none());
+        assert!(shared.is_over());
+        assert!(work.ended().is_some_and(|why| why.contains("budget")));
+        work.up_to(1.0);
+        assert!(!work.is_over());
+        work.stop();
+        assert!(work.is_over());
+        assert!(work.ended().is_some_and(|why| why.contains("stopped: ")));
+    }
+}
