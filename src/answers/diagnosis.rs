@@ -149,6 +149,32 @@ impl Unexplained {
     }
 }
 
+/// What predicts poses that no fit has seen and has no name; its terms are in the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unnamed {
+    /// Root mean square of what it takes out of the fit, mm.
+    pub rms_mm: f64,
+    /// RMS error on samples that the fit has not seen, without and with it, mm.
+    pub held_out_mm: [f64; 2],
+    /// What it follows, as in `joint 2 (gravity)`.
+    pub over: Vec<String>,
+}
+
+impl Unnamed {
+    /// In words.
+    pub fn says(&self) -> String {
+        format!(
+            "{:.4} mm that no name is proven for predict unseen poses all the same and are in the \
+             model: cross-validated {:.4} → {:.4} mm, over {}; outside the measured range they fade \
+             to nothing",
+            self.rms_mm,
+            self.held_out_mm[0],
+            self.held_out_mm[1],
+            self.over.join(", ")
+        )
+    }
+}
+
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
@@ -174,6 +200,8 @@ pub struct Diagnosis {
     pub equivalent: Vec<Equivalent>,
     /// What no name explains.
     pub unexplained: Unexplained,
+    /// What the model holds beside the names because it predicts unseen poses; `None` where nothing does.
+    pub unnamed: Option<Unnamed>,
     /// What the session cannot show.
     pub not_testable: Vec<NotTestable>,
     /// What would have been seen.

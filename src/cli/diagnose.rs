@@ -55,6 +55,9 @@ pub(crate) struct Diagnose {
     /// Correct what no name explains by a smooth curve over the joint, if that helps on unseen samples
     #[arg(long)]
     correct_unexplained: bool,
+    /// Keep the model to geometry and names, without what predicts unseen poses and has no name
+    #[arg(long)]
+    no_unnamed: bool,
     /// Write the model with what was found to this file; - is standard output
     #[arg(long, value_name = "MODEL")]
     out: Option<PathBuf>,
@@ -125,6 +128,7 @@ impl Diagnose {
                 joint_values: self.joint_values.into(),
                 correct_unexplained: self.correct_unexplained,
                 keep_when_stopped: false,
+                without_unnamed: self.no_unnamed,
             },
             start: self.start,
         };
@@ -335,6 +339,9 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
         if !d.unexplained.resembles.is_empty() {
             let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
         }
+    }
+    if let Some(unnamed) = &d.unnamed {
+        let _ = writeln!(text, "unnamed: {}", unnamed.says());
     }
     match &d.unexplained.correction {
         None => {}

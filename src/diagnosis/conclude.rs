@@ -28,6 +28,7 @@ use super::significance::Significance;
 use super::smooth;
 use super::steps::{Step, found, steps};
 use super::testable::not_testable;
+use super::unnamed;
 use super::unseen::held_out;
 use super::values::Values;
 use super::verdict;
@@ -97,10 +98,10 @@ pub(crate) fn answer(
         &names
     };
     let nominal = deviations(problem, &prepared.nominal);
-    let held_out = held_out(prepared, &base, fit, &nominal);
+    let mut held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    let values = values(
+    let mut values = values(
         prepared,
         problem,
         [fit, with_shapes],
@@ -113,7 +114,7 @@ pub(crate) fn answer(
         let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
         spread.map_or(0.0, |s| s.rms_mm)
     };
-    let gap = Gaps {
+    let mut gap = Gaps {
         start_mm: rms(&nominal),
         identified_mm: rms(&identified),
         end_mm: rms(&after),
@@ -154,6 +155,8 @@ pub(crate) fn answer(
             same => same,
         };
     }
+    // What predicts without a name joins the model once everything is said of the names.
+    let unnamed = unnamed::add(prepared, fit, &mut values, &mut gap, &mut held_out);
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
     let history = history(session, &gap, &held_out, &steps);
     let held = prepared.not_identifiable.clone();
@@ -171,6 +174,7 @@ pub(crate) fn answer(
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
+        unnamed,
         not_testable,
         not_found: limits::limits(regression, with_shapes),
         outliers: identification.outliers.clone(),

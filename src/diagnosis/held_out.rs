@@ -9,6 +9,8 @@ use std::rc::Rc;
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
 use crate::effects::{Setting, Term};
+use crate::fit::regression::Rows;
+use crate::model::Model;
 
 use super::columns::Among;
 use super::left_out::{Groups, LeftOut};
@@ -45,7 +47,7 @@ impl Folds {
     /// Folds over the samples of an regression, by the angle of the first joint that moves most.
     pub(crate) fn new(regression: &Regression) -> Self {
         if regression.base.robot.joints.len() > 1 {
-            return Self::over_the_workspace(regression);
+            return Self::over_cells(&regression.rows, &regression.base);
         }
         let q = &regression.rows.inputs.q;
         let range = |column: &[f64]| {
@@ -87,10 +89,10 @@ impl Folds {
     }
 
     /// Folds over cells of the workspace, for a robot with several joints.
-    fn over_the_workspace(regression: &Regression) -> Self {
-        let points = regression.rows.points(&regression.base);
+    pub(super) fn over_cells(rows: &Rows, model: &Model) -> Self {
+        let points = rows.points(model);
         let n = points.len();
-        if let Some(rows) = regression.rows.observed() {
+        if let Some(rows) = rows.observed() {
             return Self {
                 fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
                 count: FOLDS,
@@ -116,6 +118,21 @@ impl Folds {
                     .to_owned()
             },
         }
+    }
+
+    /// Number of samples.
+    pub(super) fn samples(&self) -> usize {
+        self.fold.len()
+    }
+
+    /// Number of folds.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The fold that a sample is in.
+    pub(super) fn of(&self, sample: usize) -> usize {
+        self.fold[sample]
     }
 
     /// Whether there are enough samples to say anything.

@@ -68,6 +68,8 @@ fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
         // What is kept holds its curve, so no other one lies there.
         let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
         all.push(curve as u64);
+        let rest = term.rest.as_ref().map_or(0, |r| Arc::as_ptr(r) as usize);
+        all.push(rest as u64);
     }
     for shape in shapes {
         let column = shape.white.column(0);

@@ -12,6 +12,7 @@
 //!    that the caller hands in ([`crate::pipeline::diagnose`] takes [`crate::design`]'s).
 //! 7. `limits`: what would have been seen, had it been there.
 //! 8. `smooth`: what no name explains, as a correction without a name.
+//! 9. `unnamed`: what predicts unseen poses and has no name, in the model all the same.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -60,6 +61,7 @@ mod steps;
 pub(crate) mod surroundings;
 pub(crate) mod testable;
 mod trials;
+mod unnamed;
 mod unseen;
 mod values;
 mod verdict;
@@ -67,7 +69,7 @@ pub(crate) mod work;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
-    NotTestable, Unexplained, Verdict,
+    NotTestable, Unexplained, Unnamed, Verdict,
 };
 pub use crate::answers::limits::{Limit, Sight};
 pub use crate::answers::pose::NextPose;
@@ -101,6 +103,8 @@ pub struct Options {
     /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
     /// [`DiagnoseError::Cancelled`].
     pub keep_when_stopped: bool,
+    /// Whether the model holds names and geometry only, and nothing that predicts without a name.
+    pub without_unnamed: bool,
 }
 
 /// How far the diagnosis is.

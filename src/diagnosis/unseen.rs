@@ -17,11 +17,7 @@ pub(crate) fn held_out(
 ) -> HeldOut {
     let regression = &prepared.regression;
     let problem = &prepared.problem;
-    let by_file = problem.session.samples.held_out.as_deref();
-    let apart =
-        |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
-    let count = (0..problem.usable.len()).filter(|i| apart(*i)).count();
-    if count > 0 {
+    if let Some(apart) = apart(prepared) {
         let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
             "cells of the workspace that were locked away from everything"
         } else if prepared.locked.contains(&true) {
@@ -29,23 +25,11 @@ pub(crate) fn held_out(
         } else {
             "the samples that the session marks as held out; no fit touched them"
         };
-        let rms = |d: &Deviations| {
-            // Samples far off are suspected here as they are elsewhere.
-            let mut lengths: Vec<f64> = (0..d.length_mm.len())
-                .filter(|i| apart(*i))
-                .map(|i| d.length_mm[i])
-                .collect();
-            lengths.sort_by(f64::total_cmp);
-            let limit = 5.0 * lengths[lengths.len() / 2];
-            let spread = Spread::of(&d.length_mm, apart, |i| {
-                count >= 8 && d.length_mm[i] > limit
-            });
-            spread.map_or(0.0, |s| s.rms_mm)
-        };
+        let rms = |d: &Deviations| rms_apart(d, &apart);
         let seen = |fit: &Fit| Values::of(prepared, problem, fit, false).model;
         return HeldOut {
             how: how.to_owned(),
-            samples: count,
+            samples: apart.iter().filter(|a| **a).count(),
             gaps: Some(Gaps {
                 start_mm: rms(nominal),
                 identified_mm: rms(&deviations(problem, &prepared.base)),
@@ -72,4 +56,28 @@ pub(crate) fn held_out(
             end_mm: prepared.folds.rms_mm(regression, fit),
         }),
     }
+}
+
+/// The samples that no fit has seen, as the session or an option marks them; `None` where none is.
+pub(super) fn apart(prepared: &Prepared) -> Option<Vec<bool>> {
+    let problem = &prepared.problem;
+    let by_file = problem.session.samples.held_out.as_deref();
+    let apart =
+        |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
+    let all: Vec<bool> = (0..problem.usable.len()).map(apart).collect();
+    all.contains(&true).then_some(all)
+}
+
+/// Root mean square length of these samples' deviations, mm; samples far off are suspected here as they are
+/// elsewhere.
+pub(super) fn rms_apart(d: &Deviations, apart: &[bool]) -> f64 {
+    let own = d.length_mm.iter().zip(apart);
+    let mut lengths: Vec<f64> = own.filter(|(_, a)| **a).map(|(l, _)| *l).collect();
+    let Some(middle) = lengths.len().checked_sub(1).map(|last| last.div_ceil(2)) else {
+        return 0.0;
+    };
+    lengths.sort_by(f64::total_cmp);
+    let limit = 5.0 * lengths[middle];
+    let far = |i: usize| lengths.len() >= 8 && d.length_mm[i] > limit;
+    Spread::of(&d.length_mm, |i| apart[i], far).map_or(0.0, |s| s.rms_mm)
 }

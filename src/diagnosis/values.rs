@@ -191,6 +191,43 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
+    /// Takes what predicts without a name into the model and fits the geometry again beside it; the names keep
+    /// their values. What the geometry moves by moves its intervals.
+    pub(crate) fn take_unnamed(&mut self, unnamed: &[Term]) {
+        let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
+        let held = self.model.terms().iter().map(|term| {
+            let mut term = term.clone();
+            if !is_base(&term) {
+                term.held =
+                    (0..term.coefficients.len()).fold(term.held, crate::effects::Held::with);
+            }
+            term
+        });
+        let all = held.chain(unnamed.iter().cloned()).collect();
+        let fitted = solve(&self.problem, &Model::new(self.model.robot.clone(), all)).model;
+        // Without coefficients, and last of all.
+        let with = unnamed
+            .iter()
+            .fold(self.model.clone(), |m, t| m.with_term(t.clone()));
+        let with = with.with_coefficients(&fitted.coefficients());
+        for (term, own) in self.model.terms().iter().zip(&mut self.estimates) {
+            let kind = self.model.robot.joints[term.joint].kind;
+            let now = with.terms().iter().find(|t| t.same_column(term));
+            let (Some(now), true) = (now, is_base(term)) else {
+                continue;
+            };
+            let (before, after) = (term.parameters_on(kind), now.parameters_on(kind));
+            for ((estimate, before), after) in own.iter_mut().zip(before).zip(after) {
+                let by = after.value - before.value;
+                estimate.value += by;
+                estimate.ci95 = estimate.ci95.map(|interval| interval.map(|v| v + by));
+            }
+        }
+        self.estimates.resize(with.terms().len(), Vec::new());
+        self.model = with;
+        self.solution.model = self.model.clone();
+    }
+
     /// This fit as `identify` would answer it. The samples that are suspected are those that it left
     /// out: what no name explains is in the residuals again, and could accuse others.
     pub(crate) fn identification(

@@ -331,6 +331,26 @@ impl<'a> Block<'a> {
         Some(self.torque_nm[joint][lane]).filter(|torque| !torque.is_nan())
     }
 
+    /// Torque about a joint of the load and of the links whose masses are given, N·m.
+    pub(super) fn load_nm(&self, joint: usize, lane: usize) -> f64 {
+        super::joint_compliance::torque_nm(self, joint, lane)
+    }
+
+    /// Side from which a joint came: 1, −1, or 0 where it is not known.
+    pub(super) fn side(&self, joint: usize, lane: usize) -> f64 {
+        self.dir[joint][lane]
+    }
+
+    /// Speed of a joint, rad/s or mm/s.
+    pub(super) fn speed(&self, joint: usize, lane: usize) -> f64 {
+        self.speed[joint][lane]
+    }
+
+    /// Temperature of a joint above 20 °C, K.
+    pub(super) fn above_20_c(&self, joint: usize, lane: usize) -> f64 {
+        self.above_20_c[joint][lane]
+    }
+
     /// Load at the tool's origin, kg.
     pub(super) fn load_kg(&self, lane: usize) -> f64 {
         self.load_kg[lane]

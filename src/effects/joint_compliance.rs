@@ -17,6 +17,7 @@ use super::gravity::{first_moment, first_moment_slope, seen_by, seen_by_slope};
 use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed, Survey};
+use crate::kinematics::JointKind;
 use crate::lanes::{LANES, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
@@ -133,6 +134,15 @@ fn act(me: &Placed, block: &mut Block) {
             block.turn_by_command_of(me, other, &slopes);
         }
     }
+}
+
+/// The torque about a turning joint at its command, N·m; about a sliding one none.
+pub(super) fn torque_nm(block: &Block, joint: usize, lane: usize) -> f64 {
+    if block.robot.joints[joint].kind == JointKind::Prismatic {
+        return 0.0;
+    }
+    let torque = Torque::of(block, joint, lane);
+    torque.at(block.command(joint, lane)).0
 }
 
 /// How often Newton's method may correct; it squares the error each time, and the wind-up is a

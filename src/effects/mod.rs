@@ -57,6 +57,7 @@ mod unknown_anchor;
 mod unknown_plane;
 mod unknown_socket;
 mod unknown_station;
+pub(crate) mod unnamed;
 mod wrist_coupling;
 
 pub use about::{
@@ -79,6 +80,7 @@ pub use unknown_anchor::UNKNOWN_ANCHOR;
 pub use unknown_plane::UNKNOWN_PLANE;
 pub use unknown_socket::UNKNOWN_SOCKET;
 pub use unknown_station::UNKNOWN_STATION;
+pub use unnamed::{Along, REST, Rest, RestError, UNNAMED, Wave};
 
 use crate::kinematics::{JointKind, Robot};
 
@@ -190,6 +192,7 @@ pub const BESIDE_THE_CATALOGUE: &[&Effect] = &[
     &UNKNOWN_PLANE,
     &UNKNOWN_SOCKET,
     &SMOOTH,
+    &REST,
 ];
 
 /// The effect of this name; also what models carry beside the catalogue's effects.

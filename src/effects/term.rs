@@ -10,6 +10,7 @@ use super::about::{Form, Quantity, Setting};
 use super::curve::Curve;
 use super::places::PlaceKind;
 use super::units::{DEGREE, MILLIRADIAN, Unit};
+use super::unnamed::Rest;
 use super::{Effect, Role, find, form_with};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
@@ -27,6 +28,8 @@ pub struct Term {
     pub coefficients: Vec<f64>,
     /// The curve of an unexplained correction, which no identification changes.
     pub curve: Option<Arc<Curve>>,
+    /// What predicts without a name, which no identification changes either.
+    pub rest: Option<Arc<Rest>>,
     /// Coefficients that no fit moves.
     pub held: Held,
     /// Name of the setup or of the target that the term belongs to, where it belongs to one.
@@ -120,6 +123,7 @@ impl Term {
             setting,
             coefficients: vec![0.0; effect.about().form.coefficients()],
             curve: None,
+            rest: None,
             held: Held::default(),
             label: None,
         }
@@ -320,6 +324,7 @@ impl std::fmt::Debug for Term {
             .field("setting", &self.setting)
             .field("coefficients", &self.coefficients)
             .field("curve", &self.curve)
+            .field("rest", &self.rest)
             .field("held", &self.held)
             .field("label", &self.label)
             .finish()
@@ -331,6 +336,7 @@ impl PartialEq for Term {
         self.same_column(other)
             && self.coefficients == other.coefficients
             && self.curve == other.curve
+            && self.rest == other.rest
     }
 }
 
@@ -532,6 +538,8 @@ pub struct Placed {
     pub coefficients: Vec<f64>,
     /// The curve of an unexplained correction.
     pub curve: Option<Arc<Curve>>,
+    /// What predicts without a name.
+    pub rest: Option<Arc<Rest>>,
     /// Where its columns begin among the model's.
     pub first_column: usize,
     /// The joint's frame.

@@ -13,13 +13,13 @@ use std::sync::Arc;
 use super::about::{About, Form, Quantity, Role, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
-use super::curve::Curve;
+use super::curve::{Curve, DIRECTIONS};
 use super::needs::Need;
 use super::term::JointFrame;
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::JointKind;
-use crate::lanes::{add_scaled, cross, minus, turned};
+use crate::lanes::{LANES, add_scaled, cross, minus, turned};
 
 /// The name under which it stands in models.
 pub const UNEXPLAINED: &str = "unexplained";
@@ -54,10 +54,28 @@ pub static SMOOTH: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {
     let Some(curve) = &me.curve else { return };
+    let q = |lane: usize| block.command(me.joint, lane);
+    let values = std::array::from_fn(|lane| curve.at(q(lane)));
+    let slopes = if block.by_command() {
+        vec![(me.joint, std::array::from_fn(|lane| curve.slope(q(lane))))]
+    } else {
+        Vec::new()
+    };
+    carried(me, block, &values, &slopes);
+}
+
+/// Moves the points of a joint's link along its motion, along its radius and along its axis, and the
+/// derivatives with it; `slopes` are the derivatives of the three by the commands of some joints.
+pub(super) fn carried(
+    me: &Placed,
+    block: &mut Block,
+    values: &[[f64; DIRECTIONS]; LANES],
+    slopes: &[(usize, [[f64; DIRECTIONS]; LANES])],
+) {
     let (out, along) = across(&me.frame);
     let kind = block.robot.joints[me.joint].kind;
     block.transform(me, |x, at| {
-        let [motion, radial, axial] = curve.at(at.q);
+        let [motion, radial, axial] = values[at.lane];
         match kind {
             JointKind::Revolute => {
                 let moved = add_scaled(add_scaled(x, out, radial), along, axial);
@@ -75,22 +93,24 @@ fn act(me: &Placed, block: &mut Block) {
             }
         }
     });
-    block.shift_by_command(me, |x, at| {
-        let [motion, ..] = curve.at(at.q);
-        let [turn, radial, axial] = curve.slope(at.q);
-        match kind {
-            JointKind::Revolute => {
-                let (sin, cos) = motion.sin_cos();
-                let shift = add_scaled(out.map(|v| v * radial), along, axial);
-                let shift = turned(shift, along, sin, cos);
-                add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
+    for (of, slope) in slopes {
+        block.shift_by_command_of(me, *of, |x, at| {
+            let [motion, ..] = values[at.lane];
+            let [turn, radial, axial] = slope[at.lane];
+            match kind {
+                JointKind::Revolute => {
+                    let (sin, cos) = motion.sin_cos();
+                    let shift = add_scaled(out.map(|v| v * radial), along, axial);
+                    let shift = turned(shift, along, sin, cos);
+                    add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
+                }
+                JointKind::Prismatic => {
+                    let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
+                    add_scaled(shift, along, turn)
+                }
             }
-            JointKind::Prismatic => {
-                let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
-                add_scaled(shift, along, turn)
-            }
-        }
-    });
+        });
+    }
 }
 
 const ABOUT_DIRECTIONS: About = About {

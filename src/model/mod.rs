@@ -260,6 +260,7 @@ impl Model {
                 setting: term.setting,
                 coefficients: term.coefficients.clone(),
                 curve: term.curve.clone(),
+                rest: term.rest.clone(),
                 first_column,
                 frame: JointFrame::new(&self.robot, term.joint),
                 down,

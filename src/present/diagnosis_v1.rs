@@ -44,6 +44,13 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             "separate_by": &e.separate_by,
         }),
         "unexplained": unexplained(&d.unexplained, session),
+        "unnamed": d.unnamed.as_ref().map(|u| object! {
+            "rms_mm": u.rms_mm,
+            "held_out_before_mm": u.held_out_mm[0],
+            "held_out_after_mm": u.held_out_mm[1],
+            "over": &u.over,
+            "says": u.says(),
+        }),
         "not_testable": list(&d.not_testable, |n| object! {
             "effect": n.effect,
             "joint": given(n.joint.map(|j| j + 1)),

@@ -79,7 +79,7 @@ pub(crate) struct KeptTerm {
 impl KeptTerm {
     fn of(added: &Added) -> Option<Self> {
         let term = &added.term;
-        term.curve.is_none().then(|| Self {
+        (term.curve.is_none() && term.rest.is_none()).then(|| Self {
             effect: term.effect.about().id.to_owned(),
             joint: term.joint,
             setting: term.setting,

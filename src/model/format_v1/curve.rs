@@ -92,7 +92,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
 }
 
 /// Finite numbers.
-const LIST: Kind<Vec<f64>> = Kind {
+pub(super) const LIST: Kind<Vec<f64>> = Kind {
     expected: "an array of numbers",
     read: |at| match &at.node.value {
         Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),

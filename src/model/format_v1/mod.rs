@@ -13,6 +13,7 @@
 mod curve;
 mod exact;
 mod read;
+mod rest;
 mod term;
 
 pub(crate) use term::term;

@@ -2,10 +2,11 @@
 
 use super::curve::{self, unexplained};
 use super::exact::exact_term;
+use super::rest;
 use crate::document::kinds::count;
 use crate::document::object::{At, Kind, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
-use crate::effects::{Setting, Term, UNEXPLAINED, find};
+use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
 use crate::kinematics::Robot;
 
 const JOINT: Kind<usize> = count("a joint, counted from 1");
@@ -15,7 +16,11 @@ pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     let members = fields.object(node, path, "an object with effect and parameters")?;
     let id = fields.required_text(members, node.at, path, "effect")?;
-    let last = if id == UNEXPLAINED { "curve" } else { "exact" };
+    let last = match id.as_str() {
+        UNEXPLAINED => "curve",
+        UNNAMED => "rest",
+        _ => "exact",
+    };
     let known = [
         "effect",
         "joint",
@@ -38,6 +43,9 @@ pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
     };
     if id == UNEXPLAINED {
         return unexplained(at, members, joint, joints);
+    }
+    if id == UNNAMED {
+        return rest::unnamed(at, members, joint, joints);
     }
     let given = optional(members, "parameters");
     let parameters = match given {
@@ -117,9 +125,10 @@ pub(super) fn term_written(term: &Term, robot: &Robot) -> Value {
         "parameters",
         Value::Object(parameters.collect()),
     ));
-    all.push(match curve {
-        Some(curve) => Member::new("curve", curve::written_curve(curve)),
-        None => Member::new("exact", written(term.clone(), exact_term)),
+    all.push(match (curve, term.rest()) {
+        (Some(curve), _) => Member::new("curve", curve::written_curve(curve)),
+        (None, Some(rest)) => Member::new("rest", rest::written_rest(rest)),
+        (None, None) => Member::new("exact", written(term.clone(), exact_term)),
     });
     Value::Object(all)
 }

@@ -1,0 +1,148 @@
+//! What predicts without a name, on disk: the numbers that the program computes with (rad, mm), so that
+//! they are read back to the last bit.
+
+use std::sync::Arc;
+
+use super::curve::LIST;
+use crate::document::object::{At, Object, written};
+use crate::document::{Member, Value};
+use crate::effects::unnamed::{Along, Rest, Wave};
+use crate::effects::{REST, Term};
+
+const OBJECT: &str = "an object with ranges_inner and what is added in each direction";
+/// Keys of each direction: moments, conditions, orders of the waves (one for each joint, wave after
+/// wave), their sines and their cosines.
+const KEYS: [[&str; 5]; 3] = [
+    [
+        "motion_moments_inner",
+        "motion_conditions_inner",
+        "motion_orders_inner",
+        "motion_sines_inner",
+        "motion_cosines_inner",
+    ],
+    [
+        "radial_moments_mm",
+        "radial_conditions_inner",
+        "radial_orders_inner",
+        "radial_sines_mm",
+        "radial_cosines_mm",
+    ],
+    [
+        "axial_moments_mm",
+        "axial_conditions_inner",
+        "axial_orders_inner",
+        "axial_sines_mm",
+        "axial_cosines_mm",
+    ],
+];
+
+/// The lists as they are in the file.
+#[derive(Clone, Default)]
+struct Lists {
+    ranges: Vec<f64>,
+    along: [[Vec<f64>; 5]; 3],
+}
+
+impl Lists {
+    fn of(rest: &Rest) -> Self {
+        let along = rest.along.each_ref().map(|along| {
+            let given = along.conditions.iter().any(|c| *c != 0.0);
+            let each = |read: fn(&Wave) -> f64| along.waves.iter().map(read).collect();
+            [
+                along.moments.clone(),
+                if given {
+                    along.conditions.to_vec()
+                } else {
+                    Vec::new()
+                },
+                along.waves.iter().flat_map(|w| w.orders.clone()).collect(),
+                each(|w| w.sine),
+                each(|w| w.cosine),
+            ]
+        });
+        Self {
+            ranges: rest.ranges.as_flattened().to_vec(),
+            along,
+        }
+    }
+
+    /// `None` where the lists do not belong together.
+    fn rest(&self, joints: usize) -> Option<Rest> {
+        let mut along: [Along; 3] = std::array::from_fn(|_| Along::default());
+        for (along, lists) in along.iter_mut().zip(&self.along) {
+            let [moments, conditions, orders, sines, cosines] = lists;
+            along.moments.clone_from(moments);
+            if !conditions.is_empty() {
+                along.conditions = conditions.as_slice().try_into().ok()?;
+            }
+            if sines.len() != cosines.len() || orders.len() != joints * sines.len() {
+                return None;
+            }
+            let waves = orders.chunks(joints).zip(sines.iter().zip(cosines));
+            along.waves = waves
+                .map(|(orders, (sine, cosine))| Wave {
+                    orders: orders.to_vec(),
+                    sine: *sine,
+                    cosine: *cosine,
+                })
+                .collect();
+        }
+        let (ranges, odd) = self.ranges.as_chunks::<2>();
+        odd.is_empty().then(|| Rest {
+            ranges: ranges.to_vec(),
+            along,
+        })
+    }
+}
+
+pub(super) fn written_rest(rest: &Rest) -> Value {
+    written(Lists::of(rest), |o, own| declare(o, own))
+}
+
+fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
+    o.required("ranges_inner", &mut own.ranges, &LIST);
+    for (keys, lists) in KEYS.iter().zip(&mut own.along) {
+        for (key, list) in keys.iter().zip(lists) {
+            if o.is_read() || !list.is_empty() {
+                o.usual(key, list, &LIST);
+            }
+        }
+    }
+}
+
+/// The term of what predicts without a name; `joint` is counted from 1.
+pub(super) fn unnamed(
+    at: &mut At<'_, '_>,
+    members: &[Member],
+    joint: usize,
+    joints: usize,
+) -> Option<Term> {
+    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
+    if joint == 0 || joint > joints {
+        let expected = format!("a joint from 1 to {joints}");
+        fields.error(node.at, &path.key("joint"), joint.to_string(), expected);
+        return None;
+    }
+    let node = fields.required(members, node.at, path, "rest", OBJECT)?;
+    let mut at = At {
+        fields,
+        node,
+        path: &path.key("rest"),
+        expected: OBJECT,
+    };
+    let lists = at.object(Lists::default(), declare)?;
+    let rest = lists.rest(joints);
+    let Some(rest) = rest else {
+        return at.error(
+            "lists of different lengths".to_owned(),
+            "five conditions, one order for each joint and wave, as many sines as cosines",
+        );
+    };
+    if let Err(error) = rest.check(joints) {
+        return at.error(error.to_string(), OBJECT);
+    }
+    Some(Term {
+        rest: Some(Arc::new(rest)),
+        ..Term::absent(&REST, joint - 1, 0.0)
+    })
+}
