@@ -107,6 +107,7 @@ impl Job<'_> {
             );
         }
         let references = self.references(&mut columns)?;
+        complete_coordinates(&mut columns);
         let numbers: Vec<u64> = columns.list.iter().map(|column| column.number).collect();
         let table = table(columns, self.settings.robot.joint_count());
         let names = table.names.clone();
@@ -158,6 +159,26 @@ impl Job<'_> {
     }
 }
 
+/// A session with some coordinates only has empty columns for the others; x and y without z are a
+/// planar session.
+fn complete_coordinates(columns: &mut Columns) {
+    let all = [Quantity::X, Quantity::Y, Quantity::Z];
+    let has = all.map(|quantity| columns.find(quantity).is_some());
+    if matches!(has, [true, true, _] | [false, false, false]) {
+        return;
+    }
+    let rows = columns.rows();
+    for (quantity, has) in all.into_iter().zip(has) {
+        if !has {
+            columns.put(Column::made(
+                quantity,
+                Unit::Length(1.0),
+                vec![f64::NAN; rows],
+            ));
+        }
+    }
+}
+
 /// Whether a number became infinite on the way.
 fn overflows(column: &Column) -> bool {
     matches!(&column.cells, Cells::Numbers(values) if values.iter().any(|value| value.is_infinite()))
@@ -188,7 +209,7 @@ fn table(columns: Columns, joints: usize) -> Table {
                 }
                 _ => continue,
             },
-            Role::Left | Role::Axis(_) => continue,
+            Role::Left | Role::Axis(_) | Role::Turn(..) => continue,
         };
         let mut name = match column.role {
             Role::Point => REMARKS[0].to_owned(),

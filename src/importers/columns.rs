@@ -29,7 +29,7 @@ impl Column {
     /// The numbers in inner units.
     pub(crate) fn inner(&self) -> Option<Vec<f64>> {
         let factor = match self.role {
-            Role::Known(_, Some(unit)) => unit.factor(),
+            Role::Known(_, Some(unit)) | Role::Turn(_, Some(unit)) => unit.factor(),
             Role::Known(_, None) | Role::Time(_) | Role::Axis(_) => 1.0,
             _ => return None,
         };

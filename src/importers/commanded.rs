@@ -5,6 +5,7 @@ use nalgebra::Point3;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
+use crate::importers::companion_file::COMMANDS;
 use crate::importers::formats::csv;
 use crate::importers::headings::Role;
 use crate::importers::join::{self, Timing};
@@ -53,7 +54,7 @@ impl Job<'_> {
             return self.refuse(self.place.clone(), found, "one of the two");
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
-        let commands = self.companion(companion, "commands", &header.join(","), csv::read_any)?;
+        let commands = self.companion(companion, COMMANDS, &header.join(","), csv::read_any)?;
         let place = companion.place();
         if let Some(joint) =
             (0..joints).find(|&joint| commands.find(Quantity::Commanded(joint)).is_none())
