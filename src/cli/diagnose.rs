@@ -12,6 +12,7 @@ use crate::paper::RegionalStart;
 use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::present::kinds;
+use crate::present::limits;
 use crate::present::names::figure;
 use crate::present::numbers::significant;
 use crate::present::table::Table;
@@ -20,6 +21,11 @@ use crate::sessions::Session;
 use super::failure::Failure;
 use super::identify::Values;
 use super::{fleet, geometry, output};
+
+/// Rivals, outliers and combinations that are listed; an answer about an arm fits on a page.
+const MOST_RIVALS: usize = 6;
+const MOST_OUTLIERS: usize = 8;
+const MOST_OPEN: usize = 2;
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
@@ -236,7 +242,7 @@ fn in_words(d: &Diagnosis) -> String {
         }
         let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
     }
-    for rival in &d.equivalent {
+    for rival in d.equivalent.iter().take(MOST_RIVALS) {
         let _ = writeln!(
             text,
             "or {} instead of {} (odds {:.1} : 1 against): {}",
@@ -246,14 +252,25 @@ fn in_words(d: &Diagnosis) -> String {
             rival.separate_by
         );
     }
+    and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
     unexplained_in_words(&mut text, d);
-    for pose in &d.not_testable {
-        let name = named(d, pose.effect, pose.joint);
-        let _ = writeln!(text, "{name}: not testable, {}", pose.because);
+    let plain = |effect: &str| effect.to_owned();
+    for line in limits::not_testable(d, plain) {
+        let _ = writeln!(text, "{}: not testable, {}", line.names, line.says);
     }
-    for limit in &d.not_found {
-        let name = named(d, limit.effect, limit.joint);
-        let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
+    if arm {
+        let lines = limits::limits(d, plain);
+        if !lines.is_empty() {
+            let _ = writeln!(text, "not found; detection limits (95 %):");
+        }
+        for line in lines {
+            let _ = writeln!(text, "  {}: {}", line.names, line.says);
+        }
+    } else {
+        for limit in &d.not_found {
+            let name = named(d, limit.effect, limit.joint);
+            let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
+        }
     }
     left_out_in_words(&mut text, d);
     if !d.next_poses.is_empty() {
@@ -279,9 +296,36 @@ pub(crate) fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String
     }
 }
 
+/// Says how many are not listed.
+fn and_more(text: &mut String, count: usize, listed: usize, what: &str) {
+    match count.saturating_sub(listed) {
+        0 => {}
+        1 => {
+            let _ = writeln!(text, "  and 1 {what} more: --json lists it");
+        }
+        more => {
+            let _ = writeln!(text, "  and {more} {what}s more: --json lists them");
+        }
+    }
+}
+
 /// What the samples do not determine, and which of them were not fitted.
 fn left_out_in_words(text: &mut String, d: &Diagnosis) {
-    for open in &d.identification.not_identifiable {
+    let open = &d.identification.not_identifiable;
+    let arm = geometry::is_of_an_arm(&d.identified);
+    if arm && open.len() > MOST_OPEN {
+        let _ = writeln!(
+            text,
+            "not identifiable: {} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
+            open.len()
+        );
+    }
+    let listed = if arm && open.len() > MOST_OPEN {
+        0
+    } else {
+        open.len()
+    };
+    for open in &open[..listed] {
         let _ = writeln!(
             text,
             "not identifiable: {}: {}",
@@ -299,7 +343,7 @@ fn left_out_in_words(text: &mut String, d: &Diagnosis) {
     if let Some(says) = d.identification.excluded_in_words() {
         let _ = writeln!(text, "{says}");
     }
-    for outlier in &d.outliers {
+    for outlier in d.outliers.iter().take(MOST_OUTLIERS) {
         let _ = writeln!(
             text,
             "  sample {}: {:.3} mm from the model",
@@ -307,6 +351,7 @@ fn left_out_in_words(text: &mut String, d: &Diagnosis) {
             outlier.deviation_mm
         );
     }
+    and_more(text, d.outliers.len(), MOST_OUTLIERS, "outlier");
 }
 
 /// What there is to say of the noise, and of a fit that cannot be relied on.
@@ -354,7 +399,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
 fn limit_in_words(limit: &Limit) -> String {
     let (mut above, mut never) = (Vec::new(), Vec::new());
     for (name, size) in &limit.sizes {
-        match Sight::of(*size) {
+        match limits::sight(limit.effect, name, *size) {
             Sight::Above(size) => above.push(format!("{name} {}", significant(size, 3))),
             Sight::AtAnySize => above.push(format!("{name} 0")),
             Sight::AtNoSize => never.push(*name),

@@ -129,7 +129,8 @@ impl Job<'_> {
             targets: &targets,
             references: &references,
         };
-        let samples = assemble::samples(table, declared, &locate, &place, &mut findings);
+        let mut samples = assemble::samples(table, declared, &locate, &place, &mut findings);
+        samples.follow(&self.settings.robot.joints);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         let mut session = Session {
             name: self.settings.name.clone(),

@@ -63,7 +63,11 @@ impl Desk {
     fn run(&self, arguments: &str) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
         let words = arguments.split_whitespace();
-        command.current_dir(self.path()).args(words).output().unwrap()
+        command
+            .current_dir(self.path())
+            .args(words)
+            .output()
+            .unwrap()
     }
 
     /// Imports a file that is to be accepted; the session and what was said.
@@ -71,13 +75,19 @@ impl Desk {
         let done = self.run(&format!("import {arguments} --robot robot.json --force"));
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(0), "{arguments}: {said}");
-        let out = arguments.split_whitespace().skip_while(|word| *word != "--out").nth(1).unwrap();
+        let out = arguments
+            .split_whitespace()
+            .skip_while(|word| *word != "--out")
+            .nth(1)
+            .unwrap();
         (load(self.path().join(out)).unwrap().session, said)
     }
 
     /// Imports a file that is to be refused; what was said.
     fn refused(&self, arguments: &str) -> String {
-        let done = self.run(&format!("import {arguments} --robot robot.json --out refused.json"));
+        let done = self.run(&format!(
+            "import {arguments} --robot robot.json --out refused.json"
+        ));
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(2), "{arguments}: {said}");
         assert!(!self.path().join("refused.json").exists());
@@ -118,7 +128,11 @@ fn off_the_points(session: &Session) -> f64 {
     let z_mm = session.samples.z_mm.as_ref().unwrap();
     let off = |(row, pose): (usize, [f64; 2])| {
         let [x, y, z] = tool(pose[0], pose[1]).0;
-        let (dx, dy, dz) = (session.samples.x_mm[row] - x, session.samples.y_mm[row] - y, z_mm[row] - z);
+        let (dx, dy, dz) = (
+            session.samples.x_mm[row] - x,
+            session.samples.y_mm[row] - y,
+            z_mm[row] - z,
+        );
         (dx * dx + dy * dy + dz * dz).sqrt()
     };
     poses().into_iter().enumerate().map(off).fold(0.0, f64::max)
@@ -130,12 +144,28 @@ fn off_the_orientations(session: &Session) -> f64 {
     let off = |(row, pose): (usize, [f64; 2])| {
         let [w, x, y, z] = [0, 1, 2, 3].map(|part: usize| parts[part][row]);
         let matrix = [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+            [
+                1.0 - 2.0 * (y * y + z * z),
+                2.0 * (x * y - w * z),
+                2.0 * (x * z + w * y),
+            ],
+            [
+                2.0 * (x * y + w * z),
+                1.0 - 2.0 * (x * x + z * z),
+                2.0 * (y * z - w * x),
+            ],
+            [
+                2.0 * (x * z - w * y),
+                2.0 * (y * z + w * x),
+                1.0 - 2.0 * (x * x + y * y),
+            ],
         ];
         let truth = tool(pose[0], pose[1]).1;
-        let apart = matrix.iter().flatten().zip(truth.iter().flatten()).map(|(a, b)| (a - b).abs());
+        let apart = matrix
+            .iter()
+            .flatten()
+            .zip(truth.iter().flatten())
+            .map(|(a, b)| (a - b).abs());
         apart.fold(0.0, f64::max)
     };
     poses().into_iter().enumerate().map(off).fold(0.0, f64::max)
@@ -147,11 +177,12 @@ fn joint_values_alone_are_a_session_of_a_ball_in_sockets() {
     let names = ["S1", "S2"];
     desk.put(
         "franka.csv",
-        &table("q1,q2,socket", |k, [p, t]| format!("{p},{t},{}", names[k % 2])),
+        &table("q1,q2,socket", |k, [p, t]| {
+            format!("{p},{t},{}", names[k % 2])
+        }),
     );
-    let (session, said) = desk.import(
-        "franka.csv --as csv --angle-unit rad --socket-distances S1-S2=400 --out s.json",
-    );
+    let (session, said) = desk
+        .import("franka.csv --as csv --angle-unit rad --socket-distances S1-S2=400 --out s.json");
     assert!(off_the_commands(&session) < 1e-12);
     let references = &session.instrument.references;
     assert_eq!(references.sockets.len(), 2);
@@ -160,20 +191,26 @@ fn joint_values_alone_are_a_session_of_a_ball_in_sockets() {
     assert!(said.contains("to be fitted: 'S1', 'S2'"), "{said}");
     // One socket for all rows, and a table without a header.
     desk.put("bare.txt", &table("", |_, [p, t]| format!("{p} {t}")));
-    let (session, _) = desk.import(
-        "bare.txt --as csv --angle-unit rad --columns q1,q2 --socket cup --out bare.json",
-    );
+    let (session, _) = desk
+        .import("bare.txt --as csv --angle-unit rad --columns q1,q2 --socket cup --out bare.json");
     assert_eq!(session.instrument.references.sockets[0].name, "cup");
     let refused = desk.refused("bare.txt --as csv --angle-unit rad --columns q1,q2");
     assert!(refused.contains("no column is x or y"), "{refused}");
     // Touches, with words for the columns.
-    desk.put("touch.csv", &table("a;b;flat", |k, [p, t]| format!("{p};{t};P{}", k % 3)));
-    let (session, _) = desk.import(
-        "touch.csv --as csv --columns q1_rad,q2_rad,plane --out touch.json",
+    desk.put(
+        "touch.csv",
+        &table("a;b;flat", |k, [p, t]| format!("{p};{t};P{}", k % 3)),
     );
+    let (session, _) =
+        desk.import("touch.csv --as csv --columns q1_rad,q2_rad,plane --out touch.json");
     assert_eq!(session.instrument.references.planes.len(), 3);
     let answer = desk.run("identify touch.json --json");
-    assert_eq!(answer.status.code(), Some(0), "{}", String::from_utf8_lossy(&answer.stderr));
+    assert_eq!(
+        answer.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&answer.stderr)
+    );
 }
 
 #[test]
@@ -188,10 +225,12 @@ fn distances_with_their_anchors_and_a_single_coordinate_are_enough() {
         }),
     );
     desk.put("known.csv", "name,x_mm,y_mm,z_mm\nA0,500,0,0\nA1,500,0,0\n");
-    let (session, _) =
-        desk.import("distances.csv --as csv --reference known.csv --out d.json");
+    let (session, _) = desk.import("distances.csv --as csv --reference known.csv --out d.json");
     let anchors = &session.instrument.references.anchors;
-    assert!(anchors.iter().all(|anchor| anchor.position_mm.is_some()), "{anchors:?}");
+    assert!(
+        anchors.iter().all(|anchor| anchor.position_mm.is_some()),
+        "{anchors:?}"
+    );
     // A dial gauge over the table: z only.
     desk.put(
         "height.csv",
@@ -208,27 +247,45 @@ fn distances_with_their_anchors_and_a_single_coordinate_are_enough() {
 fn angles_are_orientations_once_their_order_is_said() {
     let desk = Desk::new();
     // Rz(pan) Ry(−tilt): a about z, b about y, c about x, about moving axes.
-    let angles = |[p, t]: [f64; 2]| format!("{p},{t},{},{},{},{}", xyz([p, t]), p.to_degrees(), -t.to_degrees(), 0.0);
+    let angles = |[p, t]: [f64; 2]| {
+        format!(
+            "{p},{t},{},{},{},{}",
+            xyz([p, t]),
+            p.to_degrees(),
+            -t.to_degrees(),
+            0.0
+        )
+    };
     desk.put(
         "kuka.csv",
-        &table("q1_rad,q2_rad,x_mm,y_mm,z_mm,rz_deg,ry_deg,rx_deg", |_, pose| angles(pose)),
+        &table(
+            "q1_rad,q2_rad,x_mm,y_mm,z_mm,rz_deg,ry_deg,rx_deg",
+            |_, pose| angles(pose),
+        ),
     );
     let asked = desk.refused("kuka.csv --as csv");
     assert!(asked.contains("--euler xyz-fixed or zyx-moving"), "{asked}");
     let asked = desk.refused("kuka.csv --as csv --euler zyx");
     assert!(asked.contains("--euler zyx-fixed or zyx-moving"), "{asked}");
     for order in ["zyx-moving", "xyz-fixed", "rpy"] {
-        let (session, said) = desk.import(&format!("kuka.csv --as csv --euler {order} --out k.json"));
+        let (session, said) =
+            desk.import(&format!("kuka.csv --as csv --euler {order} --out k.json"));
         assert!(off_the_orientations(&session) < 1e-9, "{order}");
         assert!(off_the_points(&session) < 1e-6);
         assert!(said.contains("R = Rz · Ry · Rx"), "{said}");
     }
     let (session, _) = desk.import("kuka.csv --as csv --euler xyz-moving --out k.json");
-    assert!(off_the_orientations(&session) > 0.1, "another order is another orientation");
+    assert!(
+        off_the_orientations(&session) > 0.1,
+        "another order is another orientation"
+    );
     // zyz, by turn: Rz(pan) Ry(−tilt) Rz(0).
     desk.put(
         "zyz.csv",
-        &table("q1_rad,q2_rad,x_mm,y_mm,z_mm,euler1_deg,euler2_deg,euler3_deg", |_, pose| angles(pose)),
+        &table(
+            "q1_rad,q2_rad,x_mm,y_mm,z_mm,euler1_deg,euler2_deg,euler3_deg",
+            |_, pose| angles(pose),
+        ),
     );
     let (session, _) = desk.import("zyz.csv --as csv --euler zyz-moving --out z.json");
     assert!(off_the_orientations(&session) < 1e-9);
@@ -237,12 +294,20 @@ fn angles_are_orientations_once_their_order_is_said() {
         "rotvec.csv",
         "q1_rad,q2_rad,x_mm,y_mm,z_mm,rx,ry,rz\n0.5,0,219.395640472593,119.856384651051,400,0,0,0.5\n0.1,0,249,25,400,0,0,\n",
     );
-    let (session, _) = desk.import("rotvec.csv --as csv --euler rotvec --angle-unit rad --out r.json");
+    let (session, _) =
+        desk.import("rotvec.csv --as csv --euler rotvec --angle-unit rad --out r.json");
     let parts = session.samples.orientation_wxyz.unwrap();
-    assert!((parts[0][0] - 0.25_f64.cos()).abs() < 1e-12 && (parts[3][0] - 0.25_f64.sin()).abs() < 1e-12);
-    assert!(parts.iter().all(|part| part[1].is_nan()), "a row without an angle has no orientation");
+    assert!(
+        (parts[0][0] - 0.25_f64.cos()).abs() < 1e-12
+            && (parts[3][0] - 0.25_f64.sin()).abs() < 1e-12
+    );
+    assert!(
+        parts.iter().all(|part| part[1].is_nan()),
+        "a row without an angle has no orientation"
+    );
     // Left out with a word.
-    let (session, _) = desk.import("kuka.csv --as csv --columns auto,auto,auto,auto,auto,-,-,- --out k.json");
+    let (session, _) =
+        desk.import("kuka.csv --as csv --columns auto,auto,auto,auto,auto,-,-,- --out k.json");
     assert!(session.samples.orientation_wxyz.is_none());
 }
 
@@ -260,10 +325,12 @@ fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once(
     );
     assert!(off_the_commands(&session) < 1e-12);
     assert!(off_the_points(&session) < 1e-6);
-    let profile: Value = serde_json::from_slice(&std::fs::read(desk.path().join("polaris.json")).unwrap()).unwrap();
+    let profile: Value =
+        serde_json::from_slice(&std::fs::read(desk.path().join("polaris.json")).unwrap()).unwrap();
     assert_eq!(profile["format"], "truepose-import-profile/1");
     // The next file has its columns elsewhere, and needs nothing more.
-    let header = "polaris_position_z,polaris_position_y,polaris_position_x,note,tilt,shoulder_pan_joint";
+    let header =
+        "polaris_position_z,polaris_position_y,polaris_position_x,note,tilt,shoulder_pan_joint";
     desk.put(
         "b.csv",
         &table(header, |_, pose| {
@@ -276,18 +343,31 @@ fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once(
     assert!(off_the_points(&session) < 1e-6);
     for (wrong, told) in [
         ("{", "an import profile"),
-        ("{\"format\": \"truepose-import-profile/1\", \"as\": \"xls\"}", "'xls'"),
-        ("{\"format\": \"truepose-import-profile/1\", \"columns\": [{\"heading\": \"a\", \"is\": \"furlongs\"}]}", "'furlongs'"),
-        ("{\"format\": \"truepose-import-profile/1\", \"colums\": []}", "colums"),
+        (
+            "{\"format\": \"truepose-import-profile/1\", \"as\": \"xls\"}",
+            "'xls'",
+        ),
+        (
+            "{\"format\": \"truepose-import-profile/1\", \"columns\": [{\"heading\": \"a\", \"is\": \"furlongs\"}]}",
+            "'furlongs'",
+        ),
+        (
+            "{\"format\": \"truepose-import-profile/1\", \"colums\": []}",
+            "colums",
+        ),
     ] {
         desk.put("wrong.json", wrong);
         let refused = desk.refused("b.csv --as csv --profile wrong.json");
         assert!(refused.contains(told), "{refused}");
     }
     // `measurement_x` says by itself what it is.
-    desk.put("m.csv", &table("shoulder_pan_joint,tilt,measurement_x,measurement_y,measurement_z", |_, pose| {
-        format!("{},{},{}", pose[0], pose[1], xyz(pose))
-    }));
+    desk.put(
+        "m.csv",
+        &table(
+            "shoulder_pan_joint,tilt,measurement_x,measurement_y,measurement_z",
+            |_, pose| format!("{},{},{}", pose[0], pose[1], xyz(pose)),
+        ),
+    );
     let (session, _) = desk.import("m.csv --as csv --angle-unit rad --unit mm --out m.json");
     assert!(off_the_points(&session) < 1e-6);
 }
@@ -295,20 +375,34 @@ fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once(
 #[test]
 fn commands_come_without_a_header_and_as_lists() {
     let desk = Desk::new();
-    desk.put("measured.csv", &table("x_mm,y_mm,z_mm", |_, pose| xyz(pose)));
+    desk.put(
+        "measured.csv",
+        &table("x_mm,y_mm,z_mm", |_, pose| xyz(pose)),
+    );
     let lists = [
         table("", |_, [p, t]| format!("{p}, {t}")),
         table("", |_, [p, t]| format!("{p};{t}")),
         table("", |_, [p, t]| format!("[{p}, {t}]")),
         table("", |_, [p, t]| format!("- [{p}, {t}]")),
         table("", |_, [p, t]| format!("- - {p}\n  - {t}")),
-        table("# from MoveIt\nposes:", |_, [p, t]| format!("  - [{p}, {t}]")),
+        table("# from MoveIt\nposes:", |_, [p, t]| {
+            format!("  - [{p}, {t}]")
+        }),
         table("", |_, [p, t]| format!("[{p} {t}]")),
         format!("q = [{}];", table("", |_, [p, t]| format!("{p} {t};"))),
-        format!("[{}]", table("", |_, [p, t]| format!("[{p}, {t}],")).trim_end_matches([',', '\n'])),
+        format!(
+            "[{}]",
+            table("", |_, [p, t]| format!("[{p}, {t}],")).trim_end_matches([',', '\n'])
+        ),
         table("", |k, [p, t]| format!("pose_{k}: [{p}, {t}]")),
-        table("", |_, [p, t]| format!("name: [shoulder_pan_joint, tilt]\nposition: [{p}, {t}]\n---")),
-        table("", |_, [p, t]| format!("name:\n- tilt\n- shoulder_pan_joint\nposition:\n- {t}\n- {p}\nvelocity: []\n---")),
+        table("", |_, [p, t]| {
+            format!("name: [shoulder_pan_joint, tilt]\nposition: [{p}, {t}]\n---")
+        }),
+        table("", |_, [p, t]| {
+            format!(
+                "name:\n- tilt\n- shoulder_pan_joint\nposition:\n- {t}\n- {p}\nvelocity: []\n---"
+            )
+        }),
         poses().iter().fold(String::new(), |mut text, [p, t]| {
             let _ = write!(text, "{p} {t}; ");
             text
@@ -316,51 +410,68 @@ fn commands_come_without_a_header_and_as_lists() {
     ];
     for commands in lists {
         desk.put("commands.txt", &commands);
-        let (session, said) = desk.import(
-            "measured.csv --as csv --commands commands.txt --angle-unit rad --out s.json",
-        );
+        let (session, said) = desk
+            .import("measured.csv --as csv --commands commands.txt --angle-unit rad --out s.json");
         assert!(off_the_commands(&session) < 1e-12, "{commands}");
         assert!(off_the_points(&session) < 1e-6);
         assert!(said.contains("--in-measuring-order"), "{said}");
     }
     desk.put("wide.txt", &table("", |_, [p, t]| format!("{p} {t} 0")));
     let asked = desk.refused("measured.csv --as csv --commands wide.txt --angle-unit rad");
-    assert!(asked.contains("3 columns and no header, for a robot of 2 joints"), "{asked}");
+    assert!(
+        asked.contains("3 columns and no header, for a robot of 2 joints"),
+        "{asked}"
+    );
     let (session, _) = desk.import(
         "measured.csv --as csv --commands wide.txt --commands-columns q1,q2,- --angle-unit rad --out s.json",
     );
     assert!(off_the_commands(&session) < 1e-12);
     // A measured file of lists.
-    desk.put("measured.yaml", &table("", |_, pose| format!("- [{}, {}, {}]", pose[0], pose[1], xyz(pose))));
-    let (session, _) = desk.import(
-        "measured.yaml --as csv --columns q1_rad,q2_rad,x_mm,y_mm,z_mm --out y.json",
+    desk.put(
+        "measured.yaml",
+        &table("", |_, pose| {
+            format!("- [{}, {}, {}]", pose[0], pose[1], xyz(pose))
+        }),
     );
+    let (session, _) =
+        desk.import("measured.yaml --as csv --columns q1_rad,q2_rad,x_mm,y_mm,z_mm --out y.json");
     assert!(off_the_points(&session) < 1e-6);
 }
 
 #[test]
 fn rows_in_measuring_order_say_from_which_side_each_joint_came() {
     let desk = Desk::new();
-    desk.put("measured.csv", &table("x_mm,y_mm,z_mm", |_, pose| xyz(pose)));
-    desk.put("commands.csv", &table("q1_rad,q2_rad", |_, [p, t]| format!("{p},{t}")));
-    let (session, said) = desk.import(
-        "measured.csv --as csv --commands commands.csv --in-measuring-order --out s.json",
+    desk.put(
+        "measured.csv",
+        &table("x_mm,y_mm,z_mm", |_, pose| xyz(pose)),
     );
+    desk.put(
+        "commands.csv",
+        &table("q1_rad,q2_rad", |_, [p, t]| format!("{p},{t}")),
+    );
+    let (session, said) = desk
+        .import("measured.csv --as csv --commands commands.csv --in-measuring-order --out s.json");
     let dir = |joint: usize| session.samples.dir[joint].clone().unwrap();
     assert_eq!(dir(0), [0.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0]);
     assert_eq!(dir(1), [0.0, 0.0, 1.0, -1.0, -1.0, 1.0, 1.0, 1.0]);
     assert!(said.contains("as was said"), "{said}");
     let (session, said) = desk.import("measured.csv --as csv --commands commands.csv --out s.json");
-    assert!(session.samples.dir.iter().all(Option::is_none), "nothing is derived silently");
+    assert!(
+        session.samples.dir.iter().all(Option::is_none),
+        "nothing is derived silently"
+    );
     assert!(said.contains("--in-measuring-order derives it"), "{said}");
 }
 
 #[test]
 fn a_session_beside_its_own_input_gets_samples_of_another_name() {
     let desk = Desk::new();
-    desk.put("t1.csv", &table("q1_rad,q2_rad,x_mm,y_mm,z_mm", |_, pose| {
-        format!("{},{},{}", pose[0], pose[1], xyz(pose))
-    }));
+    desk.put(
+        "t1.csv",
+        &table("q1_rad,q2_rad,x_mm,y_mm,z_mm", |_, pose| {
+            format!("{},{},{}", pose[0], pose[1], xyz(pose))
+        }),
+    );
     let before = std::fs::read(desk.path().join("t1.csv")).unwrap();
     let (session, said) = desk.import("t1.csv --as csv --out t1.json");
     assert_eq!(std::fs::read(desk.path().join("t1.csv")).unwrap(), before);
