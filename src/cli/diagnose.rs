@@ -234,8 +234,20 @@ fn in_words(d: &Diagnosis) -> String {
         let joint = found.joint.filter(|_| d.model.robot.joints.len() > 1);
         let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
         let _ = writeln!(text, "found {}{place}", found.effect);
-        for estimate in &found.parameters {
-            let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+        if arm {
+            let parameters = found.parameters.iter().map(|estimate| {
+                let says = estimate_in_words(estimate);
+                let own = says
+                    .strip_prefix(estimate.effect)
+                    .map(|rest| rest.trim_start_matches(": "));
+                own.unwrap_or(&says).to_owned()
+            });
+            let parameters = parameters.collect::<Vec<_>>().join("; ");
+            let _ = writeln!(text, "  {parameters}");
+        } else {
+            for estimate in &found.parameters {
+                let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+            }
         }
         for one in &found.figures {
             let _ = writeln!(text, "  {}", figure(*one));
@@ -263,8 +275,17 @@ fn in_words(d: &Diagnosis) -> String {
         if !lines.is_empty() {
             let _ = writeln!(text, "not found; detection limits (95 %):");
         }
-        for line in lines {
+        let (of_joints, others): (Vec<_>, Vec<_>) =
+            lines.into_iter().partition(|line| line.of_joints);
+        for line in of_joints {
             let _ = writeln!(text, "  {}: {}", line.names, line.says);
+        }
+        let others = others
+            .into_iter()
+            .map(|line| format!("{}: {}", line.names, line.says));
+        let others = others.collect::<Vec<_>>().join("; ");
+        if !others.is_empty() {
+            let _ = writeln!(text, "  {others}");
         }
     } else {
         for limit in &d.not_found {

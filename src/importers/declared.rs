@@ -17,7 +17,7 @@ use crate::importers::matching::{counted, listed};
 use crate::importers::session::Job;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
-use crate::sessions::{Azimuth, Plane, References, Socket, SocketDistance, Station};
+use crate::sessions::{Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station};
 
 /// Option: the socket of all samples.
 pub(crate) const SOCKET: &str = "socket";
@@ -93,7 +93,10 @@ impl Job<'_> {
             planes,
             stations,
             socket_distances,
-            ..References::default()
+            pointing: columns.directions.map(|directions| Pointing {
+                axis: directions.axis,
+                stations: None,
+            }),
         })
     }
 
@@ -170,12 +173,15 @@ impl Job<'_> {
                 cells: Cells::Names(names),
             });
         }
+        let azimuth = columns
+            .directions
+            .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
         let names = self.declared(columns, Quantity::Station, "station", known);
         let stations = names.into_iter().map(|name| Station {
             position_mm: known.get(&name).copied(),
             name,
             attitude: None,
-            azimuth: Azimuth::Counterclockwise,
+            azimuth,
         });
         stations.collect()
     }

@@ -293,6 +293,7 @@ impl<'a> Case<'a> {
             list,
             lines,
             commands: None,
+            directions: None,
         };
         if let Some(convention) = convention {
             self.note(convention.says());

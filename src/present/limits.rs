@@ -17,6 +17,8 @@ use crate::kinematics::Robot;
 pub(crate) struct Line {
     /// Effects with their joints.
     pub(crate) names: String,
+    /// Whether it is about joints, not about the whole robot or the instrument.
+    pub(crate) of_joints: bool,
     pub(crate) says: String,
 }
 
@@ -100,6 +102,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
             .collect();
         Line {
             names: names.join("; "),
+            of_joints: true,
             says: because.to_owned(),
         }
     };
@@ -123,6 +126,7 @@ pub(crate) fn limits(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> 
         let joints: Vec<Option<usize>> = limits.iter().map(|limit| limit.joint).collect();
         Line {
             names: with_joints(&name(effect), &joints, robot),
+            of_joints: joints.iter().any(Option::is_some),
             says: limits_in_words(effect, &limits),
         }
     };

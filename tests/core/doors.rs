@@ -478,3 +478,337 @@ fn a_session_beside_its_own_input_gets_samples_of_another_name() {
     assert!(said.contains("t1.samples.csv"), "{said}");
     assert!(off_the_points(&session) < 1e-6);
 }
+
+/// A palletizer of four bars: pan about z, shoulder about y, a forearm that a linkage keeps level (it
+/// mimics the shoulder), a wrist about y, a gripper with its mesh. Lengths in m; `[a, b, c]` are the
+/// origins of shoulder, forearm and tool.
+fn palletizer(upper: [f64; 3], fore: [f64; 3], tool: [f64; 3]) -> String {
+    let three = |v: [f64; 3]| format!("{} {} {}", v[0], v[1], v[2]);
+    format!(
+        "<?xml version=\"1.0\"?>
+<!-- as delivered; do not touch -->
+<robot name=\"palletizer\">
+  <link name=\"world\"/>
+  <link name=\"arm_base\"><visual><geometry><mesh filename=\"package://arm/base.dae\"/></geometry></visual></link>
+  <link name=\"column\"/>
+  <link name=\"upper_arm\"><inertial><mass value=\"4\"/></inertial></link>
+  <link name=\"forearm\"><visual><origin xyz=\"0.1 0 0\"/><geometry><box size=\"0.2 0.1 0.1\"/></geometry></visual></link>
+  <link name=\"flange\"/>
+  <link name=\"gripper\"/>
+  <link name=\"camera\"/>
+  <joint name=\"stand\" type=\"fixed\"><parent link=\"world\"/><child link=\"arm_base\"/></joint>
+  <joint name=\"pan\" type=\"revolute\"><parent link=\"arm_base\"/><child link=\"column\"/><axis xyz=\"0 0 1\"/><limit lower=\"-2\" upper=\"2\" effort=\"9\" velocity=\"1\"/></joint>
+  <joint name=\"shoulder\" type=\"revolute\"><origin xyz=\"{}\" rpy=\"0 0 0\"/><parent link=\"column\"/><child link=\"upper_arm\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"9\" velocity=\"1\"/></joint>
+  <joint name=\"keep_level\" type=\"revolute\"><origin xyz=\"{}\"/><parent link=\"upper_arm\"/><child link=\"forearm\"/><axis xyz=\"0 1 0\"/><mimic joint=\"shoulder\" multiplier=\"-1\"/><limit lower=\"-1\" upper=\"1\" effort=\"9\" velocity=\"1\"/></joint>
+  <joint name=\"wrist\" type=\"revolute\"><origin xyz=\"0.5 0 0\"/><parent link=\"forearm\"/><child link=\"flange\"/><axis xyz=\"0 1 0\"/><limit lower=\"-2\" upper=\"2\" effort=\"9\" velocity=\"1\"/></joint>
+  <joint name=\"mount\" type=\"fixed\"><origin xyz=\"{}\"/><parent link=\"flange\"/><child link=\"gripper\"/></joint>
+  <joint name=\"eye\" type=\"fixed\"><origin xyz=\"0 0.05 0\"/><parent link=\"flange\"/><child link=\"camera\"/></joint>
+</robot>
+",
+        three(upper),
+        three(fore),
+        three(tool)
+    )
+}
+
+/// The tool of a palletizer, mm: the textbook's product of matrices of the file's own numbers, read back
+/// by their names, with pan, shoulder and wrist in rad.
+fn tool_of_urdf(text: &str, [pan, shoulder, wrist]: [f64; 3]) -> nalgebra::Vector3<f64> {
+    use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion, Vector3};
+    let joint = |name: &str| {
+        let from = text.find(&format!("<joint name=\"{name}\"")).unwrap();
+        &text[from..from + text[from..].find("</joint>").unwrap()]
+    };
+    let numbers = |element: &str, key: &str| -> Vector3<f64> {
+        let Some(from) = element.find(&format!("{key}=\"")) else {
+            return Vector3::zeros();
+        };
+        let rest = &element[from + key.len() + 2..];
+        let words = rest[..rest.find('"').unwrap()].split_whitespace();
+        Vector3::from_iterator(words.map(|word| word.parse().unwrap()))
+    };
+    let mut pose = Isometry3::identity();
+    let chain = [
+        ("pan", pan),
+        ("shoulder", shoulder),
+        ("keep_level", -shoulder),
+        ("wrist", wrist),
+        ("mount", 0.0),
+    ];
+    for (name, value) in chain {
+        let element = joint(name);
+        let origin = element.find("<origin").map_or("", |from| &element[from..]);
+        let origin = &origin[..origin.find("/>").unwrap_or(0)];
+        let rpy = numbers(origin, "rpy");
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), rpy.z)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), rpy.y)
+            * Rotation3::from_axis_angle(&Vector3::x_axis(), rpy.x);
+        let at = numbers(origin, "xyz") * 1000.0;
+        let axis = element
+            .find("<axis")
+            .map_or_else(Vector3::zeros, |from| numbers(&element[from..], "xyz"));
+        pose *= Isometry3::from_parts(
+            Translation3::from(at),
+            UnitQuaternion::from_rotation_matrix(&turn),
+        );
+        pose *= Isometry3::rotation(axis * value);
+    }
+    pose.translation.vector
+}
+
+#[test]
+fn a_parallelogram_is_measured_by_its_drives_and_corrected_in_its_own_file() {
+    let desk = Desk::new();
+    let nominal = palletizer([0.0, 0.0, 0.4], [0.0, 0.0, 0.6], [0.12, 0.0, -0.1]);
+    let real = palletizer(
+        [0.0004, 0.0, 0.4003],
+        [-0.0006, 0.0, 0.6007],
+        [0.1208, 0.0, -0.1004],
+    );
+    desk.put("arm.urdf", &nominal);
+    let arm = json!({ "name": "palletizer", "urdf": { "file": "arm.urdf", "base": "world", "tip": "gripper" } });
+    desk.put("arm.json", &arm.to_string());
+    // As a controller of three drives and a tracker write it.
+    let mut table = "pan,shoulder,wrist,x_mm,y_mm,z_mm\n".to_owned();
+    let pose = |k: u32| {
+        let share = |step: f64| (f64::from(k) * step).fract();
+        [
+            3.0 * share(0.618_034) - 1.5,
+            1.8 * share(0.414_214) - 0.9,
+            3.0 * share(0.732_051) - 1.5,
+        ]
+    };
+    for k in 0..80 {
+        let [pan, shoulder, wrist] = pose(k);
+        let at = tool_of_urdf(&real, pose(k));
+        let _ = writeln!(
+            table,
+            "{pan},{shoulder},{wrist},{:.7},{:.7},{:.7}",
+            at.x, at.y, at.z
+        );
+    }
+    desk.put("tracker.csv", &table);
+    let done =
+        desk.run("import tracker.csv --as csv --angle-unit rad --robot arm.json --out s.json");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    let session = load(desk.path().join("s.json")).unwrap().session;
+    assert_eq!(session.robot.leading(&[0, 1, 2, 3]), [0, 1, 3]);
+    let follows = |row: usize| (session.samples.q[2][row] + session.samples.q[1][row]).abs();
+    assert!((0..80).all(|row| follows(row) < 1e-12));
+    let done = desk.run("identify s.json --out m.json --json");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert!(
+        answer["gap"]["after_mm"].as_f64().unwrap() < 1e-3,
+        "{}",
+        answer["gap"]
+    );
+    // The corrected file leads where the real arm is.
+    let done = desk.run("export m.json --to urdf --reference arm.urdf --out corrected.urdf");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    let corrected = std::fs::read_to_string(desk.path().join("corrected.urdf")).unwrap();
+    let off = |text: &str| {
+        let far =
+            (100..160).map(|k| (tool_of_urdf(text, pose(k)) - tool_of_urdf(&real, pose(k))).norm());
+        far.fold(0.0, f64::max)
+    };
+    assert!(
+        off(&nominal) > 0.5 && off(&corrected) < 5e-3,
+        "{} {}",
+        off(&nominal),
+        off(&corrected)
+    );
+    // And differs from the one that was delivered in nothing but origins.
+    let without_origins = |text: &str| {
+        let parts = text.split("<origin ").enumerate().map(|(k, part)| {
+            if k == 0 {
+                part
+            } else {
+                &part[part.find("/>").unwrap() + 2..]
+            }
+        });
+        parts.collect::<String>().replace(['\n', ' '], "")
+    };
+    assert_eq!(without_origins(&corrected), without_origins(&nominal));
+    for kept in [
+        "<!-- as delivered; do not touch -->",
+        "package://arm/base.dae",
+        "<visual><origin xyz=\"0.1 0 0\"/>",
+        "<joint name=\"eye\" type=\"fixed\"><origin xyz=\"0 0.05 0\"/>",
+        "<mimic joint=\"shoulder\" multiplier=\"-1\"/>",
+    ] {
+        assert!(corrected.contains(kept), "{kept}");
+    }
+    // Another robot's file is refused.
+    desk.put(
+        "other.urdf",
+        &palletizer([0.0, 0.0, 0.4], [0.0, 0.0, 0.61], [0.12, 0.0, -0.1]),
+    );
+    let done = desk.run("export m.json --to urdf --reference other.urdf --out refused.urdf");
+    assert_eq!(
+        done.status.code(),
+        Some(2),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    assert!(String::from_utf8_lossy(&done.stderr).contains("'keep_level' is elsewhere"));
+    // Targets by poses: the corrected commands keep the linkage and bring the real tool there.
+    let wanted = tool_of_urdf(&nominal, [0.3, 0.4, -0.5]);
+    let (s, c) = ((-0.25_f64).sin(), (-0.25_f64).cos());
+    let (sp, cp) = (0.15_f64.sin(), 0.15_f64.cos());
+    // Rz(0.3) Ry(−0.5): the forearm is level.
+    let targets = format!(
+        "x_mm,y_mm,z_mm,qw,qx,qy,qz\n{},{},{},{},{},{},{}\n",
+        wanted.x,
+        wanted.y,
+        wanted.z,
+        cp * c,
+        -sp * s,
+        cp * s,
+        sp * c
+    );
+    desk.put("targets.csv", &targets);
+    let done = desk.run("compensate m.json targets.csv --out commands.csv --as-modelled");
+    let done = if done.status.code() == Some(2) {
+        desk.run("compensate m.json targets.csv --out commands.csv")
+    } else {
+        done
+    };
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+}
+
+/// Azimuth (from north through east) and elevation, degrees, of a direction in north, west, up.
+fn horizon([north, west, up]: [f64; 3]) -> [f64; 2] {
+    [(-west).atan2(north).to_degrees(), up.asin().to_degrees()]
+}
+
+#[test]
+fn a_pointing_run_of_a_mount_is_read_as_its_observatory_writes_it() {
+    let desk = Desk::new();
+    // North is x; azimuth turns from north through east, which is about −z; elevation lifts x towards z.
+    desk.put(
+        "robot.json",
+        &json!({
+            "name": "mount",
+            "joints": [
+                { "name": "azimuth", "kind": "revolute", "axis": [0, 0, -1], "point_mm": [0, 0, 0] },
+                { "name": "elevation", "kind": "revolute", "axis": [0, -1, 0], "point_mm": [0, 0, 0] }
+            ],
+            "tool": { "position_mm": [0, 0, 0], "quaternion_wxyz": [1, 0, 0, 0] }
+        })
+        .to_string(),
+    );
+    // The mount is 0.3° ahead in elevation and leans 0.2° to the west.
+    let (index, lean) = (0.3_f64.to_radians(), 0.2_f64.to_radians());
+    let mut run = "! Caption record:\nNight of the test\n: ALTAZ\n! latitude\n-29 00 26.8  2019 07 15  13 777 2282.0 0.06\n\n! star az, el   mount az, el   rotator\n".to_owned();
+    for k in 0..60 {
+        let share = |step: f64| (f64::from(k) * step).fract();
+        let (azimuth, elevation) = (
+            360.0 * share(0.618_034) - 180.0,
+            15.0 + 65.0 * share(0.414_214),
+        );
+        let (a, e) = (azimuth.to_radians(), elevation.to_radians() + index);
+        // North, west, up of the mount, then leaned about north.
+        let [n, w, u] = [a.cos() * e.cos(), -a.sin() * e.cos(), e.sin()];
+        let [star_az, star_el] = horizon([
+            n,
+            w * lean.cos() + u * lean.sin(),
+            u * lean.cos() - w * lean.sin(),
+        ]);
+        let _ = writeln!(
+            run,
+            "{star_az:.7} {star_el:.7} {azimuth:.7} {elevation:.7} 10.0"
+        );
+    }
+    run += "END\nwhat stands behind is nothing\n";
+    desk.put("run.dat", &run);
+    let (session, said) = desk.import("run.dat --as tpoint --out p.json");
+    assert_eq!(session.samples.len(), 60);
+    assert!(session.instrument.references.pointing.is_some());
+    assert!(said.contains("Night of the test"), "{said}");
+    let done = desk.run("identify p.json --json");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let text = answer.to_string();
+    let after = answer["kinds"][0]["after"].as_f64();
+    assert!(after.is_some_and(|mrad| mrad < 1e-3), "{text}");
+    for (wrong, told) in [
+        (run.replace(": ALTAZ", ": EQUAT\n: NODA"), "EQUAT, NODA"),
+        (
+            run.replace("END\n", "1 2 3\nEND\n"),
+            "azimuth and elevation of the star",
+        ),
+        ("caption\n: ALTAZ\n-29 0 0\nEND\n".to_owned(), "no row"),
+        ("caption\n: ALTAZ\n".to_owned(), "no line of run parameters"),
+    ] {
+        desk.put("wrong.dat", &wrong);
+        let refused = desk.refused("wrong.dat --as tpoint");
+        assert!(refused.contains(told), "{refused}");
+    }
+}
+
+/// The answer about an arm fits on a page, says one line a reason, and nothing of what never applies.
+#[test]
+fn the_answer_about_an_arm_fits_on_a_page() {
+    let desk = Desk::new();
+    let mut table = "q1_deg,q2_deg,x_mm,y_mm,z_mm\n".to_owned();
+    for k in 0..60_u32 {
+        let share = |step: f64| (f64::from(k) * step).fract();
+        let (pan, tilt) = (3.0 * share(0.618_034) - 1.5, 1.4 * share(0.414_214) - 0.7);
+        let noise = |step: f64| 0.1 * (share(step) - 0.5);
+        let [x, y, z] = tool(pan + 0.001, tilt).0;
+        let _ = writeln!(
+            table,
+            "{:.6},{:.6},{:.4},{:.4},{:.4}",
+            pan.to_degrees(),
+            tilt.to_degrees(),
+            x + noise(0.754_877),
+            y + noise(0.569_84),
+            z + noise(0.302_776)
+        );
+    }
+    desk.put("t.csv", &table);
+    desk.import("t.csv --as csv --out page.json");
+    let done = desk.run("diagnose page.json");
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(text.lines().count() <= 45, "{text}");
+    assert!(text.contains("backlash, joints 1, 2"), "{text}");
+    assert!(text.contains("detection limits (95 %):"), "{text}");
+    assert!(
+        !text.contains("takes its place"),
+        "an effect of other robots: {text}"
+    );
+    let reasons = text.lines().filter(|line| line.contains("not testable"));
+    let mut reasons: Vec<&str> = reasons
+        .filter_map(|line| line.split("not testable, ").nth(1))
+        .collect();
+    let count = reasons.len();
+    reasons.sort_unstable();
+    reasons.dedup();
+    assert_eq!(reasons.len(), count, "one line a reason: {text}");
+}

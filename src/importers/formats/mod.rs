@@ -29,6 +29,7 @@ register! {
     mcap,
     board,
     ballbar,
+    tpoint,
 }
 
 /// A format that instruments write.
