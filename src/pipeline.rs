@@ -46,7 +46,8 @@ pub use crate::model::format_v1::{is_model, load_model, write_model};
 pub use crate::paper::{RegionalStart, regional_start};
 pub use crate::programs::compensate;
 pub use crate::sessions::{
-    load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, write_inline,
+    load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, save_with_samples,
+    write_inline,
 };
 pub use crate::simulation::{load_scenario, simulate};
 pub use crate::standards::standards;

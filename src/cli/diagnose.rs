@@ -12,6 +12,7 @@ use crate::paper::RegionalStart;
 use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::present::kinds;
+use crate::present::limits;
 use crate::present::names::figure;
 use crate::present::numbers::significant;
 use crate::present::table::Table;
@@ -20,6 +21,11 @@ use crate::sessions::Session;
 use super::failure::Failure;
 use super::identify::Values;
 use super::{fleet, geometry, output};
+
+/// Rivals, outliers and combinations that are listed; an answer about an arm fits on a page.
+const MOST_RIVALS: usize = 6;
+const MOST_OUTLIERS: usize = 8;
+const MOST_OPEN: usize = 2;
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
@@ -233,15 +239,27 @@ fn in_words(d: &Diagnosis) -> String {
         let joint = found.joint.filter(|_| d.model.robot.joints.len() > 1);
         let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
         let _ = writeln!(text, "found {}{place}", found.effect);
-        for estimate in &found.parameters {
-            let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+        if arm {
+            let parameters = found.parameters.iter().map(|estimate| {
+                let says = estimate_in_words(estimate);
+                let own = says
+                    .strip_prefix(estimate.effect)
+                    .map(|rest| rest.trim_start_matches(": "));
+                own.unwrap_or(&says).to_owned()
+            });
+            let parameters = parameters.collect::<Vec<_>>().join("; ");
+            let _ = writeln!(text, "  {parameters}");
+        } else {
+            for estimate in &found.parameters {
+                let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+            }
         }
         for one in &found.figures {
             let _ = writeln!(text, "  {}", figure(*one));
         }
         let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
     }
-    for rival in &d.equivalent {
+    for rival in d.equivalent.iter().take(MOST_RIVALS) {
         let _ = writeln!(
             text,
             "or {} instead of {} (odds {:.1} : 1 against): {}",
@@ -251,14 +269,34 @@ fn in_words(d: &Diagnosis) -> String {
             rival.separate_by
         );
     }
+    and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
     unexplained_in_words(&mut text, d);
-    for pose in &d.not_testable {
-        let name = named(d, pose.effect, pose.joint);
-        let _ = writeln!(text, "{name}: not testable, {}", pose.because);
+    let plain = |effect: &str| effect.to_owned();
+    for line in limits::not_testable(d, plain) {
+        let _ = writeln!(text, "{}: not testable, {}", line.names, line.says);
     }
-    for limit in &d.not_found {
-        let name = named(d, limit.effect, limit.joint);
-        let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
+    if arm {
+        let lines = limits::limits(d, plain);
+        if !lines.is_empty() {
+            let _ = writeln!(text, "not found; detection limits (95 %):");
+        }
+        let (of_joints, others): (Vec<_>, Vec<_>) =
+            lines.into_iter().partition(|line| line.of_joints);
+        for line in of_joints {
+            let _ = writeln!(text, "  {}: {}", line.names, line.says);
+        }
+        let others = others
+            .into_iter()
+            .map(|line| format!("{}: {}", line.names, line.says));
+        let others = others.collect::<Vec<_>>().join("; ");
+        if !others.is_empty() {
+            let _ = writeln!(text, "  {others}");
+        }
+    } else {
+        for limit in &d.not_found {
+            let name = named(d, limit.effect, limit.joint);
+            let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
+        }
     }
     left_out_in_words(&mut text, d);
     if !d.next_poses.is_empty() {
@@ -284,9 +322,36 @@ pub(crate) fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String
     }
 }
 
+/// Says how many are not listed.
+fn and_more(text: &mut String, count: usize, listed: usize, what: &str) {
+    match count.saturating_sub(listed) {
+        0 => {}
+        1 => {
+            let _ = writeln!(text, "  and 1 {what} more: --json lists it");
+        }
+        more => {
+            let _ = writeln!(text, "  and {more} {what}s more: --json lists them");
+        }
+    }
+}
+
 /// What the samples do not determine, and which of them were not fitted.
 fn left_out_in_words(text: &mut String, d: &Diagnosis) {
-    for open in &d.identification.not_identifiable {
+    let open = &d.identification.not_identifiable;
+    let arm = geometry::is_of_an_arm(&d.identified);
+    if arm && open.len() > MOST_OPEN {
+        let _ = writeln!(
+            text,
+            "not identifiable: {} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
+            open.len()
+        );
+    }
+    let listed = if arm && open.len() > MOST_OPEN {
+        0
+    } else {
+        open.len()
+    };
+    for open in &open[..listed] {
         let _ = writeln!(
             text,
             "not identifiable: {}: {}",
@@ -304,7 +369,7 @@ fn left_out_in_words(text: &mut String, d: &Diagnosis) {
     if let Some(says) = d.identification.excluded_in_words() {
         let _ = writeln!(text, "{says}");
     }
-    for outlier in &d.outliers {
+    for outlier in d.outliers.iter().take(MOST_OUTLIERS) {
         let _ = writeln!(
             text,
             "  sample {}: {:.3} mm from the model",
@@ -312,6 +377,7 @@ fn left_out_in_words(text: &mut String, d: &Diagnosis) {
             outlier.deviation_mm
         );
     }
+    and_more(text, d.outliers.len(), MOST_OUTLIERS, "outlier");
 }
 
 /// What there is to say of the noise, and of a fit that cannot be relied on.
@@ -362,7 +428,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
 fn limit_in_words(limit: &Limit) -> String {
     let (mut above, mut never) = (Vec::new(), Vec::new());
     for (name, size) in &limit.sizes {
-        match Sight::of(*size) {
+        match limits::sight(limit.effect, name, *size) {
             Sight::Above(size) => above.push(format!("{name} {}", significant(size, 3))),
             Sight::AtAnySize => above.push(format!("{name} 0")),
             Sight::AtNoSize => never.push(*name),

@@ -45,7 +45,8 @@ pub(crate) struct Export {
     /// Servos of a lerobot calibration
     #[arg(long, value_name = "SERVOS", default_value = "feetech", value_parser = PossibleValuesParser::new(Motors::ALL.map(|(name, _)| name)))]
     motors: String,
-    /// Motor calibration of lerobot that was active while measuring
+    /// File that the export starts from: the URDF that the robot was read from, to be changed in place with
+    /// its names and meshes; the motor calibration of lerobot that was active while measuring
     #[arg(long, value_name = "FILE")]
     reference: Option<PathBuf>,
     /// Replace files that exist

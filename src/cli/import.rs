@@ -6,13 +6,15 @@ use anyhow::Context;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
+use crate::atomic::refuse_to_replace_inputs;
+use crate::diagnostic::Place;
 use crate::importers::{
-    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
-    Settings, find,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Profile, Reading,
+    Separator, Settings, find,
 };
-use crate::pipeline::{import, save, write_inline};
+use crate::pipeline::{import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;
-use crate::sessions::{Replacing, read_whole};
+use crate::sessions::{Replacing, Session, read_whole, samples_path};
 
 use super::failure::Failure;
 use super::output;
@@ -28,8 +30,8 @@ pub(crate) struct Import {
     /// Measured file
     file: PathBuf,
     /// What wrote it
-    #[arg(long = "as", value_name = "FORMAT", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
-    format: String,
+    #[arg(long = "as", value_name = "FORMAT", required_unless_present = "profile", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
+    format: Option<String>,
     /// Robot that was measured: the robot object of a session
     #[arg(long, value_name = "ROBOT")]
     robot: PathBuf,
@@ -44,8 +46,8 @@ pub(crate) struct Import {
     )]
     commands: Option<PathBuf>,
     /// How commands find their measurements
-    #[arg(long = "match", value_name = "HOW", default_value = "order", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
-    matching: String,
+    #[arg(long = "match", value_name = "HOW", help = "How commands find their measurements [default: order]", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
+    matching: Option<String>,
     /// Unit of coordinates whose heading does not say it
     #[arg(long, value_parser = PossibleValuesParser::new(["mm", "m", "in"]))]
     unit: Option<String>,
@@ -70,6 +72,27 @@ pub(crate) struct Import {
         allow_hyphen_values = true
     )]
     columns: Vec<String>,
+    /// What the columns of the commands are, in the same words
+    #[arg(
+        long,
+        value_name = "A,B,…",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    commands_columns: Vec<String>,
+    /// Take columns whose headings only suggest what they are as they are proposed
+    #[arg(long)]
+    confirm: bool,
+    /// The rows are in the order in which they were measured: the side from which each joint came
+    /// follows from the row before
+    #[arg(long)]
+    in_measuring_order: bool,
+    /// What was said about an earlier file of this kind; options on the command line come first
+    #[arg(long, value_name = "FILE")]
+    profile: Option<PathBuf>,
+    /// Write what was said and found out to this file, for --profile
+    #[arg(long, value_name = "FILE")]
+    save_profile: Option<PathBuf>,
     /// Rigid bodies or markers to take
     #[arg(long, value_name = "NAME")]
     name: Vec<String>,
@@ -118,14 +141,34 @@ impl Import {
         let commands = read_companion(self.commands.as_deref())?;
         let reference = read_companion(self.reference.as_deref())?;
         let targets = read_companion(self.targets.as_deref())?;
+        let profile = self.read_profile()?;
+        let mut reading = self.reading()?;
+        if let Some(profile) = &profile {
+            profile.complete(&mut reading);
+        }
+        if reading.kind.is_none() {
+            return Err(Failure::WrongInput(
+                "nothing says what wrote the file: --as, or a profile with \"as\"".to_owned(),
+            ));
+        }
+        if let Some(profile) = &self.save_profile {
+            output::can_be_written(profile, self.force)?;
+        }
+        let matching = self.matching.as_deref().map(|how| match how {
+            "time" => Matching::Time,
+            "name" => Matching::Name,
+            _ => Matching::Order,
+        });
+        let matching = matching.or_else(|| profile.as_ref().and_then(Profile::matching));
+        let in_measuring_order =
+            self.in_measuring_order || profile.as_ref().is_some_and(Profile::in_measuring_order);
         let settings = Settings {
             name: session_name(if to_stdout { &self.file } else { &self.out }),
             commands: companion(self.commands.as_deref(), commands.as_deref()),
-            matching: match self.matching.as_str() {
-                "time" => Matching::Time,
-                "name" => Matching::Name,
-                _ => Matching::Order,
-            },
+            matching: matching.unwrap_or_default(),
+            commands_columns: self.commands_columns.clone(),
+            commands_by_heading: profile.as_ref().map(Profile::commands).unwrap_or_default(),
+            in_measuring_order,
             motion: match self.motion.as_str() {
                 "stops" => Motion::Stops,
                 "all" => Motion::All,
@@ -135,7 +178,7 @@ impl Import {
             reference: companion(self.reference.as_deref(), reference.as_deref()),
             scale: self.scale,
             targets: companion(self.targets.as_deref(), targets.as_deref()),
-            ..Settings::new(self.reading()?, &robot)
+            ..Settings::new(reading.clone(), &robot)
         };
         let imported = import(&bytes, &settings)?;
         output::messages(&imported.findings);
@@ -149,7 +192,13 @@ impl Import {
                 force: self.force,
                 inputs: &inputs,
             };
-            save(&imported.session, &self.out, replacing)?;
+            self.save(&imported.session, replacing)?;
+        }
+        if let Some(file) = &self.save_profile {
+            let by = matching.filter(|_| self.commands.is_some());
+            let profile = Profile::of(&imported, &reading, by, in_measuring_order);
+            let inputs: Vec<PathBuf> = self.inputs().into_iter().map(Path::to_path_buf).collect();
+            output::document(file, profile.written().as_bytes(), self.force, &inputs)?;
         }
         if self.json {
             output::json(&document(&imported))?;
@@ -157,9 +206,39 @@ impl Import {
         Ok(())
     }
 
+    /// Saves the session. Samples that would replace the measured file itself get another name.
+    fn save(&self, session: &Session, replacing: Replacing<'_>) -> Result<(), Failure> {
+        let usual = samples_path(&self.out);
+        if refuse_to_replace_inputs(&usual, replacing.inputs).is_ok() {
+            save(session, &self.out, replacing)?;
+            return Ok(());
+        }
+        let other = self.out.with_extension("samples.csv");
+        save_with_samples(session, &self.out, &other, replacing)?;
+        output::messages(&[format!(
+            "the samples are in {}: {} is an input and stays as it is",
+            other.display(),
+            usual.display()
+        )]);
+        Ok(())
+    }
+
+    fn read_profile(&self) -> Result<Option<Profile>, Failure> {
+        let Some(file) = &self.profile else {
+            return Ok(None);
+        };
+        let bytes = read_whole(file)?;
+        Ok(Some(Profile::parse(&bytes, &Place::file(file))?))
+    }
+
     /// Every file that was read: no output may replace one.
     fn inputs(&self) -> Vec<&Path> {
-        let beside = [&self.commands, &self.reference, &self.targets];
+        let beside = [
+            &self.commands,
+            &self.reference,
+            &self.targets,
+            &self.profile,
+        ];
         let beside = beside.into_iter().flatten().map(PathBuf::as_path);
         [self.file.as_path(), self.robot.as_path()]
             .into_iter()
@@ -174,7 +253,7 @@ impl Import {
             ));
         };
         Ok(Reading {
-            kind: find(&self.format),
+            kind: self.format.as_deref().and_then(find),
             options: self.own.given.clone(),
             file: Some(self.file.clone()),
             unit: self.unit.as_deref().map(|unit| match unit {
@@ -198,6 +277,7 @@ impl Import {
             }),
             header: self.header,
             columns: self.columns.clone(),
+            confirmed: self.confirm,
             names: self.name.clone(),
             z_up: self.z_up,
             joint,

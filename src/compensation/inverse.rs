@@ -64,6 +64,7 @@ pub(crate) fn closest_commands(
     wanted: &Places,
     free: &[usize],
 ) -> Vec<Vec<f64>> {
+    let free = &model.robot.leading(free)[..];
     let mut trial = inputs.clone();
     let mut moving: Vec<bool> = vec![true; inputs.len()];
     for _ in 0..MOST_PASSES {
@@ -84,6 +85,9 @@ pub(crate) fn closest_commands(
                 let unit = unit_of(model, joint);
                 let by = by.clamp(-LONGEST, LONGEST) * unit;
                 trial.q[joint].to_mut()[i] += by;
+                for (follower, ratio) in model.robot.followers(joint) {
+                    trial.q[follower].to_mut()[i] += ratio * by;
+                }
                 moving[i] |= by.abs() > SETTLED * unit;
             }
             any |= moving[i];
@@ -108,6 +112,11 @@ fn nudged<'a>(model: &Model, inputs: &Inputs<'a>, joint: usize) -> Inputs<'a> {
     let by = STEP * unit_of(model, joint);
     for q in nudged.q[joint].to_mut() {
         *q += by;
+    }
+    for (follower, ratio) in model.robot.followers(joint) {
+        for q in nudged.q[follower].to_mut() {
+            *q += ratio * by;
+        }
     }
     nudged
 }
@@ -168,7 +177,16 @@ impl Local {
         let first = |sensed: &[Sensed], joint: usize| -> Vec<[f64; 3]> {
             let unit = unit_of(model, joint);
             let all = sensed.iter();
-            all.map(|s| s.by[joint][pose].map(|d| d * unit)).collect()
+            let moved = |s: &Sensed| {
+                let mut by = s.by[joint][pose];
+                for (follower, ratio) in model.robot.followers(joint) {
+                    for (sum, more) in by.iter_mut().zip(s.by[follower][pose]) {
+                        *sum += ratio * more;
+                    }
+                }
+                by.map(|d| d * unit)
+            };
+            all.map(moved).collect()
         };
         let missing = here.iter().zip(wanted);
         let all_first: Vec<_> = free.iter().map(|joint| first(here, *joint)).collect();

@@ -61,6 +61,7 @@ pub(crate) fn commands_for_poses(
     wanted: &[Pose],
     free: &[usize],
 ) -> Vec<Reached> {
+    let free = &model.robot.leading(free)[..];
     let mut trial = inputs.clone();
     let scale = Scale::of(&model.robot, free);
     let mut done = vec![false; inputs.len()];
@@ -71,13 +72,17 @@ pub(crate) fn commands_for_poses(
             if done[i] {
                 continue;
             }
-            let Some(step) = scale.step(&seen[i], &wanted[i], free) else {
+            let Some(step) = scale.step(&model.robot, &seen[i], &wanted[i], free) else {
                 singular[i] = true;
                 done[i] = true;
                 continue;
             };
             for (joint, by) in free.iter().zip(&step) {
-                trial.q[*joint].to_mut()[i] += by.clamp(-LONGEST, LONGEST) * scale.unit(*joint);
+                let by = by.clamp(-LONGEST, LONGEST) * scale.unit(*joint);
+                trial.q[*joint].to_mut()[i] += by;
+                for (follower, ratio) in model.robot.followers(*joint) {
+                    trial.q[follower].to_mut()[i] += ratio * by;
+                }
             }
             done[i] = step.iter().all(|by| by.abs() <= SETTLED * SETTLING);
         }
@@ -108,6 +113,7 @@ pub(crate) fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
 /// How evenly the free joints move the nominal tool at these joint values (rad or mm): least over
 /// largest singular value of its Jacobian, 0 where it is singular, at most 1.
 pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
+    let free = &robot.leading(free)[..];
     let scale = Scale::of(robot, free);
     let jacobian = scale.nominal(robot, q, free);
     let (rows, rank) = if scale.whole {
@@ -256,8 +262,13 @@ impl Scale {
         let twists = robot.joint_twists(q);
         let tool = Point3::from(robot.base_from_tool(q).translation.vector);
         let columns = free.iter().map(|j| {
-            let way = twists[*j].velocity_at(&tool).into();
-            (way, twists[*j].angular.into())
+            let own = |j: usize| {
+                (
+                    twists[j].velocity_at(&tool).into(),
+                    twists[j].angular.into(),
+                )
+            };
+            with_followers(robot, *j, own)
         });
         self.jacobian(columns, free)
     }
@@ -288,9 +299,12 @@ impl Scale {
     }
 
     /// The next step in [`Scale::unit`]s; `None` where the pose is singular.
-    fn step(&self, seen: &Seen, wanted: &Pose, free: &[usize]) -> Option<Vec<f64>> {
+    fn step(&self, robot: &Robot, seen: &Seen, wanted: &Pose, free: &[usize]) -> Option<Vec<f64>> {
         let (way, turn) = seen.missing(wanted);
-        let jacobian = self.jacobian(free.iter().map(|j| seen.motion(*j)), free);
+        let jacobian = free
+            .iter()
+            .map(|j| with_followers(robot, *j, |j| seen.motion(j)));
+        let jacobian = self.jacobian(jacobian, free);
         let finite = jacobian
             .iter()
             .chain(&way)
@@ -314,6 +328,23 @@ impl Scale {
         let second = least_squares(&(&orientation * &spare), &rest);
         Some((first + spare * second).as_slice().to_vec())
     }
+}
+
+/// The way and the turn that a joint gives the tool, with those of the joints that follow it.
+fn with_followers(
+    robot: &Robot,
+    joint: usize,
+    motion: impl Fn(usize) -> ([f64; 3], [f64; 3]),
+) -> ([f64; 3], [f64; 3]) {
+    let (mut way, mut turn) = motion(joint);
+    for (follower, ratio) in robot.followers(joint) {
+        let (more, turns) = motion(follower);
+        for axis in 0..3 {
+            way[axis] += ratio * more[axis];
+            turn[axis] += ratio * turns[axis];
+        }
+    }
+    (way, turn)
 }
 
 /// An angle that no two joints share and no robot is built to be singular at.

@@ -194,7 +194,8 @@ impl Arm {
                 break;
             }
             let brought = some.into_iter();
-            let brought = brought.filter_map(|(q, way)| {
+            let brought = brought.filter_map(|(mut q, way)| {
+                self.session.robot.follow(&mut q);
                 Some((
                     self.ways[way].brought(&self.session, &self.base, &self.ranges, q)?,
                     way,

@@ -172,7 +172,10 @@ impl Offer {
     pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
         let session = prepared.problem.session;
         let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
-        let places = places(&ranges, prepared.options().seed);
+        let mut places = places(&ranges, prepared.options().seed);
+        for q in &mut places {
+            session.robot.follow(q);
+        }
         if prepared.problem.observed.is_none() {
             let places: Vec<_> = places.into_iter().map(Candidate::at).collect();
             let each: Vec<u32> = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();

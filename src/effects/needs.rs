@@ -56,6 +56,26 @@ impl Need {
         }
     }
 
+    /// Whether it can be met by a robot with joints of these kinds at all, for a joint counted from 0:
+    /// what cannot is no lack of the session, but an effect of other robots.
+    pub fn suits(&self, kinds: &[JointKind], joint: Option<usize>) -> bool {
+        let is = |kind| {
+            joint
+                .and_then(|joint| kinds.get(joint))
+                .is_none_or(|own| *own == kind)
+        };
+        match self.what {
+            what if what == Self::SINGLE_AXIS.what => kinds.len() == 1,
+            what if what == Self::SEVERAL_JOINTS => kinds.len() > 1,
+            what if what == Self::REVOLUTE.what => is(JointKind::Revolute),
+            what if what == Self::PRISMATIC.what => is(JointKind::Prismatic),
+            _ => true,
+        }
+    }
+
+    /// What a robot with several joints is called as a need.
+    pub const SEVERAL_JOINTS: &'static str = "several joints";
+
     /// So many different values of the joint; `what` says so in words.
     pub const fn values<const N: usize>(what: &'static str) -> Self {
         Self::of_samples(what, |survey, joint| survey.too_few_angles(joint, N))

@@ -32,7 +32,7 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
+const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| {
     (survey.joints.len() == 1)
         .then(|| "the robot has a single axis: link length takes its place".to_owned())
 });

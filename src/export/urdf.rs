@@ -11,16 +11,19 @@
 //!
 //! At home each link's frame is the one that the robot's description had, moved to where it really
 //! is; where it came as joint axes, that of the base, moved to its joint. The joints keep their
-//! names. Speeds and efforts of the joints are not known to a calibration: they are 0.
+//! names. With the file that the robot came from as reference, that file is changed in place instead
+//! (`in_place`). Speeds and efforts of the joints are not known to a calibration: they are 0.
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML.
+
+mod in_place;
 
 use super::chain::Chain;
 use super::description::{Written, finish};
 use super::euler::{rpy, three, tidy};
 use super::names::{Names, escaped};
 use super::{Export, ExportError, Exporter, Format, Job, any_robot};
-use crate::kinematics::{JointKind, Pose, Robot, robot_from_urdf};
+use crate::kinematics::{JointKind, Pose, Robot, RobotSource, robot_from_urdf};
 
 pub(super) const FORMAT: Format = Format {
     id: "urdf",
@@ -38,17 +41,29 @@ const MM_PER_M: f64 = 1e3;
 impl Exporter for Urdf {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
+        if let Some(reference) = job.options.reference {
+            let written = in_place::write(job, &chain, reference)?;
+            return finish(job, &chain, written);
+        }
         let names = Names::new(&chain.robot);
         let text = write(job, &chain, &names);
         let robot = read(&text, &names)?;
         chain.check(job, &robot)?;
         let written = Written {
             ends: Some(names.ends()),
-            notes: names.notes(),
+            notes: [names.notes(), came_from_a_file(job)].concat(),
             ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)
     }
+}
+
+/// That the file which the robot came from can be changed in place.
+fn came_from_a_file(job: &Job) -> Vec<String> {
+    let from_links = matches!(job.calibration.model.robot.source, RobotSource::Links(_));
+    let says = "links have names of their own here, and no meshes: --reference with the URDF that the robot was read from \
+                changes the origins in that file, and nothing else in it";
+    from_links.then(|| says.to_owned()).into_iter().collect()
 }
 
 /// The file.
@@ -85,6 +100,19 @@ pub(super) fn write(job: &Job, chain: &Chain, names: &Names) -> String {
                 JointKind::Revolute => 1.0,
                 JointKind::Prismatic => MM_PER_M,
             };
+            if let Some(follows) = joint.follows {
+                let leading = &chain.robot.joints[follows.of];
+                let per = |kind| match kind {
+                    JointKind::Revolute => 1.0,
+                    JointKind::Prismatic => MM_PER_M,
+                };
+                line(&format!(
+                    "    <mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>",
+                    escaped(&names.joints[follows.of]),
+                    follows.ratio * per(leading.kind) / per(joint.kind),
+                    follows.offset / per(joint.kind) + 0.0
+                ));
+            }
             // A sliding joint must have limits; without any, what was measured has to do.
             let sliding = joint.kind == JointKind::Prismatic;
             let measured = job.calibration.measured.get(k).copied().filter(|_| sliding);

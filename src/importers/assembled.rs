@@ -107,6 +107,7 @@ impl Job<'_> {
             );
         }
         let references = self.references(&mut columns)?;
+        complete_coordinates(&mut columns);
         let numbers: Vec<u64> = columns.list.iter().map(|column| column.number).collect();
         let table = table(columns, self.settings.robot.joint_count());
         let names = table.names.clone();
@@ -128,7 +129,8 @@ impl Job<'_> {
             targets: &targets,
             references: &references,
         };
-        let samples = assemble::samples(table, declared, &locate, &place, &mut findings);
+        let mut samples = assemble::samples(table, declared, &locate, &place, &mut findings);
+        samples.follow(&self.settings.robot.joints);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         let mut session = Session {
             name: self.settings.name.clone(),
@@ -155,6 +157,26 @@ impl Job<'_> {
         // The lines are those of the foreign file, not of the one that will be saved.
         session.samples.line = crate::sessions::Lines::default();
         Ok(session)
+    }
+}
+
+/// A session with some coordinates only has empty columns for the others; x and y without z are a
+/// planar session.
+fn complete_coordinates(columns: &mut Columns) {
+    let all = [Quantity::X, Quantity::Y, Quantity::Z];
+    let has = all.map(|quantity| columns.find(quantity).is_some());
+    if matches!(has, [true, true, _] | [false, false, false]) {
+        return;
+    }
+    let rows = columns.rows();
+    for (quantity, has) in all.into_iter().zip(has) {
+        if !has {
+            columns.put(Column::made(
+                quantity,
+                Unit::Length(1.0),
+                vec![f64::NAN; rows],
+            ));
+        }
     }
 }
 
@@ -188,7 +210,7 @@ fn table(columns: Columns, joints: usize) -> Table {
                 }
                 _ => continue,
             },
-            Role::Left | Role::Axis(_) => continue,
+            Role::Left | Role::Axis(_) | Role::Turn(..) => continue,
         };
         let mut name = match column.role {
             Role::Point => REMARKS[0].to_owned(),

@@ -7,7 +7,7 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::companion_file::points_of;
+use crate::importers::companion_file::{COMMANDS, points_of};
 use crate::importers::formats::csv;
 use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};
@@ -50,8 +50,12 @@ impl Job<'_> {
         let Some(companion) = &self.settings.reference else {
             return Ok((columns, None));
         };
-        if columns.find(Quantity::Distance).is_some() && points_of(&columns).is_none() {
-            // Nothing to align: the points are places of anchors.
+        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
+        if coordinates
+            .into_iter()
+            .all(|quantity| columns.find(quantity).is_none())
+        {
+            // Nothing to align: the points are places of anchors, sockets or stations.
             return Ok((columns, None));
         }
         let known = self.named_points(companion, "reference points")?;
@@ -141,7 +145,7 @@ impl Job<'_> {
             return BTreeSet::new();
         };
         let (findings, said) = (self.findings.len(), self.said.len());
-        let columns = self.companion(companion, "commands", "q1_deg", csv::read_any);
+        let columns = self.companion(companion, COMMANDS, "q1_deg", csv::read_any);
         self.findings.truncate(findings);
         self.said.truncate(said);
         let names = columns

@@ -1,9 +1,9 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
 use crate::importers::headings::Role;
-use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
+use crate::sessions::{Azimuth, Lines};
 
 #[derive(Debug, Clone)]
 pub(crate) struct Column {
@@ -29,7 +29,7 @@ impl Column {
     /// The numbers in inner units.
     pub(crate) fn inner(&self) -> Option<Vec<f64>> {
         let factor = match self.role {
-            Role::Known(_, Some(unit)) => unit.factor(),
+            Role::Known(_, Some(unit)) | Role::Turn(_, Some(unit)) => unit.factor(),
             Role::Known(_, None) | Role::Time(_) | Role::Axis(_) => 1.0,
             _ => return None,
         };
@@ -48,6 +48,17 @@ pub(crate) struct Columns {
     pub(crate) lines: Lines,
     /// Where the robot was over time, where the file has recorded that too.
     pub(crate) commands: Option<Box<Columns>>,
+    /// What azimuths and elevations are of, where the format says it.
+    pub(crate) directions: Option<Directions>,
+}
+
+/// Directions in which the tool itself points, as a telescope does.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Directions {
+    /// What points, in the tool frame.
+    pub(crate) axis: nalgebra::Unit<nalgebra::Vector3<f64>>,
+    /// Which way azimuths count.
+    pub(crate) azimuth: Azimuth,
 }
 
 impl Columns {
@@ -112,6 +123,7 @@ impl Columns {
             list,
             lines,
             commands: self.commands,
+            directions: self.directions,
         }
     }
 

@@ -5,6 +5,7 @@ use nalgebra::Point3;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
+use crate::importers::companion_file::COMMANDS;
 use crate::importers::formats::csv;
 use crate::importers::headings::Role;
 use crate::importers::join::{self, Timing};
@@ -31,11 +32,15 @@ impl Job<'_> {
             _ => {}
         }
         let joints = self.settings.robot.joint_count();
+        let leading = self
+            .settings
+            .robot
+            .leading(&(0..joints).collect::<Vec<usize>>());
         let own: Vec<usize> = (0..joints)
             .filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some())
             .collect();
         let Some(companion) = &self.settings.commands else {
-            if let Some(joint) = (0..joints).find(|joint| !own.contains(joint)) {
+            if let Some(&joint) = leading.iter().find(|joint| !own.contains(joint)) {
                 let found = format!("nothing says where joint {} was sent", joint + 1);
                 let expected = format!(
                     "--commands with a column q{}_deg, or such a column in the measured file",
@@ -53,11 +58,10 @@ impl Job<'_> {
             return self.refuse(self.place.clone(), found, "one of the two");
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
-        let commands = self.companion(companion, "commands", &header.join(","), csv::read_any)?;
+        let commands = self.companion(companion, COMMANDS, &header.join(","), csv::read_any)?;
         let place = companion.place();
-        if let Some(joint) =
-            (0..joints).find(|&joint| commands.find(Quantity::Commanded(joint)).is_none())
-        {
+        let lacking = |joint: &&usize| commands.find(Quantity::Commanded(**joint)).is_none();
+        if let Some(joint) = leading.iter().find(lacking) {
             let found = format!("no column for the commanded value of joint {}", joint + 1);
             return self.refuse(
                 place,
@@ -127,7 +131,10 @@ impl Job<'_> {
             return self.refused(wrong);
         }
         let joints = self.settings.robot.joint_count();
-        let lacks = |joint: &usize| recorded.find(Quantity::Commanded(*joint)).is_none();
+        let own = &self.settings.robot.joints;
+        let lacks = |joint: &usize| {
+            own[*joint].follows.is_none() && recorded.find(Quantity::Commanded(*joint)).is_none()
+        };
         if let Some(joint) = (0..joints).find(lacks) {
             let found = format!("no joint {} in the recording", joint + 1);
             return self.refuse(place, found, "as many joints as the robot has");

@@ -6,12 +6,14 @@ use std::path::PathBuf;
 use nalgebra::Point3;
 use sha2::{Digest, Sha256};
 
-use crate::diagnostic::Rejected;
+use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{hexadecimal, quoted};
 use crate::importers::columns::Columns;
 use crate::importers::formats::tracker;
 use crate::importers::headings::Role;
+use crate::importers::lists;
 use crate::importers::matching::listed;
+use crate::importers::profile::ByHeading;
 use crate::importers::reader::Case;
 use crate::importers::session::{Companion, Job};
 use crate::importers::settings::{About, Inspection, Reading};
@@ -19,6 +21,9 @@ use crate::importers::text;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::format_v1::head::default_targets;
+
+/// What the file of the commands is called in messages.
+pub(crate) const COMMANDS: &str = "commands";
 
 impl Job<'_> {
     /// Reads a file beside the measured one.
@@ -35,6 +40,10 @@ impl Job<'_> {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![*error]),
         };
+        let mut says = None;
+        let text = lists::as_rows(text, &mut says);
+        findings.extend(says.map(|says| Diagnostic::note(companion.place(), says)));
+        let are_commands = what == COMMANDS;
         let read_with = |asked: &[About]| {
             let given = self.reading;
             // What was said about the measured file holds here only where this file does not tell.
@@ -45,6 +54,17 @@ impl Job<'_> {
                 angle_unit: given.angle_unit.filter(|_| asks(About::AngleUnit)),
                 decimal: given.decimal.filter(|_| asks(About::Decimal)),
                 reach_mm: given.reach_mm,
+                joints: given.joints.clone(),
+                columns: if are_commands {
+                    self.settings.commands_columns.clone()
+                } else {
+                    Vec::new()
+                },
+                by_heading: if are_commands {
+                    self.settings.commands_by_heading.clone()
+                } else {
+                    ByHeading::default()
+                },
                 ..Reading::default()
             };
             let mut case = Case {
@@ -69,11 +89,17 @@ impl Job<'_> {
             (found, columns) = read_with(&asked);
         }
         findings.append(&mut found.findings);
+        if are_commands {
+            self.commands_columns = std::mem::take(&mut found.columns);
+        }
         let Some(columns) = columns else {
             findings.extend(found.questions.iter().map(|question| {
                 let mut diagnostic = question.as_diagnostic();
                 if question.about == About::Columns {
                     diagnostic.expected = format!("a header such as {header}");
+                    if are_commands {
+                        diagnostic.expected += ", or --commands-columns with what each column is";
+                    }
                 }
                 diagnostic
             }));

@@ -1,10 +1,12 @@
-//! What an imported session declares about its distances: the anchors.
+//! What an imported session declares of its distances: the anchors.
 //!
 //! A column of the measured file or of the commands names the anchor of each distance; without one
 //! there is a single anchor. Its place comes from the reference points, if one is called like it, and
 //! is unknown otherwise; so is the constant offset of the instrument, unless a person says it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Point3;
 
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
@@ -12,9 +14,9 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::matching::{counted, listed};
 use crate::importers::session::Job;
+use crate::sessions::Anchor;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
-use crate::sessions::{Anchor, References};
 
 /// Option: the anchor of all distances.
 pub(crate) const ANCHOR: &str = "anchor";
@@ -25,16 +27,16 @@ const UNNAMED: &str = "A";
 
 impl Job<'_> {
     /// Declares the anchors of a session with distances, and completes the column that names them.
-    pub(crate) fn references(&mut self, columns: &mut Columns) -> Result<References, Rejected> {
+    pub(crate) fn anchors(
+        &mut self,
+        columns: &mut Columns,
+        known: &BTreeMap<String, Point3<f64>>,
+    ) -> Result<Vec<Anchor>, Rejected> {
         if columns.find(Quantity::Distance).is_none() {
-            return Ok(References::default());
+            return Ok(Vec::new());
         }
         let names = self.anchor_names(columns);
         let offset_mm = self.anchor_offset()?;
-        let known = match &self.settings.reference {
-            Some(companion) => self.named_points(companion, "reference points")?,
-            None => std::collections::BTreeMap::new(),
-        };
         let anchors: Vec<Anchor> = names
             .into_iter()
             .map(|name| Anchor {
@@ -57,10 +59,7 @@ impl Job<'_> {
         }
         self.note(said.clone());
         self.said.push(said);
-        Ok(References {
-            anchors,
-            ..References::default()
-        })
+        Ok(anchors)
     }
 
     /// The anchors that the samples name; the column is there afterwards.

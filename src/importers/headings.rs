@@ -7,6 +7,7 @@
 
 use std::fmt;
 
+use crate::importers::euler::{self, Turn};
 use crate::importers::units::{self, Word};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 
@@ -23,6 +24,9 @@ pub(crate) enum Role {
     Time(f64),
     /// The measured position of a joint itself, in rad or mm; joints count from 0.
     Axis(usize),
+    /// One of the three angles (or parts of the rotation vector) of a measured orientation, in this
+    /// unit; `None` where the heading does not say.
+    Turn(Turn, Option<Unit>),
     /// Kept and ignored.
     Kept,
     /// Not even kept.
@@ -39,9 +43,12 @@ impl Role {
                     | Quantity::Setup
                     | Quantity::Use
                     | Quantity::Anchor
+                    | Quantity::Station
+                    | Quantity::Plane
+                    | Quantity::Socket
                     | Quantity::Direction(_)
             ),
-            Self::Time(_) => true,
+            Self::Time(_) | Self::Turn(..) => true,
             _ => false,
         }
     }
@@ -67,6 +74,9 @@ impl Role {
         }
         if let Heading::Known(quantity, unit) = Heading::read(word) {
             return Some(known(quantity, Some(unit)));
+        }
+        if let Some(role) = euler::role_of_word(word) {
+            return Some(role);
         }
         // The same heading with a unit added is known: only the unit is missing.
         ["mm", "deg"].iter().find_map(|unit| {
@@ -100,6 +110,7 @@ impl fmt::Display for Role {
             Self::Axis(_) => f.write_str("position"),
             Self::Kept | Self::Left => f.write_str("-"),
             Self::Known(quantity, unit) => f.write_str(&quantity.heading(*unit)),
+            Self::Turn(turn, unit) => f.write_str(&euler::word(*turn, *unit)),
         }
     }
 }
@@ -112,10 +123,17 @@ pub(crate) fn understand(heading: &str) -> Role {
     {
         return known(quantity, Some(unit));
     }
+    if let Some(role) = euler::role_of_word(&plain) {
+        return role;
+    }
     let (words, unit) = words_and_unit(&plain);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let role = role_of(&words);
     match (role, unit) {
+        (Role::Turn(turn, _), Some(Word::Unit(unit @ Unit::Angle(_)))) => {
+            Role::Turn(turn, Some(unit))
+        }
+        (Role::Turn(..), Some(_)) => Role::Kept,
         (Role::Known(quantity, _), Some(Word::Unit(unit))) => match (quantity, unit) {
             (Quantity::X | Quantity::Y | Quantity::Z, Unit::Length(_))
             | (Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_), _) => {
@@ -178,12 +196,13 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
 }
 
 /// Words that say nothing more than that something was measured.
-const MEASURED: Words = "actual act measured meas ist istwert position pos coordinate coord koordinate value \
+pub(crate) const MEASURED: Words = "measurement measurements messung actual act measured meas ist istwert position pos coordinate coord koordinate value \
                         wert messwert";
 /// Words that say that a column was commanded.
-const COMMANDED: Words = "commanded command cmd setpoint soll sollwert demand angle winkel";
+pub(crate) const COMMANDED: Words =
+    "commanded command cmd setpoint soll sollwert demand angle winkel";
 /// Words that say that the controller read it back.
-const READ_BACK: Words = "read feedback actual act ist measured";
+pub(crate) const READ_BACK: Words = "read feedback actual act ist measured";
 
 /// Words with spaces between them.
 pub(crate) type Words = &'static str;
@@ -234,6 +253,9 @@ fn role_of(words: &[&str]) -> Role {
     }
     if let Some(role) = orientation(words) {
         return role;
+    }
+    if let Some(turn) = euler::turn(words) {
+        return Role::Turn(turn, None);
     }
     joint_role(words)
 }
@@ -353,6 +375,11 @@ mod tests {
             ("Direction", "dir1"),
             ("qw", "qw"),
             ("Quat X", "qx"),
+            ("measurement_x", "x"),
+            ("rx [deg]", "rx_deg"),
+            ("Roll (rad)", "rx_rad"),
+            ("yaw", "rz"),
+            ("euler2_deg", "euler2_deg"),
         ] {
             assert_eq!(word(heading), meant, "{heading}");
         }
@@ -366,7 +393,6 @@ mod tests {
             "dX",
             "Dev X [mm]",
             "X Sigma",
-            "rx [deg]",
             "X [deg]",
             "Remark",
             "",

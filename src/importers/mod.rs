@@ -20,13 +20,20 @@ mod columns;
 mod commanded;
 mod companion_file;
 mod decimals;
+mod declared;
+mod directions;
 mod distances;
+mod euler;
+mod families;
 mod formats;
 mod grid;
 mod headings;
 mod join;
+mod joint_names;
+mod lists;
 mod matching;
 mod path;
+mod profile;
 mod reader;
 mod reference;
 mod rows;
@@ -43,6 +50,7 @@ pub use decimals::Decimal;
 pub use formats::{Asks, IMPORTERS, Importer, Meanings, OwnOption, find};
 pub use join::Motion;
 pub use matching::Matching;
+pub use profile::{ByHeading, Profile};
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use rows::Separator;
 pub use session::{Companion, Imported, Matched, Settings, import, import_watched};
@@ -108,6 +116,11 @@ fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<
         }
     };
     found.encoding = encoding;
+    let mut says = None;
+    let text = lists::as_rows(text, &mut says);
+    found
+        .findings
+        .extend(says.map(|says| Diagnostic::note(place.clone(), says)));
     let known = binary.or(reading.kind);
     let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(importer);

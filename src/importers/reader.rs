@@ -5,8 +5,11 @@ use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
+use crate::importers::declared::{PLANE, SOCKET};
+use crate::importers::euler::{self, Answer, EULER};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::{Role, understand};
+use crate::importers::headings::Role;
+use crate::importers::joint_names;
 use crate::importers::settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, units};
@@ -95,7 +98,7 @@ impl<'a> Case<'a> {
     ) -> Option<Vec<Role>> {
         let width = grid.width;
         let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
-        let words = &self.reading.columns;
+        let words = self.words_of(headings);
         if words.is_empty() {
             return None;
         }
@@ -104,7 +107,10 @@ impl<'a> Case<'a> {
             let role = match word.trim() {
                 AUTO => match found.and_then(|found| found.get(index)) {
                     Some(role) => Some(*role),
-                    None => Some(understand(heading_at(headings, index))),
+                    None => Some(joint_names::understand(
+                        heading_at(headings, index),
+                        &self.reading.joints,
+                    )),
                 },
                 word => Role::from_word(word),
             };
@@ -126,9 +132,93 @@ impl<'a> Case<'a> {
         Some(roles)
     }
 
+    /// The words for the columns: those that were given, else those of a profile for these headings;
+    /// empty where there are neither.
+    fn words_of(&self, headings: &[String]) -> Vec<String> {
+        if !self.reading.columns.is_empty() {
+            return self.reading.columns.clone();
+        }
+        self.reading.by_heading.words_for(headings)
+    }
+
+    /// Whether a person, or a profile, has said what the columns are.
+    pub(crate) fn has_said_columns(&self, grid: &Grid<'_>) -> bool {
+        let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+        !self.words_of(headings).is_empty()
+    }
+
+    /// Angles of an orientation: how they are to be read is asked where the format can be told, and
+    /// they are kept and ignored where it cannot.
+    fn ask_about_angles(&mut self, roles: &mut [Role]) -> Option<euler::Convention> {
+        let found = euler::columns_of(roles)?;
+        let can_be_told = self.found.kind.is_some_and(|kind| {
+            let mut options = kind.options.iter();
+            options.any(|option| option.name == EULER)
+        });
+        if !can_be_told {
+            for role in roles
+                .iter_mut()
+                .filter(|role| matches!(role, Role::Turn(..)))
+            {
+                *role = Role::Kept;
+            }
+            return None;
+        }
+        if let Err(found) = found {
+            self.refuse(found, "rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be left out");
+            return None;
+        }
+        let quaternion = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
+        if roles.iter().any(quaternion) {
+            self.ask(
+                About::Columns,
+                "the orientation is there as a quaternion and as angles",
+                &[],
+            );
+            return None;
+        }
+        let answer = self
+            .reading
+            .options
+            .get(EULER)
+            .map(|answer| euler::read(answer));
+        match answer {
+            Some(Answer::Known(convention)) => return Some(convention),
+            Some(Answer::Axes(order)) => {
+                let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
+                let says = format!(
+                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said"
+                );
+                self.ask(About::Own(EULER), says, &[&fixed, &moving]);
+            }
+            Some(Answer::Wrong) => {
+                self.refuse(
+                    format!("--{EULER} {}", quoted(&self.reading.options[EULER])),
+                    "an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec",
+                );
+            }
+            None => {
+                let says = "three angles of an orientation, and neither the order of their axes nor whether these move is said";
+                self.ask(
+                    About::Own(EULER),
+                    says,
+                    &[
+                        "xyz-fixed",
+                        "zyx-moving",
+                        "xyz-moving",
+                        "zyz-moving",
+                        "rotvec",
+                    ],
+                );
+            }
+        }
+        None
+    }
+
     /// Reads the cells of a table whose columns have these roles. `None` while something is asked
     /// or wrong.
     pub(crate) fn columns(&mut self, grid: &Grid<'a>, mut roles: Vec<Role>) -> Option<Columns> {
+        let convention = self.ask_about_angles(&mut roles);
         let headings: Vec<String> = match &grid.header {
             Some((_, names)) => names.clone(),
             None => Vec::new(),
@@ -158,15 +248,19 @@ impl<'a> Case<'a> {
         self.found.rows = lines.len();
         self.found.names = distinct(&roles, &cells);
         self.settle_units(grid, &mut roles, &cells);
+        let words = self.words_of(&headings);
         self.found.columns = roles
             .iter()
             .enumerate()
             .map(|(index, role)| ColumnGuess {
                 heading: heading(index).to_owned(),
                 meaning: role.to_string(),
-                known: match self.reading.columns.get(index) {
+                known: match words.get(index) {
                     Some(word) if word.trim() != AUTO => Known::Said,
-                    None if !self.reading.columns.is_empty() => Known::Said,
+                    None if !words.is_empty() => Known::Said,
+                    _ if joint_names::is_one(heading(index), &self.reading.joints) => {
+                        Known::Certain
+                    }
                     _ => Known::by_heading(heading(index)),
                 },
             })
@@ -195,11 +289,17 @@ impl<'a> Case<'a> {
                 })
             })
             .collect();
-        Some(Columns {
+        let mut columns = Columns {
             list,
             lines,
             commands: None,
-        })
+            directions: None,
+        };
+        if let Some(convention) = convention {
+            self.note(convention.says());
+            euler::to_quaternions(&mut columns, convention);
+        }
+        Some(columns)
     }
 
     /// Two columns for one quantity: only a person can say which is meant.
@@ -208,7 +308,10 @@ impl<'a> Case<'a> {
         for (index, role) in roles.iter().enumerate() {
             let same = |other: &Role| match role.quantity() {
                 Some(quantity) => other.quantity() == Some(quantity),
-                None => *role == Role::Point && *other == Role::Point,
+                None => match (role, other) {
+                    (Role::Turn(one, _), Role::Turn(other, _)) => one == other,
+                    _ => *role == Role::Point && *other == Role::Point,
+                },
             };
             if let Some(first) = roles[..index].iter().position(same) {
                 let says = format!(
@@ -227,21 +330,30 @@ impl<'a> Case<'a> {
 
     /// Gives every quantity its unit, or asks for it.
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
-        let position = |q| {
-            matches!(
-                q,
-                Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance
-            )
+        let slides = |joint: usize| self.reading.joints.get(joint).is_some_and(|joint| joint.1);
+        let position = |q: Quantity| match q {
+            Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance => true,
+            Quantity::Commanded(joint) | Quantity::ReadBack(joint) | Quantity::Speed(joint) => {
+                slides(joint)
+            }
+            _ => false,
         };
         let named = grid.unit_in_preamble();
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
         for (role, cells) in roles.iter().zip(cells) {
             match (role, cells) {
+                (Role::Turn(_, None), Some(_)) => lacks_angle = true,
                 (Role::Known(quantity, None), Some(Cells::Numbers(values))) => {
                     if position(*quantity) {
                         lacks_length = true;
-                        spread = spread.max(extent(values));
+                        // How far joints travel says nothing of where the points are.
+                        if !matches!(
+                            quantity,
+                            Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_)
+                        ) {
+                            spread = spread.max(extent(values));
+                        }
                     } else {
                         lacks_angle = true;
                     }
@@ -294,31 +406,45 @@ impl<'a> Case<'a> {
         }
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
         if lacks_angle && angle.is_none() {
-            let says = "the unit of the joint values is not said";
+            let says = match euler::columns_of(roles) {
+                Some(_) => "the unit of the angles is not said",
+                None => "the unit of the joint values is not said",
+            };
             self.ask(About::AngleUnit, says, &["deg", "rad"]);
         }
         for role in roles {
+            if let Role::Turn(_, unit @ None) = role {
+                *unit = angle;
+            }
             if let Role::Known(quantity, unit @ None) = role {
                 *unit = if position(*quantity) { length } else { angle };
             }
         }
     }
 
-    /// What is measured has to be there.
+    /// Something measured has to be there: a coordinate, an orientation, or what another kind of
+    /// measurement needs.
     pub(crate) fn require_position(&mut self, roles: &[Role], headings: &str) -> bool {
-        let lacks = |wanted| roles.iter().all(|role| role.quantity() != Some(wanted));
-        let missing: Vec<&str> = [(Quantity::X, "x"), (Quantity::Y, "y")]
-            .into_iter()
-            .filter(|(quantity, _)| lacks(*quantity))
-            .map(|(_, name)| name)
-            .collect();
-        if missing.is_empty() {
+        let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
+        let any = [
+            Quantity::X,
+            Quantity::Y,
+            Quantity::Z,
+            Quantity::Distance,
+            Quantity::Azimuth,
+            Quantity::Plane,
+            Quantity::Socket,
+            Quantity::Orientation(0),
+        ];
+        let turns = roles.iter().any(|role| matches!(role, Role::Turn(..)));
+        // All rows may belong to one socket, or touch one plane.
+        let named = [SOCKET, PLANE]
+            .iter()
+            .any(|name| self.reading.options.contains_key(name));
+        if turns || named || any.into_iter().any(has) {
             return true;
         }
-        let says = format!(
-            "no column is {} for certain{headings}",
-            missing.join(" or ")
-        );
+        let says = format!("no column is x or y for certain{headings}");
         self.ask(About::Columns, says, &[]);
         false
     }
@@ -381,10 +507,18 @@ impl<'a> CellReader<'a> {
             Role::Left => None,
             Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
             Role::Known(
-                Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Anchor,
+                Quantity::Target
+                | Quantity::Setup
+                | Quantity::Use
+                | Quantity::Anchor
+                | Quantity::Station
+                | Quantity::Plane
+                | Quantity::Socket,
                 _,
             ) => Some(Cells::Names(Names::default())),
-            Role::Known(..) | Role::Time(_) | Role::Axis(_) => Some(Cells::Numbers(Vec::new())),
+            Role::Known(..) | Role::Time(_) | Role::Axis(_) | Role::Turn(..) => {
+                Some(Cells::Numbers(Vec::new()))
+            }
         };
         Self {
             roles,

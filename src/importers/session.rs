@@ -9,8 +9,9 @@ use crate::importers::clock::ClockOffset;
 use crate::importers::companion_file::file_in_words;
 use crate::importers::join::Motion;
 use crate::importers::matching::Matching;
+use crate::importers::profile::ByHeading;
 use crate::importers::reference::Alignment;
-use crate::importers::settings::{Inspection, Question, Reading};
+use crate::importers::settings::{ColumnGuess, Inspection, Question, Reading};
 use crate::importers::{read, upwards};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
@@ -49,6 +50,14 @@ pub struct Settings<'a> {
     pub motion: Motion,
     /// What to add to a measured time to get the time of the commands, s; `None`: it is found.
     pub clock_offset_s: Option<f64>,
+    /// What the columns of the commands are, in the words of [`Reading::columns`]; empty: their
+    /// headings say.
+    pub commands_columns: Vec<String>,
+    /// What columns of such commands were said to be, by their headings: from a profile.
+    pub commands_by_heading: ByHeading,
+    /// Whether the rows are in the order in which they were measured, so that the side from which a
+    /// joint came follows from the row before.
+    pub in_measuring_order: bool,
     /// Points that are known in the base frame, by name.
     pub reference: Option<Companion<'a>>,
     /// Whether the alignment may scale.
@@ -68,6 +77,9 @@ impl<'a> Settings<'a> {
             matching: Matching::Order,
             motion: Motion::Auto,
             clock_offset_s: None,
+            commands_columns: Vec::new(),
+            commands_by_heading: ByHeading::default(),
+            in_measuring_order: false,
             reference: None,
             scale: false,
             targets: None,
@@ -99,6 +111,8 @@ pub struct Imported {
     pub findings: Vec<Diagnostic>,
     /// What was found out about the measured file.
     pub inspection: Inspection,
+    /// What the columns of the commands are taken for; empty without such a file.
+    pub commands_columns: Vec<ColumnGuess>,
     /// How commands were matched; `None` if the measured file has them.
     pub matched: Option<Matched>,
     /// How the points came into the base frame; `None` if they were taken as they are.
@@ -146,6 +160,7 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
         place: reading.place(),
         findings,
         said: Vec::new(),
+        commands_columns: Vec::new(),
         part: part.part(0.7, 0.95),
     };
     job.say_source(bytes, &inspection);
@@ -169,17 +184,19 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
     let named = columns.find(Quantity::Target).is_some();
     let mut targets = job.targets(&columns)?;
     let (columns, alignment) = job.in_base_frame(columns)?;
-    let (columns, matched) = job.with_commands(columns, recorded, &targets)?;
+    let (mut columns, matched) = job.with_commands(columns, recorded, &targets)?;
     if settings.targets.is_none() && !named {
         // The commands may be the first to name one.
         targets = job.targets(&columns)?;
     }
+    job.directions(&mut columns, matched.as_ref());
     part.reached(0.95)?;
     let session = job.session(columns, targets)?;
     Ok(Imported {
         session,
         findings: job.findings,
         inspection,
+        commands_columns: job.commands_columns,
         matched,
         alignment,
     })
@@ -218,6 +235,8 @@ pub(crate) struct Job<'s> {
     pub(crate) findings: Vec<Diagnostic>,
     /// Sentences of the note.
     pub(crate) said: Vec<String>,
+    /// What the columns of the commands are taken for.
+    pub(crate) commands_columns: Vec<ColumnGuess>,
     /// The work that reading the files beside it is a part of.
     pub(crate) part: Part<'s>,
 }

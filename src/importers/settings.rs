@@ -8,6 +8,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::importers::decimals::Decimal;
 use crate::importers::formats::Importer;
 use crate::importers::headings::Role;
+use crate::importers::profile::ByHeading;
 use crate::importers::rows::Separator;
 use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
@@ -33,6 +34,11 @@ pub struct Reading {
     /// What the columns are, in the words of a session: `name`, `group`, `x`, `x_mm`, `q1_deg`,
     /// `time_s`, …; `-` leaves one out, `auto` takes what its heading says. Empty: all headings say.
     pub columns: Vec<String>,
+    /// What the columns of such files were said to be, by their headings: from a profile. Used where
+    /// `columns` is empty.
+    pub by_heading: ByHeading,
+    /// Whether columns that are only guessed by their headings are taken as they are proposed.
+    pub confirmed: bool,
     /// Rigid bodies or markers to take.
     pub names: Vec<String>,
     /// Whether to turn coordinates with y upwards so that z points upwards.
@@ -126,6 +132,9 @@ impl Question {
                 )
             }
             ([], _) => option,
+            ([proposal], About::Columns) => {
+                format!("--confirm if they are, else {option} with what each is, now {proposal}")
+            }
             (answers, _) => format!("{option} {}", answers.join(" or ")),
         };
         Diagnostic::error(self.place.clone(), self.says.clone(), expected)

@@ -22,6 +22,7 @@ fn robot() -> Robot {
             axis: Axis::through(Vector3::z(), Point3::origin()).unwrap(),
             limits: None,
             link: None,
+            follows: None,
         }],
         base_from_tool: pose_from_parts([250.0, 0.0, 300.0], [1.0, 0.0, 0.0, 0.0]).unwrap(),
         gravity_m_s2: None,

@@ -67,7 +67,7 @@ impl<'a> Inverse<'a> {
     pub fn new(robot: &'a Robot, free: Vec<usize>) -> Self {
         Self {
             robot,
-            free,
+            free: robot.leading(&free),
             reach_mm: robot.reach_mm(),
         }
     }
@@ -80,6 +80,7 @@ impl<'a> Inverse<'a> {
     /// The solution that a start (one value per joint, rad or mm) leads to; limits play no part.
     pub fn from_start(&self, goal: &Goal, start: &[f64]) -> Option<Vec<f64>> {
         let mut q = start.to_vec();
+        self.robot.follow(&mut q);
         let mut left = self.missing(goal, &q);
         let mut damping = 1e-3;
         for _ in 0..MOST_STEPS {
@@ -164,8 +165,12 @@ impl<'a> Inverse<'a> {
         let mut jacobian = DMatrix::zeros(goal.size(), self.free.len());
         for (column, joint) in self.free.iter().enumerate() {
             let unit = self.unit(*joint);
-            let way: Vector3<f64> = twists[*joint].velocity_at(&tool) * (unit / self.reach_mm);
-            let turn = twists[*joint].angular * unit;
+            let mut way: Vector3<f64> = twists[*joint].velocity_at(&tool) * (unit / self.reach_mm);
+            let mut turn = twists[*joint].angular * unit;
+            for (follower, ratio) in self.robot.followers(*joint) {
+                way += twists[follower].velocity_at(&tool) * (ratio * unit / self.reach_mm);
+                turn += twists[follower].angular * (ratio * unit);
+            }
             for axis in 0..3 {
                 jacobian[(axis, column)] = way[axis];
                 if goal.rotation.is_some() {
@@ -196,6 +201,7 @@ impl<'a> Inverse<'a> {
         for (joint, by) in self.free.iter().zip(step.iter()) {
             q[*joint] += by * shrink * self.unit(*joint);
         }
+        self.robot.follow(&mut q);
         q
     }
 
@@ -224,6 +230,7 @@ impl<'a> Inverse<'a> {
             };
             q[*joint] = from + share * (to - from);
         }
+        self.robot.follow(&mut q);
         q
     }
 
@@ -262,6 +269,7 @@ impl<'a> Inverse<'a> {
         for joint in self.free.iter().filter(|j| self.turns_round(**j)) {
             q[*joint] -= TAU * (q[*joint] / TAU).round();
         }
+        self.robot.follow(&mut q);
         q
     }
 
@@ -286,6 +294,7 @@ impl<'a> Inverse<'a> {
                     if inside && further.len() < MOST_SOLUTIONS {
                         let mut q = q.clone();
                         q[*joint] = value;
+                        self.robot.follow(&mut q);
                         further.push(q);
                     }
                 }

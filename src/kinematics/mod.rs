@@ -57,6 +57,7 @@ pub(crate) mod robot;
 pub(crate) mod screw;
 mod tree;
 pub(crate) mod urdf;
+mod urdf_edit;
 mod visuals;
 mod xml;
 mod xml_budget;
@@ -71,8 +72,9 @@ pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
 pub use mjcf::robot_from_mjcf;
 pub(crate) use robot::MOST_JOINTS;
 pub use robot::{
-    Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
+    Axis, Follows, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
     pose_from_parts,
 };
 pub use urdf::robot_from_urdf;
+pub use urdf_edit::{UrdfChain, UrdfJoint, urdf_chain_of, urdf_with};
 pub use visuals::{Visual, visuals_of_urdf};

@@ -188,6 +188,21 @@ pub struct Range {
     pub to: f64,
 }
 
+/// A joint without a drive of its own: a linkage turns it with another one, as a parallelogram does.
+///
+/// ```text
+/// q = ratio · q(of) + offset
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Follows {
+    /// The joint that leads, counted from 0; it follows none itself.
+    pub of: usize,
+    /// Its own travel for each unit of the leading one's: rad or mm for each rad or mm.
+    pub ratio: f64,
+    /// Its value where the leading one is at zero, rad or mm.
+    pub offset: f64,
+}
+
 /// One joint of a robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
@@ -201,6 +216,8 @@ pub struct Joint {
     pub limits: Option<Range>,
     /// The link behind the joint, where its mass is known.
     pub link: Option<LinkMass>,
+    /// The joint that it follows, where it has no drive of its own.
+    pub follows: Option<Follows>,
 }
 
 impl Joint {
@@ -212,6 +229,7 @@ impl Joint {
             axis,
             limits: None,
             link: None,
+            follows: None,
         }
     }
 }
@@ -264,6 +282,33 @@ impl Robot {
         self.joints.len()
     }
 
+    /// Which of these joints have a drive of their own.
+    pub fn leading(&self, joints: &[usize]) -> Vec<usize> {
+        let leads = |joint: &usize| self.joints[*joint].follows.is_none();
+        joints.iter().copied().filter(leads).collect()
+    }
+
+    /// The joints that follow one, and their ratio to it; none of most robots.
+    pub fn followers(&self, of: usize) -> impl Iterator<Item = (usize, f64)> {
+        let joints = self.joints.iter().enumerate();
+        joints.filter_map(move |(joint, own)| {
+            let follows = own.follows.filter(|follows| follows.of == of)?;
+            Some((joint, follows.ratio))
+        })
+    }
+
+    /// Puts the joints that follow others where those have them.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn follow(&self, q: &mut [f64]) {
+        for (joint, own) in self.joints.iter().enumerate() {
+            if let Some(follows) = own.follows {
+                q[joint] = follows.ratio * q[follows.of] + follows.offset;
+            }
+        }
+    }
+
     /// The frame behind each joint at home, in the base frame, its origin on the joint's axis: as the
     /// description has it, else turned like the base.
     pub fn link_frames(&self) -> Vec<Pose> {
@@ -308,6 +353,9 @@ impl Robot {
             if let Some(limits) = &mut joint.limits {
                 limits.from -= at[index];
                 limits.to -= at[index];
+            }
+            if let Some(follows) = &mut joint.follows {
+                follows.offset += follows.ratio * at[follows.of] - at[index];
             }
         }
         robot.base_from_tool = self.base_from_tool(at);

@@ -13,9 +13,10 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use super::robot::{
-    Axis, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot, RobotSource,
+    Axis, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot, RobotSource,
 };
 use super::screw::joint_motion;
+use super::urdf::MM_PER_M;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::units::LARGEST_JOINT_VALUE;
 
@@ -38,7 +39,18 @@ pub(super) struct BodyJoint {
     /// The value at which it is drawn, rad or mm.
     pub(super) reference: f64,
     pub(super) limits: Option<Range>,
+    /// What it copies, where it has no value of its own.
+    pub(super) mimic: Option<Mimic>,
     pub(super) place: Place,
+}
+
+/// The joint that another one copies, as the description says it: value = ratio · of + offset, in the
+/// units of the description (rad and m).
+#[derive(Debug, Clone)]
+pub(super) struct Mimic {
+    pub(super) of: String,
+    pub(super) ratio: f64,
+    pub(super) offset: f64,
 }
 
 /// What is known of a body's mass.
@@ -125,6 +137,7 @@ impl Tree {
             source: RobotSource::Axes,
         };
         let mut frames = Vec::new();
+        let mut mimics: Vec<(usize, &BodyJoint, &Mimic)> = Vec::new();
         let mut problems = Vec::new();
         let mut base_from_body = Pose::identity();
         let mut carried = vec![Carried {
@@ -141,6 +154,9 @@ impl Tree {
                         let point = moving.axis.point_mm.coords;
                         base_from_body *= motion;
                         frames.push(Pose::from_parts(point.into(), base_from_body.rotation));
+                        if let Some(mimic) = &joint.mimic {
+                            mimics.push((robot.joints.len(), joint, mimic));
+                        }
                         robot.joints.push(moving);
                         if robot.joints.len() > MOST_JOINTS {
                             let place = joint.place.clone();
@@ -164,6 +180,7 @@ impl Tree {
                 carrier: robot.joints.len().checked_sub(1),
             });
         }
+        problems.extend(followed(&mut robot.joints, &mimics));
         if !problems.is_empty() {
             return Err(Rejected::of(problems));
         }
@@ -267,6 +284,58 @@ impl Tree {
             }
         }
     }
+}
+
+/// Lets joints that copy others follow those; one that copies a copy follows what that copies.
+fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec<Diagnostic> {
+    let scale = |kind| match kind {
+        JointKind::Revolute => 1.0,
+        JointKind::Prismatic => MM_PER_M,
+    };
+    let mut problems = Vec::new();
+    for &(joint, body, mimic) in mimics {
+        let mut refuse = |found: String, expected: String| {
+            let place = body
+                .place
+                .clone()
+                .in_field(format!("joint '{}'", body.name));
+            problems.push(Diagnostic::error(place, found, expected));
+        };
+        let (mut of, mut ratio, mut offset) = (mimic.of.as_str(), mimic.ratio, mimic.offset);
+        let mut passed = 0;
+        let leader = loop {
+            let Some(leader) = joints.iter().position(|joint| joint.name == of) else {
+                refuse(
+                    format!("a joint that mimics '{of}', which is not between base and tip"),
+                    "a base and a tip with both joints between, or a joint of type fixed in place of this one".to_owned(),
+                );
+                break None;
+            };
+            let Some((_, _, next)) = mimics.iter().find(|(copy, ..)| *copy == leader) else {
+                break Some(leader);
+            };
+            passed += 1;
+            if passed > mimics.len() {
+                refuse(
+                    format!("a joint that mimics '{}', which mimics it", mimic.of),
+                    "a joint that has a value of its own".to_owned(),
+                );
+                break None;
+            }
+            offset += ratio * next.offset;
+            ratio *= next.ratio;
+            of = next.of.as_str();
+        };
+        if let Some(leader) = leader {
+            let own = scale(joints[joint].kind);
+            joints[joint].follows = Some(Follows {
+                of: leader,
+                ratio: ratio * own / scale(joints[leader].kind),
+                offset: offset * own,
+            });
+        }
+    }
+    problems
 }
 
 /// A joint at home in the base frame, and its motion from where it is drawn to home, in the frame

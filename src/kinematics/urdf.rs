@@ -19,7 +19,7 @@ use std::path::Path;
 use nalgebra::{Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::robot::{JointKind, Pose, Robot};
-use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
+use super::tree::{Body, BodyJoint, Mass, Mimic, Motion, Tree, limits};
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
 
@@ -29,7 +29,7 @@ pub(super) const MM_PER_M: f64 = 1e3;
 ///
 /// # Errors
 /// Text that is not URDF; links that do not exist or are not connected; a joint in the chain that
-/// floats, is planar or spherical, mimics another, or has an axis of zero length; a chain without a
+/// floats, is planar or spherical, mimics one outside the chain, or has an axis of zero length; a chain without a
 /// moving joint. Each names the file, the line and the column.
 pub fn robot_from_urdf(text: &str, file: &Path, base: &str, tip: &str) -> Result<Robot, Rejected> {
     tree(&Document::parse(text, file)?, file)?.robot(base, tip)
@@ -107,7 +107,7 @@ fn hang(
 fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Rejected> {
     const SUPPORTED: &str = "a revolute, continuous, prismatic or fixed joint between base and tip";
     let kind = document.required(joint, "type")?;
-    let mut motion = match kind {
+    let motion = match kind {
         "fixed" => return Ok(None),
         "revolute" | "continuous" => Motion::Moves(JointKind::Revolute),
         "prismatic" => Motion::Moves(JointKind::Prismatic),
@@ -116,10 +116,13 @@ fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Reject
         }
         _ => return Err(document.refuse_value(joint, "type", SUPPORTED)),
     };
+    let mut mimics = None;
     if let Some(mimic) = document.children(joint, "mimic").next() {
-        let of = document.attribute(mimic, "joint").unwrap_or_default();
-        let found = format!("a joint that mimics '{of}'");
-        motion = Motion::Other(found, "joints with values of their own".to_owned());
+        mimics = Some(Mimic {
+            of: document.required(mimic, "joint")?.to_owned(),
+            ratio: document.number(mimic, "multiplier")?.unwrap_or(1.0),
+            offset: document.number(mimic, "offset")?.unwrap_or(0.0),
+        });
     }
     let scale = match motion {
         Motion::Moves(JointKind::Prismatic) => MM_PER_M,
@@ -146,6 +149,7 @@ fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Reject
         limits: (kind != "continuous")
             .then(|| limits(ends[0], ends[1]))
             .flatten(),
+        mimic: mimics,
         place: document.place(joint),
     }))
 }

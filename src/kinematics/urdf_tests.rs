@@ -88,6 +88,62 @@ fn the_base_may_be_any_link_above_the_tip() {
     assert!(robot.base_from_tool.translation.vector.norm() - 300.0 < 1e-12);
 }
 
+/// Four bars: the forearm's joint is turned back by what the upper arm turns, with an offset, and a slide
+/// copies the copy.
+const PARALLELOGRAM: &str = r#"<robot name="palletizer">
+  <link name="base"/><link name="upper"/><link name="fore"/><link name="lift"/><link name="tool"/>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 0.5"/>
+    <axis xyz="0 1 0"/><limit lower="-1" upper="1"/></joint>
+  <joint name="keep" type="revolute"><parent link="upper"/><child link="fore"/><origin xyz="0 0 0.6"/>
+    <axis xyz="0 1 0"/><mimic joint="shoulder" multiplier="-1" offset="0.1"/></joint>
+  <joint name="slide" type="prismatic"><parent link="fore"/><child link="lift"/><origin xyz="0.7 0 0"/>
+    <axis xyz="1 0 0"/><mimic joint="keep" multiplier="0.2"/></joint>
+  <joint name="end" type="fixed"><parent link="lift"/><child link="tool"/></joint>
+</robot>"#;
+
+#[test]
+fn a_mimicked_joint_in_the_chain_is_followed() {
+    let robot = read(PARALLELOGRAM, "base", "tool").unwrap();
+    assert_eq!(robot.leading(&[0, 1, 2]), [0]);
+    for shoulder in [0.0, 0.4, -0.9] {
+        let mut q = [shoulder, 9.0, 9.0];
+        robot.follow(&mut q);
+        let (keep, slide_mm) = (0.1 - shoulder, 200.0 * (0.1 - shoulder));
+        assert!(
+            (q[1] - keep).abs() < 1e-15 && (q[2] - slide_mm).abs() < 1e-12,
+            "{q:?}"
+        );
+        // The forearm keeps its attitude: 0.1 rad, wherever the shoulder is.
+        let tool = robot.base_from_tool(&q);
+        let reach = 700.0 + slide_mm;
+        let expected = Vector3::new(
+            600.0 * f64::sin(shoulder) + reach * f64::cos(0.1),
+            0.0,
+            500.0 + 600.0 * f64::cos(shoulder) - reach * f64::sin(0.1),
+        );
+        assert!((tool.translation.vector - expected).norm() < 1e-9);
+        // Counted from another home the coupling is the same.
+        let at = [0.3, -0.2, 5.0];
+        let other = robot.rehomed(&at);
+        let mut counted = [shoulder - at[0], 0.0, 0.0];
+        other.follow(&mut counted);
+        let apart = other.base_from_tool(&counted).translation.vector - expected;
+        assert!(apart.norm() < 1e-9, "{apart}");
+    }
+    for (mimic, told) in [
+        (r#"<mimic joint="keep"/>"#, "mimics 'keep', which mimics it"),
+        (r#"<mimic joint="slide"/>"#, "which mimics it"),
+        (r#"<mimic/>"#, "joint"),
+    ] {
+        let text = PARALLELOGRAM.replace(
+            r#"<mimic joint="shoulder" multiplier="-1" offset="0.1"/>"#,
+            mimic,
+        );
+        let refused = read(&text, "base", "tool").unwrap_err().to_string();
+        assert!(refused.contains(told), "{refused}");
+    }
+}
+
 #[test]
 fn every_refusal_names_the_file_and_what_was_expected() {
     let with = |from: &str, to: &str| {
@@ -109,8 +165,8 @@ fn every_refusal_names_the_file_and_what_was_expected() {
         (with("0 0 2", "0 0 0"), "zero length"),
         (with("0 0 2", "0 0 nan"), "line 16"),
         (
-            with("<limit lower=\"-1.5\"", "<mimic joint=\"reach\"/><limit"),
-            "mimics 'reach'",
+            with("<limit lower=\"-1.5\"", "<mimic joint=\"gripper\"/><limit"),
+            "mimics 'gripper', which is not between base and tip",
         ),
         (
             with("<parent link=\"base\"/>", "<parent link=\"gone\"/>"),

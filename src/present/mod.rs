@@ -14,6 +14,7 @@ pub mod identification_v1;
 pub mod import_v1;
 pub mod json;
 pub(crate) mod kinds;
+pub(crate) mod limits;
 pub(crate) mod names;
 pub(crate) mod numbers;
 mod parts;

@@ -1,5 +1,6 @@
 //! What people call effects and their parameters.
 
+use super::limits::sight;
 use super::numbers::significant;
 use crate::diagnosis::{Limit, Sight};
 use crate::effects::find;
@@ -50,9 +51,9 @@ pub(crate) fn usual_size(one: &Estimate) -> &'static str {
 
 /// From which size (95 %) an effect would have been seen, parameter by parameter.
 pub(crate) fn detection_limit(limit: &Limit) -> String {
-    let sizes = limit.sizes.iter().map(|(name, size)| {
-        let (name, unit) = parameter(name);
-        match Sight::of(*size) {
+    let sizes = limit.sizes.iter().map(|(full, size)| {
+        let (name, unit) = parameter(full);
+        match sight(limit.effect, full, *size) {
             Sight::Above(size) => {
                 format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
             }

@@ -6,6 +6,7 @@ use crate::effects;
 use super::document::{Block, Section, Table, clean};
 use super::parts::fact;
 use super::session::{MOST_ROWS, Told};
+use crate::present::limits;
 use crate::present::names::{detection_limit, title_of, title_on};
 use crate::present::numbers::{mm, plain};
 use crate::present::poses::{new_reflectors, table};
@@ -179,27 +180,33 @@ impl Told<'_> {
     pub(super) fn limits(&self) -> Section {
         let d = self.found;
         let mut blocks = Vec::new();
-        if !d.not_testable.is_empty() {
+        let name = |effect: &str| title_on(effect, None, 1);
+        let not_testable = limits::not_testable(d, name);
+        if !not_testable.is_empty() {
             blocks.push(Block::Heading("Not testable with this session".to_owned()));
             let mut table = Table::new(["Effect", "Why"]);
-            for n in d.not_testable.iter().take(4 * MOST_ROWS) {
-                let name = title_on(n.effect, n.joint.map(|j| j + 1), self.robot().joints.len());
-                table.row([name, clean(&n.because)]);
+            for line in not_testable.into_iter().take(4 * MOST_ROWS) {
+                table.row([line.names, clean(&line.says)]);
             }
             blocks.push(Block::Table(table));
         }
-        if !d.not_found.is_empty() {
+        let several = self.robot().joints.len() > 1;
+        let rows: Vec<[String; 2]> = if several {
+            let lines = limits::limits(d, name).into_iter();
+            lines.map(|line| [line.names, line.says]).collect()
+        } else {
+            let limits = d.not_found.iter();
+            limits
+                .map(|limit| [name(limit.effect), detection_limit(limit)])
+                .collect()
+        };
+        if !rows.is_empty() {
             blocks.push(Block::Heading(
                 "Not found, with detection limits".to_owned(),
             ));
             let mut table = Table::new(["Effect", "Detection limit (95 %)"]);
-            for limit in d.not_found.iter().take(4 * MOST_ROWS) {
-                let name = title_on(
-                    limit.effect,
-                    limit.joint.map(|j| j + 1),
-                    self.robot().joints.len(),
-                );
-                table.row([name, detection_limit(limit)]);
+            for row in rows.into_iter().take(4 * MOST_ROWS) {
+                table.row(row);
             }
             blocks.push(Block::Table(table));
         }

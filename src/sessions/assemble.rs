@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
+use crate::kinematics::Joint;
 use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::observed;
@@ -138,6 +139,35 @@ pub(crate) fn samples(
 }
 
 impl Samples {
+    /// Gives joints that follow others their values, where no column says them.
+    pub(crate) fn follow(&mut self, joints: &[Joint]) {
+        for (joint, own) in joints.iter().enumerate() {
+            let Some(follows) = own.follows else {
+                continue;
+            };
+            let (Some(leading), Some(values)) =
+                (self.q.get(follows.of).cloned(), self.q.get_mut(joint))
+            else {
+                continue;
+            };
+            if values.iter().all(|value| value.is_nan()) {
+                *values = leading
+                    .iter()
+                    .map(|q| follows.ratio * q + follows.offset)
+                    .collect();
+                // Where the leading joint came from, the follower did too.
+                let side = self.dir.get(follows.of).cloned().flatten();
+                if let (Some(side), Some(own @ None)) = (side, self.dir.get_mut(joint)) {
+                    *own = Some(
+                        side.iter()
+                            .map(|dir| dir * follows.ratio.signum())
+                            .collect(),
+                    );
+                }
+            }
+        }
+    }
+
     /// Puts numbers in their place; a joint that does not exist was reported with the headings.
     fn put(&mut self, quantity: Quantity, values: Vec<f64>) {
         let observed = &mut self.observed;

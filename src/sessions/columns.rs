@@ -386,11 +386,13 @@ impl Layout {
     /// the table does. Without joints (the robot itself is wrong) every joint is taken as it is.
     pub(crate) fn read(
         names: &[String],
-        joints: Option<&[JointKind]>,
+        joints: Option<&[Joint]>,
         table: &Place,
         place: &dyn Fn(usize) -> Place,
         findings: &mut Vec<Diagnostic>,
     ) -> Self {
+        let kinds: Option<Vec<JointKind>> =
+            joints.map(|joints| joints.iter().map(|joint| joint.kind).collect());
         let headings: Vec<Heading> = names.iter().map(|name| Heading::read(name)).collect();
         let mut seen: Vec<(Quantity, usize)> = Vec::new();
         for (index, heading) in headings.iter().enumerate() {
@@ -408,7 +410,7 @@ impl Layout {
                         ));
                     }
                     seen.push((*quantity, index));
-                    if let Some(kinds) = joints {
+                    if let Some(kinds) = &kinds {
                         check_joint(*quantity, *unit, kinds, place(index), findings);
                     }
                 }
@@ -476,7 +478,7 @@ pub(crate) fn check_joint(
 }
 
 fn require_columns(
-    joints: Option<&[JointKind]>,
+    joints: Option<&[Joint]>,
     has: &dyn Fn(Quantity) -> bool,
     table: &Place,
     findings: &mut Vec<Diagnostic>,
@@ -484,10 +486,11 @@ fn require_columns(
     let mut missing = |found: String, expected: String| {
         findings.push(Diagnostic::error(table.clone(), found, expected));
     };
-    for (joint, kind) in joints.unwrap_or_default().iter().enumerate() {
-        if !has(Quantity::Commanded(joint)) {
+    for (joint, own) in joints.unwrap_or_default().iter().enumerate() {
+        // A joint that follows another one has its value from there.
+        if own.follows.is_none() && !has(Quantity::Commanded(joint)) {
             let number = joint + 1;
-            let unit = kind.unit();
+            let unit = own.kind.unit();
             missing(
                 format!("no column for the commanded value of joint {number}"),
                 format!("q{number}_{unit}"),
@@ -540,14 +543,22 @@ fn highest_joint(headings: &[Heading]) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Point3, Vector3};
+
     use super::*;
+    use crate::kinematics::Axis;
 
     fn read(names: &[&str], kinds: &[JointKind]) -> Vec<String> {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        let axis = Axis::through(Vector3::z(), Point3::origin()).unwrap();
+        let joints: Vec<Joint> = kinds
+            .iter()
+            .map(|kind| Joint::new("", *kind, axis))
+            .collect();
         let mut findings = Vec::new();
         Layout::read(
             &names,
-            Some(kinds),
+            Some(&joints),
             &Place::default(),
             &|_| Place::default(),
             &mut findings,

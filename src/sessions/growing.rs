@@ -10,7 +10,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, unreadable};
-use crate::kinematics::JointKind;
+use crate::kinematics::Joint;
 use crate::progress::{Progress, unwatched};
 use crate::sessions::assemble::{self, Declared};
 use crate::sessions::domain::{Samples, Session, Target};
@@ -35,7 +35,7 @@ pub enum Growth {
 #[derive(Debug, Clone)]
 pub struct Growing {
     path: PathBuf,
-    kinds: Vec<JointKind>,
+    joints: Vec<Joint>,
     targets: Vec<Target>,
     references: References,
     /// The line of headings, with its line feed.
@@ -53,7 +53,7 @@ impl Growing {
     pub fn new(session: &Session, samples: &Path) -> Self {
         Self {
             path: samples.to_path_buf(),
-            kinds: session.robot.joints.iter().map(|j| j.kind).collect(),
+            joints: session.robot.joints.clone(),
             targets: session.targets.clone(),
             references: session.instrument.references.clone(),
             heading: Vec::new(),
@@ -157,9 +157,9 @@ impl Growing {
         // The reader wants headings: a part of the file gets those of the whole.
         let heading: &[u8] = if grown { &next.heading } else { &[] };
         let input = heading.chain(bytes);
-        let kinds = Some(self.kinds.as_slice());
+        let joints = Some(self.joints.as_slice());
         let nobody = Progress::new(&unwatched);
-        let table = csv::read(input, None, &file, kinds, &mut findings, nobody.whole());
+        let table = csv::read(input, None, &file, joints, &mut findings, nobody.whole());
         let table = table.map_err(|error| {
             let error =
                 Diagnostic::error(file.clone(), unreadable(&error), "a file that can be read");
@@ -172,6 +172,7 @@ impl Growing {
                 references: &self.references,
             };
             let mut samples = assemble::rows(table, declared, &file, &mut findings);
+            samples.follow(&self.joints);
             samples.line = samples.line.moved_down(further);
             samples
         });

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unreadable};
 use crate::document::{Fields, Path as JsonPath};
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::{Joint, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::assemble::Declared;
 use crate::sessions::domain::{Samples, Session};
@@ -153,14 +153,11 @@ fn read_session(
     let Some((head, samples)) = head::read(&mut fields, root) else {
         return refused(fields.findings);
     };
-    let kinds: Option<Vec<JointKind>> = head
-        .robot
-        .as_ref()
-        .map(|robot| robot.joints.iter().map(|joint| joint.kind).collect());
+    let joints: Option<Vec<Joint>> = head.robot.as_ref().map(|robot| robot.joints.clone());
     let samples = match samples {
         None => None,
         Some(SamplesAt::Inline(node)) => {
-            inline::read(&mut fields, node, kinds.as_deref()).map(|inline| {
+            inline::read(&mut fields, node, joints.as_deref()).map(|inline| {
                 let whole = fields.source.place(0).in_field("samples.columns");
                 let source = fields.source.clone();
                 let locate = inline.locator(&source);
@@ -183,7 +180,7 @@ fn read_session(
                 &place,
                 beside,
                 &Wanted {
-                    kinds: kinds.as_deref(),
+                    joints: joints.as_deref(),
                     declared: Declared {
                         targets: &head.targets,
                         references: &head.instrument.references,
@@ -196,9 +193,10 @@ fn read_session(
         }
     };
     part.check()?;
-    let (Some(robot), Some(samples)) = (head.robot, samples) else {
+    let (Some(robot), Some(mut samples)) = (head.robot, samples) else {
         return refused(fields.findings);
     };
+    samples.follow(&robot.joints);
     let session = Session {
         name: head.name,
         note: head.note,
@@ -227,7 +225,7 @@ fn read_session(
 
 /// What the document says of the samples beside it, and which part of the work it is to read them.
 struct Wanted<'a> {
-    kinds: Option<&'a [JointKind]>,
+    joints: Option<&'a [Joint]>,
     declared: Declared<'a>,
     part: Part<'a>,
     /// The hash of the samples that the document was written with.
@@ -280,7 +278,7 @@ fn samples_from(
 ) -> Option<Samples> {
     let hash = file_hash::begun(wanted.sha256.is_some());
     let input = HashedInput::new(input, &hash);
-    let table = csv::read(input, bytes, file, wanted.kinds, findings, wanted.part);
+    let table = csv::read(input, bytes, file, wanted.joints, findings, wanted.part);
     if let (Some(found), Some(own)) = (file_hash::ended(hash), &wanted.sha256)
         && found != *own
         && matches!(table, Ok(Some(_)))

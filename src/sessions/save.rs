@@ -63,15 +63,39 @@ pub fn save_watched(
     replacing: Replacing<'_>,
     watch: impl Fn(f64) -> ControlFlow<()>,
 ) -> Result<PathBuf, WriteError> {
+    let csv = samples_path(path);
+    save_pair(session, path, &csv, replacing, watch)?;
+    Ok(csv)
+}
+
+/// As [`save`], with the samples in a file that is named: in the folder of the session, or below it.
+///
+/// # Errors
+/// As [`save`].
+pub fn save_with_samples(
+    session: &Session,
+    path: &Path,
+    csv: &Path,
+    replacing: Replacing<'_>,
+) -> Result<(), WriteError> {
+    save_pair(session, path, csv, replacing, unwatched)
+}
+
+fn save_pair(
+    session: &Session,
+    path: &Path,
+    csv: &Path,
+    replacing: Replacing<'_>,
+    watch: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<(), WriteError> {
     let progress = Progress::new(&watch);
     let whole = progress.whole();
-    let csv = samples_path(path);
-    refuse_one_file_for_two(path, &csv)?;
+    refuse_one_file_for_two(path, csv)?;
     refuse_to_replace_inputs(path, replacing.inputs)?;
-    refuse_to_replace_inputs(&csv, replacing.inputs)?;
-    let csv_name = name_of(path, &csv)?;
+    refuse_to_replace_inputs(csv, replacing.inputs)?;
+    let csv_name = name_of(path, csv)?;
     let mut sha256 = String::new();
-    let samples = Prepared::write(&csv, replacing.force, |output| {
+    let samples = Prepared::write(csv, replacing.force, |output| {
         let mut hashed = Hashed::new(output);
         write_rows(session, &mut hashed, whole.part(0.0, 0.9))?;
         sha256 = hashed.finish();
@@ -86,8 +110,7 @@ pub fn save_watched(
     })?;
     let done = whole.reached(1.0);
     done.map_err(|Cancelled| WriteError::Cancelled(path.to_path_buf()))?;
-    commit_both(samples, document)?;
-    Ok(csv)
+    commit_both(samples, document)
 }
 
 /// Saves the document of a session of which the samples stand beside it already, or will: as a CSV

@@ -26,6 +26,7 @@ mod diagnosis_blunders;
 mod diagnosis_conditions;
 mod diagnosis_invariance;
 mod documents;
+mod doors;
 mod effects;
 mod effects_as_data;
 mod export_consumers;

@@ -92,6 +92,7 @@ impl TypedAxis {
                     to: rad_from_deg(to),
                 }),
                 link: None,
+                follows: None,
             }],
             base_from_tool,
             gravity_m_s2: self.gravity_down.then(|| Vector3::new(0.0, 0.0, -9.81)),

@@ -2,16 +2,27 @@
 
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
-use crate::importers::formats::{Asks, Importer, KnownBy};
-use crate::importers::headings::{Role, understand};
+use crate::importers::decimals::shape;
+use crate::importers::declared::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
+use crate::importers::families;
+use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
+use crate::importers::grid::Grid;
+use crate::importers::headings::Role;
+use crate::importers::joint_names::understand;
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
+use crate::sessions::columns::{Heading, Quantity};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
     plainly: "any program: a table with a header, or with columns chosen below",
     asks: Asks::TABLE,
-    options: &[],
+    options: &[
+        EULER_OPTION,
+        SOCKET_OPTION,
+        PLANE_OPTION,
+        SOCKET_DISTANCES_OPTION,
+    ],
     known_by: KnownBy::Reading {
         turn: 2,
         suits: |trial| trial.is_sound && trial.headings.is_some(),
@@ -21,7 +32,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 
 /// Reads a table of measured points.
 fn read(case: &mut Case<'_>) -> Option<Columns> {
-    let (grid, roles) = table(case)?;
+    let (grid, roles) = table(case, true)?;
     let headings = match &grid.header {
         Some((_, names)) => {
             let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
@@ -34,19 +45,23 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     columns.filter(|_| complete)
 }
 
-/// Reads a table in which no column is required.
+/// Reads a table in which no column is required: commands. Without a header, as many columns as the
+/// robot has joints are the joints in their order, a column of names before them.
 pub(crate) fn read_any(case: &mut Case<'_>) -> Option<Columns> {
-    let (grid, roles) = table(case)?;
+    let (grid, roles) = table(case, false)?;
     case.columns(&grid, roles)
 }
 
 /// Finds the table and what its columns are.
-fn table<'a>(case: &mut Case<'a>) -> Option<(crate::importers::grid::Grid<'a>, Vec<Role>)> {
+fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>)> {
     let grid = case.grid()?;
     let roles = match (case.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
-        (None, Some((_, names))) => {
-            let mut roles: Vec<Role> = names.iter().map(|name| understand(name)).collect();
+        (None, Some((_, names))) if !case.has_said_columns(&grid) => {
+            let mut roles: Vec<Role> = names
+                .iter()
+                .map(|name| understand(name, &case.reading.joints))
+                .collect();
             // A column that a separator at the end of each line makes is no column.
             for (role, name) in roles.iter_mut().zip(names) {
                 if name.is_empty() {
@@ -54,9 +69,20 @@ fn table<'a>(case: &mut Case<'a>) -> Option<(crate::importers::grid::Grid<'a>, V
                 }
             }
             roles.truncate(grid.width);
+            if measured {
+                own_references(names, &mut roles);
+                let names = &names[..names.len().min(roles.len())];
+                if let Some(proposed) = families::proposed(names, &roles) {
+                    propose(case, names, &roles, &proposed);
+                    roles = proposed;
+                }
+            }
             roles
         }
-        (None, None) => {
+        (None, None) if !measured && case.reading.columns.is_empty() => {
+            headerless_commands(case, &grid)
+        }
+        (None, _) => {
             if case.reading.columns.is_empty() {
                 let says = format!("{} columns and no header", grid.width);
                 case.ask(About::Columns, says, &[]);
@@ -65,4 +91,60 @@ fn table<'a>(case: &mut Case<'a>) -> Option<(crate::importers::grid::Grid<'a>, V
         }
     };
     Some((grid, roles))
+}
+
+/// A session's own columns of measurements other than points are such columns where the table has no
+/// points: beside points, a distance or the name of a plane may be anything.
+fn own_references(names: &[String], roles: &mut [Role]) {
+    let has = |wanted| roles.iter().any(|role: &Role| role.quantity() == Some(wanted));
+    if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
+        return;
+    }
+    for (role, name) in roles.iter_mut().zip(names) {
+        if let Heading::Known(quantity, unit) = Heading::read(&name.trim().to_lowercase())
+            && quantity.needs_a_reference()
+        {
+            *role = Role::Known(quantity, Some(unit));
+        }
+    }
+}
+
+/// Asks whether what was proposed is right, unless that was said.
+fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Role]) {
+    let changed: Vec<String> = (names.iter().zip(proposed).zip(roles))
+        .filter(|((_, proposed), role)| proposed != role)
+        .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
+        .collect();
+    let says = format!("columns that may be what was measured: {}", changed.join(", "));
+    if case.reading.confirmed {
+        case.note(format!("{says}; taken so, as was confirmed"));
+        return;
+    }
+    let words: Vec<String> = proposed.iter().map(ToString::to_string).collect();
+    case.ask(About::Columns, says, &[&words.join(",")]);
+}
+
+/// Commands without a header: the joints in their order.
+fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
+    let joints = case.reading.joints.len();
+    let is_text = |cells: &Vec<String>| cells.first().is_some_and(|cell| shape(cell).is_none());
+    let first = case.found.first_rows.first().is_some_and(is_text);
+    let joint = |joint| Role::Known(Quantity::Commanded(joint), None);
+    let roles: Vec<Role> = match grid.width.checked_sub(joints) {
+        Some(0) if joints > 0 && !first => (0..joints).map(joint).collect(),
+        Some(1) if joints > 0 && first => {
+            std::iter::once(Role::Point).chain((0..joints).map(joint)).collect()
+        }
+        _ => {
+            let says = format!(
+                "{} columns and no header, for a robot of {joints} joints",
+                grid.width
+            );
+            case.ask(About::Columns, says, &[]);
+            return vec![Role::Left; grid.width];
+        }
+    };
+    let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
+    case.note(format!("no header: the columns are taken as {}", words.join(", ")));
+    roles
 }

@@ -7,6 +7,7 @@
 use std::fmt;
 
 use crate::importers::columns::Columns;
+use crate::importers::euler::EULER;
 use crate::importers::reader::Case;
 
 /// Makes the modules and the list of the names given, so that a format is registered in one line.
@@ -28,6 +29,7 @@ register! {
     mcap,
     board,
     ballbar,
+    tpoint,
 }
 
 /// A format that instruments write.
@@ -114,6 +116,16 @@ pub struct OwnOption {
     /// The values that it can have; empty: any.
     pub values: &'static [&'static str],
 }
+
+/// The order of the angles of an orientation, in tables that a person explains.
+pub(crate) const EULER_OPTION: OwnOption = OwnOption {
+    name: EULER,
+    title: "Angles of the orientation",
+    value: "ORDER",
+    help: "how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, \
+           such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec",
+    values: &[],
+};
 
 /// How the files of a format are known when nobody says what they are.
 pub(crate) enum KnownBy {

@@ -448,6 +448,7 @@ impl Frames {
             list,
             lines: self.lines,
             commands: None,
+            directions: None,
         }
     }
 }

@@ -6,9 +6,10 @@
 
 use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
-use crate::importers::formats::{Asks, Importer, KnownBy};
+use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::{Role, understand};
+use crate::importers::headings::Role;
+use crate::importers::joint_names::understand;
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::sessions::columns::Quantity;
@@ -17,7 +18,7 @@ pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
     plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
     asks: Asks::TABLE,
-    options: &[],
+    options: &[EULER_OPTION],
     known_by: KnownBy::Reading {
         turn: 5,
         suits: |trial| trial.is_sound,
@@ -38,13 +39,13 @@ enum Kind {
 pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     // Some programs can be told to write a header: then it says.
-    let found = roles_by_header(&grid).or_else(|| {
+    let found = roles_by_header(&grid, case).or_else(|| {
         let names = names_before(&kinds(&grid, case))?;
         Some(roles(names, grid.width))
     });
     let roles = match (case.given_roles(&grid, found.as_deref()), found) {
         (Some(given), _) => given,
-        (None, _) if !case.reading.columns.is_empty() => return None,
+        (None, _) if case.has_said_columns(&grid) => return None,
         (None, Some(found)) => found,
         (None, None) => {
             let says = format!(
@@ -60,9 +61,12 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
 }
 
 /// What a header says, if it says where x and y are.
-fn roles_by_header(grid: &Grid<'_>) -> Option<Vec<Role>> {
+fn roles_by_header(grid: &Grid<'_>, case: &Case<'_>) -> Option<Vec<Role>> {
     let (_, names) = grid.header.as_ref()?;
-    let mut roles: Vec<Role> = names.iter().map(|name| understand(name)).collect();
+    let mut roles: Vec<Role> = names
+        .iter()
+        .map(|name| understand(name, &case.reading.joints))
+        .collect();
     roles.truncate(grid.width);
     let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
     (has(Quantity::X) && has(Quantity::Y)).then_some(roles)

@@ -330,6 +330,7 @@ impl Reader<'_> {
             point_mm: me.body_from_frame * Point3::from(Vector3::from(point) * MM_PER_M),
             reference: reference * unit,
             limits: range.and_then(|[from, to]| limits(from * unit, to * unit)),
+            mimic: None,
             place: self.document.place(element),
         })
     }

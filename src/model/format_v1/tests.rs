@@ -42,6 +42,7 @@ fn any_robot() -> impl Strategy<Value = Robot> {
                     mass_kg: reach,
                     centre_mm: Point3::from(point * 0.3),
                 }),
+                follows: None,
             })
             .collect(),
         base_from_tool: Pose::from_parts(at.into(), UnitQuaternion::from_scaled_axis(turn)),

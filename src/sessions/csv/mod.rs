@@ -22,7 +22,7 @@ use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{plain_decimal, short_cell, short_decimal};
-use crate::kinematics::JointKind;
+use crate::kinematics::Joint;
 use crate::progress::Part;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
@@ -44,7 +44,7 @@ pub(crate) fn read(
     input: impl Read,
     bytes: Option<u64>,
     file: &Place,
-    joints: Option<&[JointKind]>,
+    joints: Option<&[Joint]>,
     findings: &mut Vec<Diagnostic>,
     part: Part<'_>,
 ) -> io::Result<Option<Table>> {

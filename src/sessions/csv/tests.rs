@@ -1,10 +1,15 @@
+use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 
 use super::*;
+use crate::kinematics::{Axis, JointKind};
 use crate::progress::{Progress, unwatched};
 use crate::sessions::columns::Quantity;
 
-const ONE: &[JointKind] = &[JointKind::Revolute];
+fn one() -> Vec<Joint> {
+    let axis = Axis::through(Vector3::z(), Point3::origin()).unwrap();
+    vec![Joint::new("pan", JointKind::Revolute, axis)]
+}
 
 fn read_text(text: &str) -> (Option<Table>, Vec<String>) {
     read_in_pieces(text.as_bytes(), usize::MAX)
@@ -29,7 +34,7 @@ fn read_in_pieces(bytes: &[u8], piece: usize) -> (Option<Table>, Vec<String>) {
         Pieces(bytes, piece),
         None,
         &Place::file("s.csv"),
-        Some(ONE),
+        Some(&one()),
         &mut findings,
         nobody.whole(),
     );

@@ -4,7 +4,7 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Fields, Member, Node, Path, Source, Value, element_offset};
-use crate::kinematics::JointKind;
+use crate::kinematics::Joint;
 use crate::sessions::columns::{CellKind, Layout};
 use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Names, Table};
@@ -36,7 +36,7 @@ impl Inline {
 pub(crate) fn read(
     fields: &mut Fields<'_>,
     node: Node,
-    joints: Option<&[JointKind]>,
+    joints: Option<&[Joint]>,
 ) -> Option<Inline> {
     let samples = Path::Root.key("samples");
     let path = &samples.key("columns");

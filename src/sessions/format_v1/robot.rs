@@ -9,11 +9,11 @@ use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
 use crate::document::Value;
 use crate::document::degrees;
-use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, point, wxyz};
+use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point, wxyz};
 use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
 use crate::kinematics::{
-    Axis, DescriptionFormat, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
+    Axis, DescriptionFormat, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
     RobotSource,
 };
 
@@ -126,6 +126,7 @@ const JOINT: Kind<Joint> = Kind {
             },
             limits: None,
             link: None,
+            follows: None,
         };
         at.object(blank, joint)
     },
@@ -155,6 +156,33 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
         o.required("centre_mm", &mut link.centre_mm, &CENTRE);
         own.link = Some(link);
     }
+    o.optional("follows", &mut own.follows, &FOLLOWS);
+}
+
+const FOLLOWS: Kind<Follows> = Kind {
+    expected: "an object with joint, ratio and offset",
+    read: |at| {
+        let blank = Follows {
+            of: 0,
+            ratio: 1.0,
+            offset: 0.0,
+        };
+        at.object(blank, follows)
+    },
+    write: |own| written(*own, follows),
+};
+
+/// The joint counts from 1; ratio and offset are in rad and mm, as the geometry is.
+fn follows(o: &mut Object<'_, '_>, own: &mut Follows) {
+    let mut joint = own.of + 1;
+    o.required(
+        "joint",
+        &mut joint,
+        &count("the number of a joint, from 1 on"),
+    );
+    own.of = joint.saturating_sub(1);
+    o.required("ratio", &mut own.ratio, &NUMBER);
+    o.required("offset", &mut own.offset, &NUMBER);
 }
 
 /// A value of a joint as a file says it: degrees that are read as the same angle, or mm.

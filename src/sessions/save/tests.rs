@@ -124,6 +124,7 @@ fn any_session() -> impl Strategy<Value = Session> {
                     mass_kg,
                     centre_mm: Point3::from(point),
                 }),
+                follows: None,
             };
             Session {
                 name,

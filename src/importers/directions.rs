@@ -1,0 +1,83 @@
+//! The side from which each joint came, where rows are in the order in which they were measured.
+//!
+//! A joint that moved up since the row before came from below (+1), one that moved down from above
+//! (−1). A joint that did not move keeps the side of the row before: whatever play it has is still
+//! taken up on that side. Before its first motion a joint's side is unknown (0).
+
+use crate::importers::columns::{Column, Columns};
+use crate::importers::matching::Matching;
+use crate::importers::session::{Job, Matched};
+use crate::sessions::columns::{Quantity, Unit};
+
+/// A joint that moves less than this has not moved, rad or mm: what rounding leaves.
+const STANDING: f64 = 1e-9;
+
+/// The sides of one joint's values.
+fn sides(values: &[f64]) -> Vec<f64> {
+    let (mut side, mut from) = (0.0, f64::NAN);
+    let mut each = |&here: &f64| {
+        if (here - from).abs() > STANDING {
+            side = (here - from).signum();
+        }
+        if here.is_finite() {
+            from = here;
+        }
+        side
+    };
+    values.iter().map(&mut each).collect()
+}
+
+impl Job<'_> {
+    /// Derives directions where that was asked for; says that it can be where nothing tells them.
+    pub(crate) fn directions(&mut self, columns: &mut Columns, matched: Option<&Matched>) {
+        let joints = self.settings.robot.joint_count();
+        let lacking: Vec<usize> = (0..joints)
+            .filter(|&joint| columns.find(Quantity::Direction(joint)).is_none())
+            .collect();
+        if lacking.is_empty() || columns.rows() < 2 {
+            return;
+        }
+        let numbers: Vec<String> = lacking
+            .iter()
+            .map(|joint| (joint + 1).to_string())
+            .collect();
+        let of = format!(
+            "joint{} {}",
+            if lacking.len() == 1 { "" } else { "s" },
+            numbers.join(", ")
+        );
+        if !self.settings.in_measuring_order {
+            if matched.is_none_or(|matched| matched.by != Matching::Time) {
+                self.note(format!(
+                    "nothing says from which side {of} came, so that backlash cannot be tested: where the rows are in \
+                     the order in which they were measured, --in-measuring-order derives it from the row before"
+                ));
+            }
+            return;
+        }
+        for joint in lacking {
+            if let Some(values) = columns.numbers(Quantity::Commanded(joint)) {
+                let quantity = Quantity::Direction(joint);
+                columns.put(Column::made(quantity, Unit::Fixed, sides(&values)));
+            }
+        }
+        let said = format!(
+            "the side from which {of} came is that of the motion since the row before: the rows are in measuring order, as was said"
+        );
+        self.note(said.clone());
+        self.said.push(said);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_joint_that_stands_keeps_its_side() {
+        let values = [0.0, 0.0, 0.5, 0.5, 1.0, 0.2, 0.2 + 1e-12, f64::NAN, 0.3];
+        let expected = [0.0, 0.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0];
+        assert_eq!(sides(&values), expected);
+        assert_eq!(sides(&[]), []);
+    }
+}

@@ -1,0 +1,349 @@
+//! Orientations as three angles or as a rotation vector, made into quaternions.
+//!
+//! Three angles mean nothing without the order of their axes and without what the axes do: about
+//! fixed axes each turn is about an axis of the measuring frame, so that the first one acts first;
+//! about moving axes it is about an axis that the turns before it have carried along.
+//!
+//! ```text
+//! xyz-fixed:  R = Rz(rz) Ry(ry) Rx(rx)      zyx-moving: the same matrix
+//! xyz-moving: R = Rx(rx) Ry(ry) Rz(rz)      zyx-fixed:  the same matrix
+//! rotvec:     R = exp([rx, ry, rz]×)
+//! ```
+//!
+//! Columns are named by their axis (`rx_deg, ry_deg, rz_deg`) or by their turn (`euler1_deg` is the
+//! first of the order). Where an axis recurs (`zyz`) only the turn names a column, so that `rx, ry, rz`
+//! are then taken as the first, second and third.
+
+use nalgebra::{Unit as Direction, UnitQuaternion, Vector3};
+
+use crate::importers::columns::{Column, Columns};
+use crate::importers::headings::Role;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::table::Cells;
+
+/// Option: the order of the angles and what their axes do.
+pub(crate) const EULER: &str = "euler";
+
+/// Which of the three numbers of an orientation a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Turn {
+    /// The angle about x, y or z, counted from 0.
+    About(usize),
+    /// The first, second or third of the order, counted from 0.
+    Nth(usize),
+}
+
+impl Turn {
+    fn place(self) -> usize {
+        match self {
+            Self::About(at) | Self::Nth(at) => at,
+        }
+    }
+}
+
+/// The words of three angles in a heading: `rx`, `Roll`, `euler 2`, `rot z`.
+pub(crate) fn turn(words: &[&str]) -> Option<Turn> {
+    let about = match words {
+        ["rx" | "roll" | "rotx" | "wx"] => 0,
+        ["ry" | "pitch" | "roty" | "wy"] => 1,
+        ["rz" | "yaw" | "rotz" | "wz"] => 2,
+        ["rot" | "rotvec" | "rvec", axis] | ["rotation", "vector", axis] => axis_of(axis)?,
+        [word] => return nth(word.strip_prefix("euler")?),
+        ["euler", "angle", number] | ["euler", number] => {
+            return nth(number).or_else(|| axis_of(number).map(Turn::About));
+        }
+        _ => return None,
+    };
+    Some(Turn::About(about))
+}
+
+fn axis_of(word: &str) -> Option<usize> {
+    ["x", "y", "z"].iter().position(|axis| *axis == word)
+}
+
+fn nth(word: &str) -> Option<Turn> {
+    let at = ["1", "2", "3"].iter().position(|n| *n == word)?;
+    Some(Turn::Nth(at))
+}
+
+/// A word of `--columns`: `rx`, `ry_deg`, `euler1_rad`.
+pub(crate) fn role_of_word(word: &str) -> Option<Role> {
+    let (name, unit) = match word.rsplit_once('_') {
+        None => (word, None),
+        Some((name, "deg")) => (name, Some(Unit::Angle(1.0_f64.to_radians()))),
+        Some((name, "rad")) => (name, Some(Unit::Angle(1.0))),
+        Some(_) => return None,
+    };
+    let known = matches!(name, "rx" | "ry" | "rz" | "euler1" | "euler2" | "euler3");
+    known
+        .then(|| turn(&[name]))
+        .flatten()
+        .map(|turn| Role::Turn(turn, unit))
+}
+
+/// The word of `--columns` for one.
+pub(crate) fn word(turn: Turn, unit: Option<Unit>) -> String {
+    let name = match turn {
+        Turn::About(axis) => ["rx", "ry", "rz"][axis].to_owned(),
+        Turn::Nth(at) => format!("euler{}", at + 1),
+    };
+    match unit {
+        Some(Unit::Angle(1.0)) => format!("{name}_rad"),
+        Some(Unit::Angle(factor)) if (factor - 1.0_f64.to_radians()).abs() < 1e-15 => {
+            format!("{name}_deg")
+        }
+        _ => name,
+    }
+}
+
+/// How three numbers make an orientation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Convention {
+    /// The direction is the axis, the length the angle.
+    RotationVector,
+    /// Turns about these axes (0 to 2) in this order; about axes that the turns before have carried
+    /// along, or about those of the frame.
+    Euler {
+        /// Axes in the order of the turns.
+        order: [usize; 3],
+        /// Whether the axes move.
+        moving: bool,
+    },
+}
+
+/// What an answer to `--euler` is.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Answer {
+    /// It says everything.
+    Known(Convention),
+    /// The order is there, but not whether the axes move.
+    Axes(String),
+    /// Nothing that is understood.
+    Wrong,
+}
+
+/// Reads `xyz-fixed`, `ZYX-moving`, `zyz-moving`, `rotvec`, `rpy`.
+pub(crate) fn read(answer: &str) -> Answer {
+    let plain = answer.trim().to_lowercase().replace(['_', ' '], "-");
+    match plain.as_str() {
+        "rotvec" | "rotation-vector" | "axis-angle" => {
+            return Answer::Known(Convention::RotationVector);
+        }
+        "rpy" => {
+            return Answer::Known(Convention::Euler {
+                order: [0, 1, 2],
+                moving: false,
+            });
+        }
+        _ => {}
+    }
+    let (letters, moving) = match plain.split_once('-') {
+        None => (plain.as_str(), None),
+        Some((letters, "fixed" | "extrinsic" | "static")) => (letters, Some(false)),
+        Some((letters, "moving" | "intrinsic" | "rotating")) => (letters, Some(true)),
+        Some(_) => return Answer::Wrong,
+    };
+    let axes: Option<Vec<usize>> = letters.chars().map(|c| "xyz".find(c)).collect();
+    let Some([first, second, third]) = axes
+        .as_deref()
+        .and_then(|axes| <[usize; 3]>::try_from(axes).ok())
+    else {
+        return Answer::Wrong;
+    };
+    // Two turns about one axis in a row are one turn.
+    if first == second || second == third {
+        return Answer::Wrong;
+    }
+    match moving {
+        Some(moving) => Answer::Known(Convention::Euler {
+            order: [first, second, third],
+            moving,
+        }),
+        None => Answer::Axes(letters.to_owned()),
+    }
+}
+
+impl Convention {
+    /// The orientation of three angles in the order of their columns x, y, z (`by_axis`) or first,
+    /// second, third; rad.
+    pub(crate) fn orientation(self, angles: [f64; 3], by_axis: bool) -> UnitQuaternion<f64> {
+        match self {
+            Self::RotationVector => UnitQuaternion::from_scaled_axis(Vector3::from(angles)),
+            Self::Euler { order, moving } => {
+                let recurs = order[0] == order[2];
+                let mut all = UnitQuaternion::identity();
+                for (turn, &axis) in order.iter().enumerate() {
+                    let angle = if by_axis && !recurs {
+                        angles[axis]
+                    } else {
+                        angles[turn]
+                    };
+                    let direction = Direction::new_unchecked(Vector3::ith(axis, 1.0));
+                    let one = UnitQuaternion::from_axis_angle(&direction, angle);
+                    all = if moving { all * one } else { one * all };
+                }
+                all
+            }
+        }
+    }
+
+    /// The convention and its product, for a note.
+    pub(crate) fn says(self) -> String {
+        match self {
+            Self::RotationVector => {
+                "the orientation is a rotation vector: its direction the axis, its length the angle"
+                    .to_owned()
+            }
+            Self::Euler { order, moving } => {
+                let letters: Vec<&str> = order.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
+                let mut factors: Vec<String> =
+                    letters.iter().map(|axis| format!("R{axis}")).collect();
+                if !moving {
+                    factors.reverse();
+                }
+                format!(
+                    "the orientation is three angles about {} axes in the order {}: R = {}",
+                    if moving { "moving" } else { "fixed" },
+                    letters.join(", "),
+                    factors.join(" · ")
+                )
+            }
+        }
+    }
+}
+
+/// The columns of angles among these, in the order x, y, z or first, second, third, and whether they
+/// are named by axis; `None` where there is none. The error says what is missing.
+pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), String>> {
+    let mut found = [None; 3];
+    let mut named = [false; 2];
+    for (index, role) in roles.iter().enumerate() {
+        if let Role::Turn(turn, _) = role {
+            found[turn.place()].get_or_insert(index);
+            named[usize::from(matches!(turn, Turn::About(_)))] = true;
+        }
+    }
+    let [by_turn, by_axis] = named;
+    if !by_turn && !by_axis {
+        return None;
+    }
+    let [Some(a), Some(b), Some(c)] = found else {
+        let count = found.iter().flatten().count();
+        return Some(Err(format!("{count} of the 3 numbers of an orientation")));
+    };
+    if by_turn && by_axis {
+        return Some(Err(
+            "angles named by axis and angles named by turn".to_owned()
+        ));
+    }
+    Some(Ok(([a, b, c], by_axis)))
+}
+
+/// Replaces the three columns of angles by the four parts of a quaternion. A row that lacks one of
+/// the angles has no orientation.
+pub(crate) fn to_quaternions(columns: &mut Columns, convention: Convention) {
+    let roles: Vec<Role> = columns.list.iter().map(|column| column.role).collect();
+    let Some(Ok((at, by_axis))) = columns_of(&roles) else {
+        return;
+    };
+    let angles = at.map(|index| columns.list[index].inner().unwrap_or_default());
+    let rows = columns.rows();
+    let mut parts = [const { Vec::new() }; 4];
+    for row in 0..rows {
+        let three = angles
+            .each_ref()
+            .map(|values| values.get(row).copied().unwrap_or(f64::NAN));
+        let q = if three.iter().all(|angle| angle.is_finite()) {
+            let q = convention.orientation(three, by_axis);
+            [q.w, q.i, q.j, q.k]
+        } else {
+            [f64::NAN; 4]
+        };
+        for (part, value) in parts.iter_mut().zip(q) {
+            part.push(value);
+        }
+    }
+    columns
+        .list
+        .retain(|column| !matches!(column.role, Role::Turn(..)));
+    for (part, values) in parts.into_iter().enumerate() {
+        let mut made = Column::made(Quantity::Orientation(part), Unit::Fixed, Vec::new());
+        made.cells = Cells::Numbers(values);
+        columns.put(made);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rotation matrix as a textbook has it.
+    fn matrix(axis: usize, angle: f64) -> nalgebra::Matrix3<f64> {
+        let (s, c) = angle.sin_cos();
+        let m = match axis {
+            0 => [1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c],
+            1 => [c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c],
+            _ => [c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0],
+        };
+        nalgebra::Matrix3::from_row_slice(&m)
+    }
+
+    fn known(answer: &str) -> Convention {
+        match read(answer) {
+            Answer::Known(convention) => convention,
+            other => panic!("{answer}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn each_convention_is_the_product_that_its_note_says() {
+        let [a, b, c] = [0.3, -0.7, 1.1];
+        for (answer, by_axis, product) in [
+            (
+                "xyz-fixed",
+                true,
+                matrix(2, c) * matrix(1, b) * matrix(0, a),
+            ),
+            ("rpy", true, matrix(2, c) * matrix(1, b) * matrix(0, a)),
+            (
+                "zyx-moving",
+                true,
+                matrix(2, c) * matrix(1, b) * matrix(0, a),
+            ),
+            (
+                "xyz-moving",
+                true,
+                matrix(0, a) * matrix(1, b) * matrix(2, c),
+            ),
+            (
+                "zyx-moving",
+                false,
+                matrix(2, a) * matrix(1, b) * matrix(0, c),
+            ),
+            (
+                "zyz-moving",
+                true,
+                matrix(2, a) * matrix(1, b) * matrix(2, c),
+            ),
+            (
+                "ZYZ fixed",
+                false,
+                matrix(2, c) * matrix(1, b) * matrix(2, a),
+            ),
+        ] {
+            let q = known(answer).orientation([a, b, c], by_axis);
+            let off = (q.to_rotation_matrix().into_inner() - product).norm();
+            assert!(off < 1e-14, "{answer}: {off}");
+        }
+        let turned = known("rotvec").orientation([0.0, 0.0, 0.5], true);
+        assert!((turned.to_rotation_matrix().into_inner() - matrix(2, 0.5)).norm() < 1e-14);
+    }
+
+    #[test]
+    fn an_order_alone_and_an_order_that_is_none_are_not_taken() {
+        assert_eq!(read("zyx"), Answer::Axes("zyx".to_owned()));
+        for wrong in ["xxy", "xy", "xyzz", "abc", "xyz-sideways", ""] {
+            assert_eq!(read(wrong), Answer::Wrong, "{wrong}");
+        }
+    }
+}
