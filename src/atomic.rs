@@ -212,7 +212,7 @@ pub(crate) fn commit_both(first: Prepared, second: Prepared) -> Result<(), Write
     let _turn = turn_of(folder);
     let mut list = List::locked();
     // A second name for the old content; it vanishes when it is dropped.
-    let old = Builder::new()
+    let mut old = Builder::new()
         .prefix(&unfinished::prefix())
         .suffix(".old")
         .make_in(folder, |path| fs::hard_link(&first_path, path))
@@ -227,13 +227,15 @@ pub(crate) fn commit_both(first: Prepared, second: Prepared) -> Result<(), Write
     if committed.is_ok() {
         committed = second.named(&mut list);
         if committed.is_err() {
-            match old {
+            match old.take() {
                 Some(old) => drop(old.into_temp_path().persist(&first_path)),
                 None if !existed => drop(fs::remove_file(&first_path)),
                 None => {}
             }
         }
     }
+    // Gone before it is forgotten, and forgotten before the program may end.
+    drop(old);
     if let Some(path) = &old_path {
         list.forget(path);
     }

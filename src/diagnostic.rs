@@ -252,7 +252,10 @@ mod tests {
         let few = summarised(findings.clone());
         assert_eq!(few.len(), MOST_FINDINGS + 2);
         assert_eq!(few[MOST_FINDINGS].severity, Severity::Error);
-        assert_eq!(few[MOST_FINDINGS + 1].to_string(), "a: 99800 more notes like these");
+        assert_eq!(
+            few[MOST_FINDINGS + 1].to_string(),
+            "a: 99800 more notes like these"
+        );
         assert_eq!(summarised(findings[..10].to_vec()), findings[..10]);
     }
 

@@ -24,6 +24,7 @@ use std::borrow::Cow;
 
 use crate::answers::identification::FULL_MODEL;
 use crate::compensation::decision::{Fitted, Measured};
+use crate::compensation::{Verification, VerifyError};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find};
@@ -36,8 +37,8 @@ use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Writt
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Session, hash_of_samples};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
+use crate::standards::Standards;
 
-pub use crate::compensation::verify;
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
 pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
@@ -50,7 +51,6 @@ pub use crate::sessions::{
     write_inline,
 };
 pub use crate::simulation::{load_scenario, simulate};
-pub use crate::standards::standards;
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,6 +107,7 @@ pub fn identify_unless(
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<(Identification, Calibration), IdentifyError> {
+    let session = &*session.whole()?;
     let identification = match method {
         Method::Exact {
             effects,
@@ -165,6 +166,7 @@ pub fn identify_checked(
     method: &Method,
     values: JointValues,
 ) -> Result<Identified, IdentifyError> {
+    let session = &*session.whole()?;
     let checked = match method {
         Method::Exact { .. } => noticed(session, values),
         Method::Regional(_) => Mended {
@@ -191,7 +193,28 @@ pub fn diagnose(
     options: &Options,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
+    let session = &*session.whole()?;
     crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
+}
+
+/// What a model brings on a session.
+///
+/// # Errors
+/// See [`VerifyError`].
+pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
+    crate::compensation::verify(calibration, &*session.whole()?)
+}
+
+/// Accuracy and repeatability as ISO 230-2 and ISO 9283 have them, as measured and with the model's
+/// corrections where there is one.
+///
+/// # Errors
+/// See [`VerifyError`].
+pub fn standards(
+    session: &Session,
+    calibration: Option<&Calibration>,
+) -> Result<Standards, VerifyError> {
+    crate::standards::standards(&*session.whole()?, calibration)
 }
 
 /// Makes the documents of an export in the format of this name, in memory.
@@ -233,7 +256,7 @@ pub fn report_of_diagnosis(
     options: &Options,
     extras: &Extras,
 ) -> Result<Report, ReportError> {
-    let mut session = Cow::Borrowed(session);
+    let mut session = session.whole().map_err(DiagnoseError::from)?;
     if let Some(tolerance_mm) = extras.details.tolerance_mm {
         session.to_mut().tolerance_mm = Some(tolerance_mm);
     }

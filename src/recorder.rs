@@ -516,7 +516,10 @@ mod tests {
             recorder.take(piece, u64::MAX).unwrap();
             said += recorder.complaints().len();
         }
-        assert_eq!((recorder.recorded(), recorder.refused(), said), (1, 100_000, 20));
+        assert_eq!(
+            (recorder.recorded(), recorder.refused(), said),
+            (1, 100_000, 20)
+        );
     }
 
     #[test]

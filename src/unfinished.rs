@@ -121,7 +121,11 @@ mod tests {
         let dead = format!("{PREFIX}4194305-abc.tmp");
         let held = format!("{PREFIX}4194306-abc.tmp");
         let own = format!("{}abc.tmp", prefix());
-        let others = [".truepose-abc.tmp", ".truepose-4194305-abc.csv", "4194305-a.tmp"];
+        let others = [
+            ".truepose-abc.tmp",
+            ".truepose-4194305-abc.csv",
+            "4194305-a.tmp",
+        ];
         for name in others.iter().copied().chain([&*dead, &held, &own]) {
             fs::write(path(name), "x").unwrap();
         }

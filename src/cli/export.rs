@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use serde_json::json;
 
 use crate::export::{
     EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gap_after_export,
@@ -52,6 +53,9 @@ pub(crate) struct Export {
     /// Replace files that exist
     #[arg(long)]
     force: bool,
+    /// Print one JSON document that says what was written
+    #[arg(long)]
+    json: bool,
 }
 
 /// What belongs to a name in a list.
@@ -78,6 +82,7 @@ impl Export {
             )));
         }
         let to_stdout = output::is_standard_output(Some(&self.out));
+        output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
         let reference = self.read_reference()?;
         let options = self.options(
             reference
@@ -137,6 +142,16 @@ impl Export {
             }
         }
         output::messages(&notes);
+        if self.json {
+            return output::json(&json!({
+                "format": "truepose-exported/1",
+                "model": self.model,
+                "to": self.to,
+                "joint": self.joint,
+                "files": places,
+                "notes": notes,
+            }));
+        }
         Ok(())
     }
 

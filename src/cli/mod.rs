@@ -122,7 +122,9 @@ fn end_at_signals() -> std::io::Result<()> {
 
     // What a shell has this program ignore (in the background, say) stays ignored.
     let ignored = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = ignored.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"));
     let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
     let heard = |signal: &i32| ignored.unwrap_or(0) >> (signal - 1) & 1 == 0;
     let mut signals = Signals::new([SIGINT, SIGTERM].into_iter().filter(heard))?;

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Args;
+use serde_json::json;
 
 use crate::recorder::live::{End, Standing, State, connected, record};
 use crate::recorder::source::{Address, Connection};
@@ -35,11 +36,16 @@ pub(crate) struct Record {
     /// Replace a file that exists
     #[arg(long)]
     force: bool,
+    /// Print one JSON document at the end of the stream, or after --lines
+    #[arg(long)]
+    json: bool,
 }
 
 impl Record {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        if !output::is_standard_output(Some(&self.out)) {
+        let to_stdout = output::is_standard_output(Some(&self.out));
+        output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
+        if !to_stdout {
             output::can_be_written(&self.out, self.force)?;
         }
         let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
@@ -77,6 +83,15 @@ impl Record {
                 "{}: the stream ended without a measurement; expected lines of text",
                 self.source
             )));
+        }
+        if self.json {
+            return output::json(&json!({
+                "format": "truepose-recorded/1",
+                "source": self.source,
+                "file": self.out,
+                "lines": recorder.recorded(),
+                "left_out": recorder.refused(),
+            }));
         }
         Ok(())
     }

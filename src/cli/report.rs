@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::json;
 
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fonts;
@@ -37,6 +38,9 @@ pub(crate) struct Report {
     /// Replace the file if it exists
     #[arg(long)]
     force: bool,
+    /// Print one JSON document that says what was written
+    #[arg(long)]
+    json: bool,
 }
 
 impl Report {
@@ -80,7 +84,17 @@ impl Report {
         if !written.unshown.is_empty() {
             output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
         }
-        output::document(&self.out, &written.bytes, self.force, &inputs)
+        output::document(&self.out, &written.bytes, self.force, &inputs)?;
+        if self.json {
+            return output::json(&json!({
+                "format": "truepose-reported/1",
+                "of": self.file,
+                "file": self.out,
+                "bytes": written.bytes.len(),
+                "letters_without_a_font": written.unshown.iter().collect::<String>(),
+            }));
+        }
+        Ok(())
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::Args;
+use serde_json::json;
 
 use crate::pipeline::{load_scenario, save, simulate, write_inline};
 use crate::sessions::{Replacing, samples_path};
@@ -29,6 +30,9 @@ pub(crate) struct Simulate {
     /// Replace files that exist
     #[arg(long)]
     force: bool,
+    /// Print one JSON document that says what was written
+    #[arg(long)]
+    json: bool,
 }
 
 impl Simulate {
@@ -36,6 +40,8 @@ impl Simulate {
         let to_stdout = self.out.as_os_str() == "-";
         let truth_to_stdout = self.truth.as_ref().is_some_and(|t| t.as_os_str() == "-");
         output::one_use_of_standard_output(to_stdout, truth_to_stdout, "--out -", "--truth -")?;
+        output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
+        output::one_use_of_standard_output(truth_to_stdout, self.json, "--truth -", "--json")?;
         let loaded = load_scenario(&self.scenario)?;
         output::messages(&loaded.findings);
         let scenario = loaded.scenario;
@@ -58,6 +64,7 @@ impl Simulate {
                 output::can_be_written(path, self.force)?;
             }
         }
+        let mut samples_file = None;
         if to_stdout {
             let mut stdout = std::io::stdout().lock();
             write_inline(&session, &mut stdout).context("cannot write to standard output")?;
@@ -66,10 +73,21 @@ impl Simulate {
                 force: self.force,
                 inputs: &inputs,
             };
-            save(&session, &self.out, replacing)?;
+            samples_file = Some(save(&session, &self.out, replacing)?);
         }
         if let Some(path) = &self.truth {
             output::document(path, truth.to_json().as_bytes(), self.force, &loaded.files)?;
+        }
+        if self.json {
+            return output::json(&json!({
+                "format": "truepose-simulated/1",
+                "session": session.name,
+                "file": self.out,
+                "samples_file": samples_file,
+                "samples": session.samples.len(),
+                "seed": seed,
+                "truth": self.truth,
+            }));
         }
         Ok(())
     }

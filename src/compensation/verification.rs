@@ -97,6 +97,9 @@ pub enum VerifyError {
         "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
     )]
     NothingToVerify,
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    #[error(transparent)]
+    Rejected(#[from] crate::diagnostic::Rejected),
 }
 
 /// Compares a session with a calibration.

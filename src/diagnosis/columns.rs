@@ -166,7 +166,11 @@ impl Columns {
         let group = &self.groups[self.group(first)];
         let at = first - group.first;
         at + count <= group.values.ncols()
-            && group.values.columns(at, count).iter().all(|v| v.is_finite())
+            && group
+                .values
+                .columns(at, count)
+                .iter()
+                .all(|v| v.is_finite())
     }
 
     /// Number of measured rows.

@@ -147,6 +147,9 @@ pub enum DiagnoseError {
         "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
     )]
     NothingToFit,
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    #[error(transparent)]
+    Rejected(#[from] crate::diagnostic::Rejected),
     /// The watcher asked to stop.
     #[error("stopped")]
     Cancelled,

@@ -74,6 +74,14 @@ impl Limit {
     }
 }
 
+/// A number that may have hundreds of digits.
+pub(crate) fn short(value: f64) -> String {
+    if value.abs() < 1e15 && value.abs() > 1e-6 {
+        return value.to_string();
+    }
+    format!("{value:e}")
+}
+
 /// A limit with its digits grouped.
 fn plain(limit: f64) -> String {
     let mut text = format!("{limit}");
@@ -89,7 +97,7 @@ fn walk(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, limit: Option<Lim
     match &node.value {
         Value::Number(value) => {
             if let Some(expected) = limit.and_then(|limit| limit.refusal(*value)) {
-                fields.error(node.at, path, value.to_string(), expected);
+                fields.error(node.at, path, short(*value), expected);
             }
         }
         Value::Numbers(values) => {
@@ -98,7 +106,7 @@ fn walk(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, limit: Option<Lim
             let wrong = wrong.filter_map(|(k, v)| limit.refusal(*v).map(|expected| (k, expected)));
             if let Some((index, expected)) = wrong.take(1).next() {
                 let place = fields.element_place(node.at, path, index);
-                let found = values[index].to_string();
+                let found = short(values[index]);
                 fields
                     .findings
                     .push(crate::diagnostic::Diagnostic::error(place, found, expected));
@@ -139,7 +147,10 @@ mod tests {
             (r#"{"a_mm": -1e160}"#, "a_mm"),
             (r#"{"b": {"position_mm": [1, 2e7, 3]}}"#, "b.position_mm[1]"),
             (r#"{"targets": {"T1": [0, 1e8, 0]}}"#, "targets.T1[1]"),
-            (r#"{"joints": [{"limits": [-1e7, 3]}]}"#, "joints[0].limits[0]"),
+            (
+                r#"{"joints": [{"limits": [-1e7, 3]}]}"#,
+                "joints[0].limits[0]",
+            ),
             (r#"{"from_deg": 1000001}"#, "from_deg"),
             (r#"{"sigma_mm": 1e-200}"#, "sigma_mm"),
         ] {
@@ -148,6 +159,9 @@ mod tests {
             assert!(found[0].contains(place), "{text}: {found:?}");
         }
         let found = says(r#"{"a_mm": 1e160}"#);
-        assert!(found[0].ends_with("a number of at most 10 000 000"), "{found:?}");
+        assert!(
+            found[0].ends_with("a number of at most 10 000 000"),
+            "{found:?}"
+        );
     }
 }

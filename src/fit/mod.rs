@@ -54,6 +54,9 @@ pub enum IdentifyError {
     /// The regions make no sense.
     #[error("{0}")]
     Regions(#[from] crate::sessions::division::RegionError),
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    #[error(transparent)]
+    Rejected(#[from] crate::diagnostic::Rejected),
     /// Whoever asked does not want the answer any more.
     #[error("the identification was cancelled")]
     Cancelled,

@@ -119,7 +119,10 @@ const LARGEST_SUM_MM: f64 = LARGEST_LENGTH_MM * MOST_JOINTS as f64;
 
 /// Written so that a NaN is refused too.
 fn is_within_reach(pose: &Pose) -> bool {
-    pose.translation.vector.iter().all(|x| x.abs() <= LARGEST_SUM_MM)
+    pose.translation
+        .vector
+        .iter()
+        .all(|x| x.abs() <= LARGEST_SUM_MM)
         && pose.rotation.coords.iter().all(|x| x.is_finite())
 }
 

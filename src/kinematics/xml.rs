@@ -16,7 +16,7 @@ use crate::guard;
 /// Files larger than this, in bytes, are no robot descriptions.
 const LARGEST_FILE: u64 = 64 << 20;
 /// Documents with more elements, attributes and texts than this are no robot descriptions.
-const MOST_NODES: u32 = 1_000_000;
+const MOST_NODES: u32 = 300_000;
 /// So many files may be included.
 const MOST_FILES: usize = 64;
 
@@ -388,7 +388,8 @@ pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
 /// The included file `name` of a document in `folder`: a file there or below.
 pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
     let path = guard::below(folder, name, "the folder of the document")?;
-    let text = read_text(&path).map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
+    let text =
+        read_text(&path).map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
     Ok((path, text))
 }
 

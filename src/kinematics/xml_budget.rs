@@ -137,7 +137,8 @@ mod tests {
 
     #[test]
     fn attributes_namespaces_and_entities_have_limits() {
-        let many = |one: &dyn Fn(usize) -> String, count: usize| (0..count).map(one).collect::<String>();
+        let many =
+            |one: &dyn Fn(usize) -> String, count: usize| (0..count).map(one).collect::<String>();
         let attributes = format!("<a {}/>", many(&|k| format!("a{k}='' "), 1001));
         let namespaces = many(&|k| format!("<a xmlns:a='u{k}'/>"), 1001);
         let long = format!("<!DOCTYPE r [<!ENTITY a '{}'>]><r/>", "x".repeat(1 << 17));

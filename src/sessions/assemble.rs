@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
+use crate::document::ranges::short;
 use crate::kinematics::Joint;
 use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
@@ -262,7 +263,7 @@ impl Column<'_> {
             locate: self.locate,
             findings: &mut *self.findings,
         };
-        let found = |row: usize| (values[row] / factor).to_string();
+        let found = |row: usize| short(values[row] / factor);
         column.complain(&rows, &found, range.expected);
     }
 
@@ -284,12 +285,10 @@ impl Column<'_> {
         let known: Vec<Option<u32>> = cells
             .list
             .iter()
-            .map(|name| {
-                match places.get(name.as_str()) {
-                    Some(index) => Some(*index),
-                    None if name.is_empty() && only_one => Some(0),
-                    None => None,
-                }
+            .map(|name| match places.get(name.as_str()) {
+                Some(index) => Some(*index),
+                None if name.is_empty() && only_one => Some(0),
+                None => None,
             })
             .collect();
         let of = |row: usize| cells.index[row] as usize;

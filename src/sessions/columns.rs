@@ -166,10 +166,9 @@ impl Quantity {
                 rad_from_deg(LARGEST_JOINT_VALUE),
                 "a joint value of at most 1 000 000°",
             ),
-            Self::Commanded(_) | Self::ReadBack(_) => (
-                LARGEST_JOINT_VALUE,
-                "a joint value of at most 1 000 000 mm",
-            ),
+            Self::Commanded(_) | Self::ReadBack(_) => {
+                (LARGEST_JOINT_VALUE, "a joint value of at most 1 000 000 mm")
+            }
             Self::X | Self::Y | Self::Z | Self::Distance => {
                 (LARGEST_LENGTH_MM, "a length of at most 10 000 000 mm")
             }

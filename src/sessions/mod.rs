@@ -11,6 +11,7 @@
 //! `domain`; they know nothing of files.
 
 pub(crate) mod assemble;
+mod built;
 pub(crate) mod bundled;
 pub(crate) mod cells;
 pub(crate) mod columns;
@@ -39,6 +40,7 @@ pub(crate) mod validation;
 mod watched;
 
 pub use crate::atomic::WriteError;
+pub use built::SessionBuilder;
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,

@@ -30,7 +30,11 @@ pub(crate) fn indices(
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
         0 => format!("{what} of the session, which declares none"),
-        _ => format!("{} of the session: {}", what, first_of(declared.iter().copied())),
+        _ => format!(
+            "{} of the session: {}",
+            what,
+            first_of(declared.iter().copied())
+        ),
     };
     for row in wrong.take(MOST_COMPLAINTS) {
         let name = quoted(&cells.list[of(row)]);

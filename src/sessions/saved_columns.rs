@@ -83,7 +83,7 @@ impl Serialize for Values<'_> {
 
 impl Samples {
     /// The numbers of a column, where there are any.
-    fn numbers(&self, quantity: Quantity) -> Option<&[f64]> {
+    pub(crate) fn numbers(&self, quantity: Quantity) -> Option<&[f64]> {
         fn of_joint(columns: &[Option<Vec<f64>>], joint: usize) -> Option<&[f64]> {
             columns.get(joint)?.as_deref()
         }

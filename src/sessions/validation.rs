@@ -19,6 +19,7 @@ const NAMED: usize = 8;
 pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     robot(&session.robot, file, &mut findings);
+    sizes(session, file, &mut findings);
     regions(session, file, &mut findings);
     instrument(session, file, &mut findings);
     targets(session, file, &mut findings);
@@ -59,6 +60,38 @@ pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>)
                 "a name of its own for each joint",
             ));
         }
+    }
+}
+
+/// What a fit has parameters for is counted: its equations grow with the square of their number.
+fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let references = &session.instrument.references;
+    let setups = session.samples.setups.as_ref();
+    let setups = setups.map_or(0, |setups| setups.names.len());
+    for (field, what, count, most) in [
+        ("setup", "setups", setups, 300),
+        ("targets", "targets", session.targets.len(), 1_000_000),
+        ("anchors", "anchors", references.anchors.len(), 600),
+        ("stations", "stations", references.stations.len(), 300),
+        ("planes", "planes", references.planes.len(), 600),
+        ("sockets", "sockets", references.sockets.len(), 600),
+    ] {
+        if count > most {
+            findings.push(Diagnostic::error(
+                file.clone().in_field(field),
+                format!("{count} {what}"),
+                format!("at most {most} {what} in one session"),
+            ));
+        }
+    }
+    // An arm's targets are parameters of its fit.
+    let (targets, most) = (session.targets.len(), 600);
+    if targets > most && session.robot.joints.len() > 1 {
+        findings.push(Diagnostic::error(
+            file.clone().in_field("targets"),
+            format!("{targets} targets of a robot with several joints"),
+            format!("at most {most} targets in one session"),
+        ));
     }
 }
 

@@ -39,6 +39,7 @@ mod house;
 mod imports;
 mod installed;
 mod kinematics_reference;
+mod limits;
 mod observations;
 mod observed_poses;
 mod paper;

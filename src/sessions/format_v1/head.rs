@@ -7,8 +7,8 @@ use super::robot::ROBOT;
 use super::{DEFAULT_TARGET, FORMAT};
 use crate::document::kinds::{DEGREES, TEXT, point, positive};
 use crate::document::number::quoted;
-use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
+use crate::document::ranges;
 use crate::document::{Fields, Member, Node, Path, Value, degrees};
 use crate::kinematics::Robot;
 use crate::sessions::domain::{

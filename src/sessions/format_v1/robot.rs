@@ -10,8 +10,8 @@ use crate::diagnostic::Diagnostic;
 use crate::document::Value;
 use crate::document::degrees;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point, wxyz};
-use crate::document::ranges;
 use crate::document::object::{At, Kind, Object, written};
+use crate::document::ranges;
 use crate::kinematics::{
     Axis, DescriptionFormat, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
     RobotSource,

@@ -1,0 +1,728 @@
+//! Sessions that a program makes of its own numbers, checked as files are.
+//!
+//! [`Session::new`] takes what every session has, [`Session::builder`] everything else. Both refuse what a
+//! file would be refused for, each problem with the name of its field, so that what they return can be
+//! given to everything in this library. A [`Session`] that was filled in field by field goes through
+//! [`Session::checked`].
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use nalgebra::{Point3, UnitQuaternion};
+
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::document::ranges::short;
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target};
+use crate::sessions::format_v1::head::default_targets;
+use crate::sessions::validation;
+
+impl Session {
+    /// A session of measured points. `q` has the commanded joint values of each sample, rad or mm, one a
+    /// joint; `points_mm` where the tool's origin was measured, in the base frame, mm.
+    ///
+    /// ```
+    /// use nalgebra::{Point3, Vector3};
+    /// use truepose::diagnosis::Options;
+    /// use truepose::effects::JointValues;
+    /// use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot, RobotSource};
+    /// use truepose::pipeline::{Method, diagnose, identify};
+    /// use truepose::sessions::Session;
+    ///
+    /// // The robot as its controller believes it to be: one axis, the tool 250 mm away from it.
+    /// let axis = Axis::through(Vector3::z(), Point3::origin())?;
+    /// let robot = Robot {
+    ///     name: "turntable".to_owned(),
+    ///     joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
+    ///     base_from_tool: Pose::translation(250.0, 0.0, 300.0),
+    ///     gravity_m_s2: None,
+    ///     source: RobotSource::Axes,
+    /// };
+    /// // Where it was sent, and where it was seen: half a degree farther.
+    /// let q: Vec<[f64; 1]> = (-40..=40).map(|k| [0.03 * f64::from(k)]).collect();
+    /// let off = 0.5_f64.to_radians();
+    /// let seen = q.iter().map(|[q]| Point3::new(250.0 * (q + off).cos(), 250.0 * (q + off).sin(), 300.0));
+    /// let points: Vec<Point3<f64>> = seen.collect();
+    ///
+    /// let session = Session::new(robot, &q, &points)?;
+    /// let (found, _) = identify(&session, &Method::default(), JointValues::Commanded)?;
+    /// assert!((found.parameters[0].value - 0.5).abs() < 1e-9);
+    /// let answer = diagnose(&session, &Options::default(), &|_| true)?;
+    /// assert_eq!(answer.verdict.name(), "noise");
+    ///
+    /// // What is wrong is said as of a file: a point fewer than joint values.
+    /// let refused = Session::new(session.robot.clone(), &q, &points[1..]).unwrap_err();
+    /// assert!(refused.to_string().contains("80 points"), "{refused}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Rejected`] with every problem.
+    pub fn new<Q: AsRef<[f64]>>(
+        robot: Robot,
+        q: &[Q],
+        points_mm: &[Point3<f64>],
+    ) -> Result<Self, Rejected> {
+        Self::builder(robot, q).points_mm(points_mm).build()
+    }
+
+    /// A session of these commanded joint values, to which what was measured is added.
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot, RobotSource};
+    /// use truepose::sessions::Session;
+    /// # let axis = Axis::through(Vector3::z(), Point3::origin())?;
+    /// # let robot = Robot { name: "r".to_owned(), joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
+    /// #     base_from_tool: Pose::translation(250.0, 0.0, 300.0), gravity_m_s2: None, source: RobotSource::Axes };
+    /// let session = Session::builder(robot, &[[0.0], [0.1]])
+    ///     .name("first try")
+    ///     .target("T1", Point3::origin())
+    ///     .target("T2", Point3::new(100.0, 0.0, 0.0))
+    ///     .points_mm(&[Point3::new(250.0, 0.0, 300.0), Point3::new(348.0, 35.0, 300.0)])
+    ///     .seen_target(&["T1", "T2"])
+    ///     .directions(&[[1.0], [-1.0]])
+    ///     .sigma_mm(0.03)
+    ///     .build()?;
+    /// assert_eq!(session.samples.len(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn builder<Q: AsRef<[f64]>>(robot: Robot, q: &[Q]) -> SessionBuilder {
+        SessionBuilder::new(robot, q)
+    }
+
+    /// The session, completed by what may be left out (a target, columns that were not recorded).
+    ///
+    /// # Errors
+    /// [`Rejected`] with everything for which a file would be refused.
+    pub fn checked(mut self) -> Result<Self, Rejected> {
+        complete(&mut self);
+        let mut findings = inconsistent(&self);
+        if findings.is_empty() {
+            findings = out_of_range(&self);
+        }
+        if findings.is_empty() {
+            findings = validation::findings(&self, &Place::default());
+        }
+        let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+        if findings.iter().any(is_error) {
+            findings.retain(is_error);
+            return Err(Rejected::of(findings));
+        }
+        Ok(self)
+    }
+
+    /// The session itself where it is whole, as one that was read is; else completed.
+    ///
+    /// # Errors
+    /// [`Rejected`] where it cannot be computed with.
+    pub(crate) fn whole(&self) -> Result<Cow<'_, Self>, Rejected> {
+        let mut whole = Cow::Borrowed(self);
+        if lacks_columns(self) {
+            complete(whole.to_mut());
+        }
+        let mut findings = inconsistent(&whole);
+        findings.extend(whole.robot.out_of_range(&Place::default()));
+        if findings.is_empty() {
+            Ok(whole)
+        } else {
+            Err(Rejected::of(findings))
+        }
+    }
+}
+
+/// Columns for each joint that every session has, even where nothing was recorded.
+fn lacks_columns(session: &Session) -> bool {
+    let joints = session.robot.joints.len();
+    let samples = &session.samples;
+    let columns = [&samples.q_read, &samples.dir, &samples.speed];
+    session.targets.is_empty() || columns.iter().any(|columns| columns.is_empty()) && joints > 0
+}
+
+fn complete(session: &mut Session) {
+    let joints = session.robot.joints.len();
+    let samples = &mut session.samples;
+    for columns in [&mut samples.q_read, &mut samples.dir, &mut samples.speed] {
+        if columns.is_empty() {
+            columns.resize(joints, None);
+        }
+    }
+    if session.targets.is_empty() {
+        session.targets = default_targets();
+    }
+}
+
+fn error(field: &str, found: String, expected: String) -> Diagnostic {
+    Diagnostic::error(Place::default().in_field(field), found, expected)
+}
+
+/// Columns of another length than the others, and indices of what is not declared.
+fn inconsistent(session: &Session) -> Vec<Diagnostic> {
+    let (samples, joints) = (&session.samples, session.robot.joints.len());
+    let rows = samples.x_mm.len();
+    let mut findings = Vec::new();
+    if joints == 0 {
+        let expected = "at least one joint".to_owned();
+        findings.push(error("robot.joints", "no joints".to_owned(), expected));
+    }
+    for (field, count) in [
+        ("samples.q", samples.q.len()),
+        ("samples.q_read", samples.q_read.len()),
+        ("samples.dir", samples.dir.len()),
+        ("samples.speed", samples.speed.len()),
+    ] {
+        if count != joints {
+            let expected = format!("{joints}, one for each joint");
+            findings.push(error(field, format!("{count} columns"), expected));
+        }
+    }
+    for (field, count) in [
+        ("samples.torque_nm", samples.torque_nm.len()),
+        (
+            "samples.joint_temperature_c",
+            samples.joint_temperature_c.len(),
+        ),
+    ] {
+        if count > joints {
+            let expected = format!("at most {joints}, one for each joint");
+            findings.push(error(field, format!("{count} columns"), expected));
+        }
+    }
+    for (field, length) in lengths(samples) {
+        if length != rows {
+            let expected = format!("{rows}, as many as points (x_mm)");
+            findings.push(error(field, format!("{length} values"), expected));
+        }
+    }
+    let (targets, references) = (&session.targets, &session.instrument.references);
+    let observed = &samples.observed;
+    let beyond = |index: &Option<Vec<Option<u32>>>, count: usize| {
+        index
+            .iter()
+            .flatten()
+            .flatten()
+            .any(|k| *k as usize >= count)
+    };
+    let target = samples.target.iter().flatten();
+    let setups = samples.setups.as_ref();
+    for (field, wrong) in [
+        (
+            "samples.target",
+            target.copied().any(|k| k as usize >= targets.len()),
+        ),
+        (
+            "samples.setups",
+            setups.is_some_and(|s| s.index.iter().any(|k| *k as usize >= s.names.len())),
+        ),
+        (
+            "samples.observed.anchor",
+            beyond(&observed.anchor, references.anchors.len()),
+        ),
+        (
+            "samples.observed.station",
+            beyond(&observed.station, references.stations.len()),
+        ),
+        (
+            "samples.observed.plane",
+            beyond(&observed.plane, references.planes.len()),
+        ),
+        (
+            "samples.observed.socket",
+            beyond(&observed.socket, references.sockets.len()),
+        ),
+    ] {
+        if wrong {
+            let found = "an index of nothing that is declared".to_owned();
+            findings.push(error(field, found, "indices that count from 0".to_owned()));
+        }
+    }
+    findings
+}
+
+/// Every column that there is, with its number of values.
+fn lengths(samples: &Samples) -> Vec<(&'static str, usize)> {
+    let mut all = vec![("samples.y_mm", samples.y_mm.len())];
+    all.extend(samples.q.iter().map(|column| ("samples.q", column.len())));
+    let mut add = |field: &'static str, column: Option<&Vec<f64>>| {
+        all.extend(column.map(|column| (field, column.len())));
+    };
+    for (field, columns) in [
+        ("samples.q_read", &samples.q_read),
+        ("samples.dir", &samples.dir),
+        ("samples.speed", &samples.speed),
+        ("samples.torque_nm", &samples.torque_nm),
+        ("samples.joint_temperature_c", &samples.joint_temperature_c),
+    ] {
+        columns
+            .iter()
+            .for_each(|column| add(field, column.as_ref()));
+    }
+    let observed = &samples.observed;
+    for (field, column) in [
+        ("samples.z_mm", &samples.z_mm),
+        ("samples.load_kg", &samples.load_kg),
+        ("samples.temperature_c", &samples.temperature_c),
+        ("samples.time_s", &samples.time_s),
+        ("samples.observed.distance_mm", &observed.distance_mm),
+        ("samples.observed.azimuth", &observed.azimuth),
+        ("samples.observed.elevation", &observed.elevation),
+    ] {
+        add(field, column.as_ref());
+    }
+    for part in samples.orientation_wxyz.iter().flatten() {
+        add("samples.orientation_wxyz", Some(part));
+    }
+    let counted = |field, length: Option<usize>| length.map(|length| (field, length));
+    let setups = samples.setups.as_ref().map(|setups| setups.index.len());
+    all.extend(
+        [
+            counted("samples.target", samples.target.as_ref().map(Vec::len)),
+            counted("samples.setups", setups),
+            counted("samples.held_out", samples.held_out.as_ref().map(Vec::len)),
+            counted("samples.excluded", samples.excluded.as_ref().map(Vec::len)),
+            counted(
+                "samples.observed.anchor",
+                observed.anchor.as_ref().map(Vec::len),
+            ),
+            counted(
+                "samples.observed.station",
+                observed.station.as_ref().map(Vec::len),
+            ),
+            counted(
+                "samples.observed.plane",
+                observed.plane.as_ref().map(Vec::len),
+            ),
+            counted(
+                "samples.observed.socket",
+                observed.socket.as_ref().map(Vec::len),
+            ),
+        ]
+        .into_iter()
+        .flatten(),
+    );
+    all.extend(
+        samples
+            .unknown
+            .iter()
+            .map(|c| ("samples.unknown", c.cells.len())),
+    );
+    all
+}
+
+/// Numbers beyond any robot's range; a missing value is NaN, and nothing is infinite.
+fn out_of_range(session: &Session) -> Vec<Diagnostic> {
+    let joints = &session.robot.joints;
+    let mut findings = Vec::new();
+    for quantity in Quantity::all(joints.len()) {
+        let unit = match quantity {
+            Quantity::Commanded(joint) | Quantity::ReadBack(joint)
+                if joints[joint].kind == JointKind::Revolute =>
+            {
+                Unit::Angle(1.0)
+            }
+            _ => Unit::Fixed,
+        };
+        let range = quantity.range(unit);
+        let values = session.samples.numbers(quantity).unwrap_or_default();
+        if let Some(row) = values.iter().position(|value| value.abs() > range.largest) {
+            let field = quantity.heading(Some(quantity.written_in(joints)));
+            let found = format!("sample {}: {}", row + 1, short(values[row]));
+            findings.push(error(&field, found, range.expected.to_owned()));
+        }
+    }
+    for target in &session.targets {
+        if !target
+            .position_mm
+            .iter()
+            .all(|x| x.abs() <= crate::units::LARGEST_LENGTH_MM)
+        {
+            let found = "a position that is not finite or too large".to_owned();
+            let expected = "three lengths of at most 10 000 000 mm".to_owned();
+            findings.push(error(&format!("targets.{}", target.name), found, expected));
+        }
+    }
+    findings
+}
+
+/// Gathers what a session is made of; see [`Session::builder`]. Every list has one entry for each sample.
+#[derive(Debug, Clone)]
+pub struct SessionBuilder {
+    session: Session,
+    rows: usize,
+    wrong: Vec<Diagnostic>,
+    seen: Vec<String>,
+}
+
+impl SessionBuilder {
+    fn new<Q: AsRef<[f64]>>(robot: Robot, q: &[Q]) -> Self {
+        let joints = robot.joints.len();
+        let rows = q.len();
+        let mut new = Self {
+            session: Session {
+                name: "session".to_owned(),
+                note: String::new(),
+                robot,
+                targets: Vec::new(),
+                instrument: Instrument::default(),
+                tolerance_mm: None,
+                regions: Vec::new(),
+                compensated_by: None,
+                samples: Samples {
+                    x_mm: vec![f64::NAN; rows],
+                    y_mm: vec![f64::NAN; rows],
+                    z_mm: Some(vec![f64::NAN; rows]),
+                    ..Samples::default()
+                },
+                path: None,
+            },
+            rows,
+            wrong: Vec::new(),
+            seen: Vec::new(),
+        };
+        let columns = new.by_joint("q", joints, q);
+        new.session.samples.q = columns;
+        new
+    }
+
+    /// Columns of rows, one value for each joint.
+    fn by_joint<Q: AsRef<[f64]>>(
+        &mut self,
+        field: &str,
+        joints: usize,
+        rows: &[Q],
+    ) -> Vec<Vec<f64>> {
+        self.count(field, rows.len(), "rows");
+        let mut columns = vec![Vec::with_capacity(rows.len()); joints];
+        for (sample, row) in rows.iter().enumerate() {
+            let row = row.as_ref();
+            if row.len() != joints {
+                let found = format!("sample {}: {} values", sample + 1, row.len());
+                let expected = format!("{joints}, one for each joint");
+                self.wrong.push(error(field, found, expected));
+                return vec![vec![f64::NAN; self.rows]; joints];
+            }
+            for (column, value) in columns.iter_mut().zip(row) {
+                column.push(*value);
+            }
+        }
+        columns
+    }
+
+    fn count(&mut self, field: &str, count: usize, of: &str) {
+        if count != self.rows {
+            let expected = format!("{}, as many as samples", self.rows);
+            self.wrong
+                .push(error(field, format!("{count} {of}"), expected));
+        }
+    }
+
+    fn column(&mut self, field: &str, values: &[f64]) -> Option<Vec<f64>> {
+        self.count(field, values.len(), "values");
+        Some(values.to_vec())
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub fn name(mut self, name: &str) -> Self {
+        name.clone_into(&mut self.session.name);
+        self
+    }
+
+    /// Free text.
+    #[must_use]
+    pub fn note(mut self, note: &str) -> Self {
+        note.clone_into(&mut self.session.note);
+        self
+    }
+
+    /// Measured points in the measuring frame, mm; a coordinate that is missing is NaN.
+    #[must_use]
+    pub fn points_mm(mut self, points: &[Point3<f64>]) -> Self {
+        self.count("points_mm", points.len(), "points");
+        let samples = &mut self.session.samples;
+        samples.x_mm = points.iter().map(|point| point.x).collect();
+        samples.y_mm = points.iter().map(|point| point.y).collect();
+        samples.z_mm = Some(points.iter().map(|point| point.z).collect());
+        self
+    }
+
+    /// Measured orientations of the tool in the measuring frame.
+    #[must_use]
+    pub fn orientations(mut self, turns: &[UnitQuaternion<f64>]) -> Self {
+        self.count("orientations", turns.len(), "orientations");
+        let part = |of: fn(&UnitQuaternion<f64>) -> f64| turns.iter().map(of).collect();
+        let parts = [part(|q| q.w), part(|q| q.i), part(|q| q.j), part(|q| q.k)];
+        self.session.samples.orientation_wxyz = Some(parts);
+        self
+    }
+
+    /// Joint values that the controller read back, rad or mm.
+    #[must_use]
+    pub fn read_back<Q: AsRef<[f64]>>(mut self, q: &[Q]) -> Self {
+        let columns = self.by_joint("read_back", self.session.robot.joints.len(), q);
+        self.session.samples.q_read = columns.into_iter().map(Some).collect();
+        self
+    }
+
+    /// From which side each joint came: 1 moving positive, −1, 0 unknown.
+    #[must_use]
+    pub fn directions<D: AsRef<[f64]>>(mut self, directions: &[D]) -> Self {
+        let columns = self.by_joint("directions", self.session.robot.joints.len(), directions);
+        let fits = |v: &f64| v.is_nan() || *v == 0.0 || v.abs() == 1.0;
+        if !columns.iter().flatten().all(fits) {
+            let found = "a direction other than 1, -1 and 0".to_owned();
+            let expected = "1, -1 or 0 (unknown)".to_owned();
+            self.wrong.push(error("directions", found, expected));
+        }
+        self.session.samples.dir = columns.into_iter().map(Some).collect();
+        self
+    }
+
+    /// Signed joint speeds while measuring, rad/s or mm/s; 0 at standstill.
+    #[must_use]
+    pub fn speeds<S: AsRef<[f64]>>(mut self, speeds: &[S]) -> Self {
+        let columns = self.by_joint("speeds", self.session.robot.joints.len(), speeds);
+        self.session.samples.speed = columns.into_iter().map(Some).collect();
+        self
+    }
+
+    /// Load at the tool's origin, kg.
+    #[must_use]
+    pub fn load_kg(mut self, values: &[f64]) -> Self {
+        self.session.samples.load_kg = self.column("load_kg", values);
+        self
+    }
+
+    /// Temperature, °C.
+    #[must_use]
+    pub fn temperature_c(mut self, values: &[f64]) -> Self {
+        self.session.samples.temperature_c = self.column("temperature_c", values);
+        self
+    }
+
+    /// When it was measured, s.
+    #[must_use]
+    pub fn time_s(mut self, values: &[f64]) -> Self {
+        self.session.samples.time_s = self.column("time_s", values);
+        self
+    }
+
+    /// A reflector in the tool frame, mm. Without one there is one at the tool's origin.
+    #[must_use]
+    pub fn target(mut self, name: &str, position_mm: Point3<f64>) -> Self {
+        if self
+            .session
+            .targets
+            .iter()
+            .any(|target| target.name == name)
+        {
+            let expected = "a name of its own for each target".to_owned();
+            self.wrong.push(error(
+                "target",
+                format!("two targets called {name}"),
+                expected,
+            ));
+        }
+        self.session.targets.push(Target {
+            name: name.to_owned(),
+            position_mm,
+        });
+        self
+    }
+
+    /// Which target each sample sees, by its name.
+    #[must_use]
+    pub fn seen_target(mut self, names: &[&str]) -> Self {
+        self.count("seen_target", names.len(), "names");
+        self.seen = names.iter().map(|&name| name.to_owned()).collect();
+        self
+    }
+
+    /// In which free measuring frame each sample was taken, by its name.
+    #[must_use]
+    pub fn setups(mut self, names: &[&str]) -> Self {
+        self.count("setups", names.len(), "names");
+        let mut cells = crate::sessions::table::Names::default();
+        names.iter().for_each(|name| cells.push(name));
+        self.session.samples.setups = Some(Setups {
+            names: cells.list,
+            index: cells.index,
+        });
+        self
+    }
+
+    /// Which samples no fit may touch: with them it is checked.
+    #[must_use]
+    pub fn held_out(mut self, held_out: &[bool]) -> Self {
+        self.count("held_out", held_out.len(), "values");
+        self.session.samples.held_out = Some(held_out.to_vec());
+        self
+    }
+
+    /// Noise of the points, one standard deviation, mm.
+    #[must_use]
+    pub fn sigma_mm(mut self, sigma_mm: f64) -> Self {
+        self.session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
+        if !(1e-15..=1e7).contains(&sigma_mm) {
+            let expected = "a length above 0 mm".to_owned();
+            self.wrong
+                .push(error("sigma_mm", sigma_mm.to_string(), expected));
+        }
+        self
+    }
+
+    /// The instrument, where more of it is known than the noise of its points.
+    #[must_use]
+    pub fn instrument(mut self, instrument: Instrument) -> Self {
+        self.session.instrument = instrument;
+        self
+    }
+
+    /// How far a measured position may be off, mm.
+    #[must_use]
+    pub fn tolerance_mm(mut self, tolerance_mm: f64) -> Self {
+        self.session.tolerance_mm = Some(tolerance_mm);
+        if !(tolerance_mm > 0.0 && tolerance_mm <= 1e7) {
+            let expected = "a length above 0 mm".to_owned();
+            self.wrong
+                .push(error("tolerance_mm", tolerance_mm.to_string(), expected));
+        }
+        self
+    }
+
+    /// A range of a single joint's angle that gets a correction of its own, rad.
+    #[must_use]
+    pub fn region(mut self, name: &str, from_rad: f64, to_rad: f64) -> Self {
+        if !(from_rad < to_rad && from_rad.abs() <= 2e4 && to_rad.abs() <= 2e4) {
+            let found = format!("a region from {from_rad} to {to_rad} rad");
+            let expected = "a region from the smaller to the larger value".to_owned();
+            self.wrong.push(error("region", found, expected));
+        }
+        self.session.regions.push(Region {
+            name: name.to_owned(),
+            from_rad,
+            to_rad,
+        });
+        self
+    }
+
+    /// The session.
+    ///
+    /// # Errors
+    /// [`Rejected`] with everything that is wrong.
+    pub fn build(mut self) -> Result<Session, Rejected> {
+        if !self.seen.is_empty() {
+            if self.session.targets.is_empty() {
+                self.session.targets = default_targets();
+            }
+            let targets = self
+                .session
+                .targets
+                .iter()
+                .map(|target| target.name.as_str());
+            let places: BTreeMap<&str, u32> = targets.zip(0..).collect();
+            let found = self
+                .seen
+                .iter()
+                .map(|name| places.get(name.as_str()).copied());
+            let index: Option<Vec<u32>> = found.collect();
+            if index.is_none() {
+                let unknown = self
+                    .seen
+                    .iter()
+                    .find(|name| !places.contains_key(name.as_str()));
+                let unknown = unknown.cloned().unwrap_or_default();
+                let found = format!("target '{unknown}' is not declared");
+                let expected = "the name of a target".to_owned();
+                self.wrong.push(error("seen_target", found, expected));
+            }
+            self.session.samples.target = index;
+        }
+        if !self.wrong.is_empty() {
+            return Err(Rejected::of(self.wrong));
+        }
+        self.session.checked()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::kinematics::testing::column;
+    use crate::pipeline::{self, Method};
+
+    fn points() -> (Vec<[f64; 1]>, Vec<Point3<f64>>) {
+        let q: Vec<[f64; 1]> = (-20..=20).map(|k| [0.07 * f64::from(k)]).collect();
+        let point = |[q]: &[f64; 1]| Point3::new(250.0 * q.cos(), 250.0 * q.sin(), 300.0);
+        let seen = q.iter().map(point).collect();
+        (q, seen)
+    }
+
+    #[test]
+    fn what_a_stranger_fills_in_by_hand_is_completed_and_never_panics() {
+        let (q, points) = points();
+        // No `dir`, no targets: what the types allow.
+        let session = Session {
+            samples: Samples {
+                q: vec![q.iter().map(|[q]| *q).collect()],
+                x_mm: points.iter().map(|p| p.x).collect(),
+                y_mm: points.iter().map(|p| p.y).collect(),
+                z_mm: Some(points.iter().map(|p| p.z).collect()),
+                ..Samples::default()
+            },
+            targets: Vec::new(),
+            ..Session::new(column(), &q, &points).unwrap()
+        };
+        let identify = |session: &Session| {
+            pipeline::identify_checked(session, &Method::default(), JointValues::Commanded)
+        };
+        assert!(identify(&session).unwrap().identification.gap.after.rms_mm < 1e-9);
+        assert!(pipeline::diagnose(&session, &Default::default(), &|_| true).is_ok());
+        // Anything else is refused in words.
+        type Spoil = fn(&mut Session);
+        let spoils: &[Spoil] = &[
+            |s| s.samples.q.clear(),
+            |s| s.samples.q[0].truncate(3),
+            |s| s.samples.y_mm.clear(),
+            |s| s.samples.z_mm = Some(Vec::new()),
+            |s| s.samples.target = Some(vec![7; s.samples.x_mm.len()]),
+            |s| s.samples.dir = vec![None; 4],
+            |s| s.samples.held_out = Some(Vec::new()),
+            |s| s.samples.time_s = Some(vec![1.0]),
+            |s| s.robot.joints.clear(),
+            |s| s.robot.joints = vec![s.robot.joints[0].clone(); 101],
+            |s| s.robot.base_from_tool.translation.vector.x = 1e160,
+        ];
+        for (k, spoil) in spoils.iter().enumerate() {
+            let mut wrong = session.clone();
+            spoil(&mut wrong);
+            assert!(identify(&wrong).is_err(), "{k}");
+            assert!(
+                pipeline::diagnose(&wrong, &Default::default(), &|_| true).is_err(),
+                "{k}"
+            );
+            assert!(wrong.checked().is_err(), "{k}");
+        }
+    }
+
+    #[test]
+    fn a_builder_says_everything_that_is_wrong_at_once() {
+        let (q, points) = points();
+        let refused = Session::builder(column(), &q)
+            .points_mm(&points[1..])
+            .directions(&vec![[0.5]; q.len()])
+            .sigma_mm(-1.0)
+            .seen_target(&vec!["none"; q.len()])
+            .build()
+            .unwrap_err();
+        assert_eq!(refused.diagnostics.len(), 4, "{refused}");
+        let refused = Session::new(column(), &[[1e9]], &points[..1]).unwrap_err();
+        assert!(refused.to_string().contains("1 000 000"), "{refused}");
+        let refused = Session::new(column(), &[[0.0, 1.0]], &points[..1]).unwrap_err();
+        assert!(refused.to_string().contains("2 values"), "{refused}");
+        let none: [[f64; 1]; 0] = [];
+        assert!(Session::new(column(), &none, &[]).is_err());
+    }
+}
