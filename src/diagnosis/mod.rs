@@ -40,6 +40,7 @@ pub(crate) mod conclude;
 mod final_set;
 mod floor;
 mod free_curve;
+mod gross;
 mod held_out;
 mod incomplete;
 mod left_out;
@@ -254,6 +255,7 @@ pub(crate) fn searched<'a>(
     }
     final_set::as_said(&prepared, &mut found, watch)?;
     base_misfit::withdraw(&prepared, &mut found);
+    gross::withdraw(&prepared, &mut found);
     work.up_to(1.0);
     Ok((prepared, found))
 }

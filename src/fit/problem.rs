@@ -7,7 +7,7 @@ use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
 use crate::observations::Layer;
 use crate::sessions::measuring_order::falls_of_the_clock;
-use crate::sessions::resolution::resolution_mm;
+use crate::sessions::resolution::{is_rounded_to, resolution_mm};
 use crate::sessions::{Session, Sigma};
 
 use super::noise::Noise;
@@ -74,12 +74,18 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
-/// Standard deviation of what rounding to the digit of each coordinate adds, mm.
+/// Standard deviation of what rounding to the digit of each coordinate adds, mm. A coordinate of few
+/// different values has the digit of the others where it agrees with that.
 pub(crate) fn digits_mm(session: &Session) -> [f64; 3] {
     let samples = &session.samples;
-    let of = |column: &[f64]| resolution_mm(column).map_or(0.0, |digit| digit / 12.0_f64.sqrt());
     let z = samples.z_mm.as_deref().unwrap_or(&[]);
-    [of(&samples.x_mm), of(&samples.y_mm), of(z)]
+    let columns = [&samples.x_mm[..], &samples.y_mm[..], z];
+    let own = columns.map(resolution_mm);
+    let of_others = own.iter().flatten().copied().fold(0.0, f64::max);
+    std::array::from_fn(|axis| {
+        let same = || is_rounded_to(columns[axis], of_others).then_some(of_others);
+        own[axis].or_else(same).unwrap_or(0.0) / 12.0_f64.sqrt()
+    })
 }
 
 impl<'a> Problem<'a> {

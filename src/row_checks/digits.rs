@@ -106,7 +106,8 @@ mod tests {
             .as_ref()
             .expect("stated")
             .apply(&mut session);
-        // Two of three axes are rounded; the ratio between them is estimated from the residuals.
+        // Two of three axes are rounded; the ratio between them is estimated from the residuals. (The
+        // heights, all but constant, are not whole tenths.)
         let Some(Sigma::Overall(sigma)) = session.instrument.sigma_mm else {
             panic!("{:?}", session.instrument.sigma_mm)
         };

@@ -242,6 +242,18 @@ impl Samples {
             .collect()
     }
 
+    /// Spread of the measured points about their mean, root mean square length, mm; 0 without points.
+    pub(crate) fn spread_mm(&self) -> f64 {
+        let columns = [&self.x_mm, &self.y_mm].into_iter().chain(&self.z_mm);
+        let variance = columns.map(|column| {
+            let known = || column.iter().copied().filter(|v| v.is_finite());
+            let count = known().count().max(1) as f64;
+            let mean = known().sum::<f64>() / count;
+            known().map(|v| (v - mean).powi(2)).sum::<f64>() / count
+        });
+        variance.sum::<f64>().sqrt()
+    }
+
     /// The coordinates of a sample; NaN where one is missing.
     pub(crate) fn coordinates(&self, sample: usize) -> [f64; 3] {
         let z = self.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);

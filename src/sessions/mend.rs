@@ -86,8 +86,14 @@ pub enum Mend {
     },
     /// Where the targets sit in the tool is not known: their places are fitted.
     FreeTargets,
-    /// Where a socket (counted from 0) is, is not known: its place is fitted.
-    FreeSocket(usize),
+    /// From this row on (counted from 0) the samples of a socket (counted from 0) are those of another
+    /// one, whose place is not known: the socket was moved.
+    SplitSocket {
+        /// The socket, counted from 0.
+        socket: usize,
+        /// The first row of the new one, counted from 0.
+        from: usize,
+    },
 }
 
 impl Mend {
@@ -160,7 +166,13 @@ impl Mend {
             Self::WidenNoise(_) => "Count the digit as noise".to_owned(),
             Self::MoveTarget { target, .. } => format!("Move target {}", target + 1),
             Self::FreeTargets => "Fit the places of the targets".to_owned(),
-            Self::FreeSocket(socket) => format!("Fit the place of socket {}", socket + 1),
+            Self::SplitSocket { socket, from } => {
+                format!(
+                    "Take socket {} as another from sample {} on",
+                    socket + 1,
+                    from + 1
+                )
+            }
         }
     }
 
@@ -242,11 +254,8 @@ impl Mend {
                 }
             }
             Self::FreeTargets => session.instrument.targets_sigma_mm = None,
-            Self::FreeSocket(socket) => {
-                let sockets = &mut session.instrument.references.sockets;
-                if let Some(socket) = sockets.get_mut(*socket) {
-                    socket.position_mm = None;
-                }
+            Self::SplitSocket { socket, from } => {
+                split_socket(session, *socket, *from);
             }
         }
     }
@@ -254,7 +263,30 @@ impl Mend {
     /// Whether it changes which rows count or belong together, and nothing that holds for another
     /// session of the same robot.
     pub fn is_of_rows(&self) -> bool {
-        matches!(self, Self::Remove(_) | Self::PairRows(_))
+        matches!(
+            self,
+            Self::Remove(_) | Self::PairRows(_) | Self::SplitSocket { .. }
+        )
+    }
+}
+
+fn split_socket(session: &mut Session, socket: usize, from: usize) {
+    let sockets = &mut session.instrument.references.sockets;
+    let (Some(old), Ok(new)) = (sockets.get(socket), u32::try_from(sockets.len())) else {
+        return;
+    };
+    let Some(column) = &mut session.samples.observed.socket else {
+        return;
+    };
+    let moved = super::references::Socket {
+        name: format!("{} moved", old.name),
+        position_mm: None,
+    };
+    sockets.push(moved);
+    for own in column.iter_mut().skip(from) {
+        if own.is_some_and(|own| own as usize == socket) {
+            *own = Some(new);
+        }
     }
 }
 

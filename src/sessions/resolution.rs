@@ -43,6 +43,16 @@ pub(crate) fn resolution_mm(values: &[f64]) -> Option<f64> {
         .find(|step| are_multiples(&some, *step, written))
 }
 
+/// Whether all values are multiples of a step, mm, however few they are.
+pub(crate) fn is_rounded_to(values: &[f64], step: f64) -> bool {
+    let mut some = values
+        .iter()
+        .filter(|v| v.is_finite())
+        .take(MOST)
+        .peekable();
+    step > 0.0 && some.peek().is_some() && some.all(|v| misses(*v, step) < float(v.abs(), step))
+}
+
 /// Every step that is looked for, the largest first, mm.
 fn steps() -> Vec<f64> {
     let mut all = Vec::new();

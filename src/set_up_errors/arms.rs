@@ -20,6 +20,7 @@ use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
+use super::as_it_stands;
 use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG};
 use super::{DataProblem, FEWEST_SAMPLES, LARGEST_OFFSET_DEG, MENDED_SHARE, Mend, thinned_to};
 
@@ -27,6 +28,8 @@ use super::{DataProblem, FEWEST_SAMPLES, LARGEST_OFFSET_DEG, MENDED_SHARE, Mend,
 const MOST_SAMPLES: usize = 120;
 /// A median error below this share of the spread of the points is no mistake of setting up …
 const GROSS_SHARE: f64 = 0.005;
+/// … nor one below this share of the robot's reach …
+const GROSS_OF_ROBOT: f64 = 0.005;
 /// … and a robot without one leaves no more than this.
 const PLAUSIBLE_SHARE: f64 = 0.03;
 /// What leaves so many times as much as the best says the same in these samples.
@@ -68,14 +71,14 @@ pub(super) fn corrected(
 }
 
 /// What a trial ends with.
-struct Trial {
+pub(super) struct Trial {
     /// Median length of the deviations, mm.
-    median_mm: f64,
-    model: Model,
+    pub(super) median_mm: f64,
+    pub(super) model: Model,
 }
 
 /// Fits frame, tool and zero offsets; `None` where the end makes sense for no robot.
-fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
+pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
     let problem = Problem::new(session, values);
     let zero = joint_zero();
     let left_out = [LINK_GEOMETRY.about().id, TOOL_ORIENTATION.about().id];
@@ -108,20 +111,7 @@ fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Tri
 
 /// Spread of the measured points about their mean, root mean square, mm.
 fn spread_mm(session: &Session) -> f64 {
-    let samples = &session.samples;
-    let flat = vec![0.0; samples.len()];
-    let axes = [
-        &samples.x_mm,
-        &samples.y_mm,
-        samples.z_mm.as_ref().unwrap_or(&flat),
-    ];
-    let variance = |column: &Vec<f64>| {
-        let all: Vec<f64> = column.iter().copied().filter(|v| v.is_finite()).collect();
-        let n = all.len().max(1) as f64;
-        let mean = all.iter().sum::<f64>() / n;
-        all.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n
-    };
-    axes.into_iter().map(variance).sum::<f64>().sqrt()
+    session.samples.spread_mm()
 }
 
 /// One change of the samples and what it leaves.
@@ -134,14 +124,20 @@ struct Tried {
 /// The mistake that explains the samples, or the two.
 fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
     let spread = spread_mm(part);
-    let before = trial(part, values, true).map_or(f64::INFINITY, |t| t.median_mm);
-    if before < GROSS_SHARE * spread {
+    let adjusted = trial(part, values, true).map_or(f64::INFINITY, |t| t.median_mm);
+    if adjusted < GROSS_SHARE * spread {
+        return Vec::new();
+    }
+    // A trial that ran away on poses that show little is no reason to doubt the samples.
+    let before = adjusted.min(as_it_stands::least_mm(part, values, true));
+    if before < GROSS_SHARE * spread || before < GROSS_OF_ROBOT * as_it_stands::reach_mm(part) {
         return Vec::new();
     }
     let most = (MENDED_SHARE * before).min(PLAUSIBLE_SHARE * spread);
     let tried = all_tried(part, values);
-    if let Some((problem, _)) = named(&tried, before, most) {
-        return vec![problem];
+    if let Some((problem, mends, _)) = named(&tried, before, most) {
+        let proved = as_it_stands::predicts(part, values, &mends, most);
+        return if proved { vec![problem] } else { Vec::new() };
     }
     let mut nearest: Vec<&Tried> = tried.iter().filter(|t| t.left_mm < before).collect();
     nearest.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
@@ -152,9 +148,12 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
         };
         let mut without = part.clone();
         mend.apply(&mut without);
-        let Some((second, left)) = named(&all_tried(&without, values), before, most) else {
+        let Some((second, mends, left)) = named(&all_tried(&without, values), before, most) else {
             continue;
         };
+        if !as_it_stands::predicts(&without, values, &mends, most) {
+            continue;
+        }
         if best.as_ref().is_none_or(|b| left < b.0) {
             let of_first = problem_of(&first.change, &[], before, first.left_mm);
             best = Some((left, [of_first, second]));
@@ -171,7 +170,14 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
         for mend in &change.mends {
             mend.apply(&mut trial_of);
         }
-        let left = trial(&trial_of, values, true)?.median_mm;
+        if !as_it_stands::is_to_scale(part, &trial_of, values) {
+            return None;
+        }
+        let end = trial(&trial_of, values, true)?;
+        let left = end.median_mm;
+        if !as_it_stands::is_plausible(&trial_of, &end.model) {
+            return None;
+        }
         // A change of unit changes the measure as well.
         let scale = (spread / spread_mm(&trial_of).max(1e-12)).min(1.0);
         Some(Tried {
@@ -183,8 +189,8 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
 }
 
 /// The change that leaves least, if that is little enough, with those that say the same; and what it
-/// leaves, mm.
-fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, f64)> {
+/// leaves, mm, behind the changes.
+fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, Vec<Mend>, f64)> {
     let least = tried
         .iter()
         .map(|t| t.left_mm)
@@ -203,7 +209,7 @@ fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, f64)> 
         .map(|t| t.change.what.as_str())
         .collect();
     let problem = problem_of(&main.change, &twins, before, main.left_mm);
-    Some((problem, main.left_mm))
+    Some((problem, main.change.mends.clone(), main.left_mm))
 }
 
 fn problem_of(change: &Change, twins: &[&str], before: f64, after: f64) -> DataProblem {
@@ -239,7 +245,8 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         return None;
     }
     let free = trial(part, values, true)?;
-    let fixed = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm);
+    let adjusted = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm);
+    let fixed = adjusted.min(as_it_stands::least_mm(part, values, false));
     let is_frame = |t: &&Term| t.effect.about().setting == Setting::Setup;
     let frame = free.model.terms().iter().find(is_frame)?;
     let turn = Vector3::from_column_slice(&frame.coefficients[..3]);

@@ -7,6 +7,8 @@
 
 mod arm_hypotheses;
 mod arms;
+mod as_it_stands;
+mod groups;
 mod hypotheses;
 mod losses;
 mod read_back;
@@ -66,6 +68,9 @@ pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
     let checked = row_checks::check(session, joint_values);
     let (mut mended, mut problems) = (checked.session, checked.problems);
     if !has_enough_points(session, joint_values) {
+        if let Some(freed) = groups::freed(&mended, joint_values, &mut problems) {
+            mended = Cow::Owned(freed);
+        }
         return Mended {
             session: mended,
             problems,
@@ -85,6 +90,9 @@ pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
             problems.push(problem);
             mended = Cow::Owned(better);
         }
+    }
+    if let Some(freed) = groups::freed(&mended, joint_values, &mut problems) {
+        mended = Cow::Owned(freed);
     }
     if let Some(brought_up) = read_back::lagging(&mended, joint_values, &mut problems) {
         mended = Cow::Owned(brought_up);
@@ -107,6 +115,9 @@ pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_
         }
     } else {
         problems.extend(gross_blunder(&session, joint_values).map(|found| found.1));
+    }
+    if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
+        session = Cow::Owned(freed);
     }
     Mended { session, problems }
 }

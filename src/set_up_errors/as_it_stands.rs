@@ -1,0 +1,143 @@
+//! A robot with several joints as its session stands, and what a change of it has to be for belief.
+//!
+//! The frame, the tool and the zero offsets alone run away where few poses show them, and then anything
+//! is better. So the session as it stands is also seen by the nominal robot with the best rigid motion,
+//! and by the whole base model with its priors; the best of all counts. A change keeps the samples to
+//! the robot's scale, ends with values that a robot may have, and predicts samples that it was not
+//! fitted to.
+
+use nalgebra::Vector3;
+
+use crate::effects::{JointValues, MEASURING_FRAME, TOOL_POSITION, joint_zero};
+use crate::fit::base_model;
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::sessions::{Mend, Session};
+use crate::units::rad_from_deg;
+
+use super::LARGEST_OFFSET_DEG;
+use super::arms::trial;
+
+/// A tool is never mounted farther off than this share of the reach …
+const TOOL_SHARE: f64 = 0.15;
+/// … or this, mm, whichever is more.
+const LARGEST_TOOL_MM: f64 = 120.0;
+/// The spread of the points agrees with that of the robot within this, as a ratio.
+const TO_SCALE: f64 = 2.0;
+/// With fewer samples none can be kept back.
+const FEWEST_TO_SPLIT: usize = 24;
+/// Samples that were kept back leave at most so many times as much as a change may leave.
+const UNSEEN: f64 = 2.0;
+
+/// The least that the session leaves as it stands, mm, median; infinite where nothing fits.
+pub(super) fn least_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+    nominal_mm(part, values, free_frame).min(with_priors_mm(part, values, free_frame))
+}
+
+fn median_mm(problem: &Problem, model: &Model) -> f64 {
+    let mut lengths = deviations(problem, model).length_mm;
+    lengths.retain(|v| v.is_finite());
+    lengths.sort_by(f64::total_cmp);
+    let middle = lengths.get(lengths.len() / 2);
+    middle.copied().unwrap_or(f64::INFINITY)
+}
+
+/// The nominal robot, where the best rigid motion puts it.
+fn nominal_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+    let problem = Problem::new(part, values);
+    let frame = MEASURING_FRAME.about().id;
+    let frames = free_frame || part.samples.setups.is_some();
+    let mut model = base_model::start(part, &problem, |id| frames && id == frame);
+    model = model.without(|t| t.effect.about().id != frame);
+    median_mm(&problem, &model)
+}
+
+/// The whole base model with its priors.
+fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+    let mut problem = Problem::new(part, values);
+    let frame = MEASURING_FRAME.about().id;
+    let frames = free_frame || part.samples.setups.is_some();
+    let start = base_model::start(part, &problem, |id| frames || id != frame);
+    let fitted = base_model::fit(&mut problem, &start, true).solution.model;
+    if is_plausible(part, &fitted) {
+        median_mm(&problem, &fitted)
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// How far the tool is from the first axis along all links, mm.
+pub(super) fn reach_mm(session: &Session) -> f64 {
+    let robot = &session.robot;
+    let tool = robot.base_from_tool.translation.vector;
+    let mut points: Vec<Vector3<f64>> = robot
+        .joints
+        .iter()
+        .map(|joint| joint.axis.point_mm.coords)
+        .collect();
+    points.push(tool);
+    let links = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+    links.sum::<f64>().max(tool.norm())
+}
+
+/// Whether the zero offsets and the tool of a model are those of a robot that somebody set up.
+pub(super) fn is_plausible(session: &Session, model: &Model) -> bool {
+    let zero = joint_zero().about().id;
+    let tool = TOOL_POSITION.about().id;
+    let most = LARGEST_TOOL_MM.max(TOOL_SHARE * reach_mm(session));
+    model.terms().iter().all(|term| {
+        let id = term.effect.about().id;
+        if id == zero && session.robot.joints[term.joint].kind == JointKind::Revolute {
+            let turn = term.coefficients[0];
+            turn.sin().atan2(turn.cos()).abs() <= rad_from_deg(LARGEST_OFFSET_DEG)
+        } else if id == tool {
+            Vector3::from_column_slice(&term.coefficients[..3]).norm() <= most
+        } else {
+            true
+        }
+    })
+}
+
+/// Whether a change that scales the samples brings them to the size of the robot, which they do not have
+/// as they are.
+pub(super) fn is_to_scale(part: &Session, changed: &Session, values: JointValues) -> bool {
+    let ratio = |session: &Session| {
+        let problem = Problem::new(session, values);
+        let nominal = Model::nominal(session.robot.clone()).predict(&problem.inputs);
+        let mut seen = session.samples.clone();
+        seen.x_mm = nominal.x_mm;
+        seen.y_mm = nominal.y_mm;
+        seen.z_mm = session.samples.z_mm.is_some().then_some(nominal.z_mm);
+        session.samples.spread_mm() / seen.spread_mm().max(1e-12)
+    };
+    let within = |ratio: f64| (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio);
+    let lengths = part.samples.spread_mm() / changed.samples.spread_mm().max(1e-12);
+    let is_scaled = (lengths.ln()).abs() > 0.01;
+    !is_scaled || within(ratio(changed)) && !within(ratio(part))
+}
+
+/// Whether a change predicts samples that its trial has not seen, to within what it may leave.
+pub(super) fn predicts(part: &Session, values: JointValues, mends: &[Mend], most_mm: f64) -> bool {
+    let mut changed = part.clone();
+    for mend in mends {
+        mend.apply(&mut changed);
+    }
+    let n = changed.samples.len();
+    if n < FEWEST_TO_SPLIT {
+        return true;
+    }
+    let rows = |odd: bool| (0..n).filter(move |row| (row % 2 == 1) == odd);
+    let with = |odd: bool| {
+        let mut some = changed.clone();
+        let kept: Vec<Option<usize>> = rows(odd).map(Some).collect();
+        some.samples.select(&kept);
+        some
+    };
+    let (seen, unseen) = (with(false), with(true));
+    let Some(end) = trial(&seen, values, true) else {
+        return false;
+    };
+    median_mm(&Problem::new(&unseen, values), &end.model) <= UNSEEN * most_mm
+}

@@ -1,0 +1,257 @@
+//! Targets that do not sit in the tool where the session says.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::{JointValues, Setting, TOOL_ORIENTATION, TOOL_POSITION, Term};
+use crate::fit::base_model;
+use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
+use crate::model::Model;
+use crate::sessions::{Mend, Session};
+
+use super::{evidence, fitted, in_numbers, is_believed, start_of, thinned, trimmed_rms_mm};
+
+/// A place is off beyond so many standard deviations of what is known of it.
+const OFF: f64 = 4.0;
+/// How often the weights are made anew that leave as many targets as possible where they are said to be.
+const ROUNDS: usize = 12;
+/// Below this a target is where it is said to be, for those weights, mm.
+const STILL_MM: f64 = 0.02;
+/// A turned tool that leaves no more than so many times as much as free targets explains them.
+const AS_WELL: f64 = 1.15;
+
+/// The session with its targets free, or moved, where they are elsewhere.
+pub(super) fn elsewhere(
+    session: &Session,
+    values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let sigma = session.instrument.targets_sigma_mm?;
+    let targets = session.samples.target.as_deref()?;
+    let first = *targets.first()?;
+    if session.targets.len() < 2 || targets.iter().all(|target| *target == first) {
+        return None;
+    }
+    let part = thinned(session);
+    if base_model::is_arm(session) {
+        of_an_arm(session, &part, values, sigma, problems)
+    } else if session.has_plain_points() {
+        of_one_axis(session, &part, values, sigma, problems)
+    } else {
+        None
+    }
+}
+
+fn of_an_arm(
+    session: &Session,
+    part: &Session,
+    values: JointValues,
+    sigma: f64,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let before = as_stated_mm(part, values)?;
+    let mut free = part.clone();
+    Mend::FreeTargets.apply(&mut free);
+    let (model, after) = fitted(&free, values)?;
+    let own = |t: &&Term| t.effect.about().id == TOOL_POSITION.about().id && t.setting > 0.0;
+    let places: Vec<(usize, Vector3<f64>)> = model
+        .terms()
+        .iter()
+        .filter(own)
+        .filter(|t| t.effect.about().setting == Setting::Target)
+        .map(|t| {
+            (
+                t.setting as usize - 1,
+                Vector3::from_column_slice(&t.coefficients[..3]),
+            )
+        })
+        .collect();
+    let axes = part.samples.axes();
+    let evidence = evidence(part.samples.len(), axes, before, after, axes * places.len());
+    let off: Vec<(usize, Vector3<f64>)> = places
+        .into_iter()
+        .filter(|(_, by)| by.norm() > OFF * sigma)
+        .collect();
+    if off.is_empty() || !is_believed(evidence, before, after) {
+        return None;
+    }
+    if turned_mm(part, values).is_some_and(|turned| turned < AS_WELL * after) {
+        return None;
+    }
+    for (target, by) in off {
+        problems.push(problem(
+            session,
+            target,
+            by,
+            in_numbers(before, after, evidence),
+            Mend::FreeTargets,
+        ));
+    }
+    let mut freed = session.clone();
+    Mend::FreeTargets.apply(&mut freed);
+    Some(freed)
+}
+
+/// What the base model leaves with every target where the session says, mm.
+fn as_stated_mm(part: &Session, values: JointValues) -> Option<f64> {
+    left_mm(part, values, |start| {
+        start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0)
+    })
+}
+
+/// What it leaves where the tool is mounted turned, mm.
+fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
+    left_mm(part, values, |start| {
+        let start =
+            start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0);
+        let id = TOOL_ORIENTATION.about().id;
+        let is_turned = start.terms().iter().any(|t| t.effect.about().id == id);
+        if is_turned {
+            return start;
+        }
+        start.with_term(Term::absent(&TOOL_ORIENTATION, 0, 0.0))
+    })
+}
+
+fn left_mm(part: &Session, values: JointValues, change: impl Fn(Model) -> Model) -> Option<f64> {
+    let mut problem = Problem::observing(part, values);
+    if problem.samples() == 0 {
+        return None;
+    }
+    let start = change(start_of(part, &problem));
+    let model = base_model::fit(&mut problem, &start, true).solution.model;
+    Some(trimmed_rms_mm(&problem, &model))
+}
+
+fn of_one_axis(
+    session: &Session,
+    part: &Session,
+    values: JointValues,
+    sigma: f64,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let (model, before) = fitted(part, values)?;
+    let by = offsets(part, values, &model)?;
+    let off: Vec<(usize, Vector3<f64>)> = by
+        .into_iter()
+        .enumerate()
+        .filter(|(_, by)| by.norm() > OFF * sigma)
+        .collect();
+    if off.is_empty() {
+        return None;
+    }
+    let moved = |session: &Session| {
+        let mut moved = session.clone();
+        for (target, by) in &off {
+            let by_mm = [by.x, by.y, by.z];
+            Mend::MoveTarget {
+                target: *target,
+                by_mm,
+            }
+            .apply(&mut moved);
+        }
+        moved
+    };
+    let (_, after) = fitted(&moved(part), values)?;
+    let axes = part.samples.axes();
+    let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());
+    if !is_believed(evidence, before, after) {
+        return None;
+    }
+    for (target, by) in &off {
+        let mend = Mend::MoveTarget {
+            target: *target,
+            by_mm: [by.x, by.y, by.z],
+        };
+        let numbers = in_numbers(before, after, evidence);
+        problems.push(problem(session, *target, *by, numbers, mend));
+    }
+    Some(moved(session))
+}
+
+/// How far each target is from its place, tool frame, mm, beside the base model: as few as possible are
+/// off (iteratively reweighted least squares for the sum of the lengths, Daubechies et al. 2010).
+fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vector3<f64>>> {
+    let problem = Problem::new(part, values);
+    let rows = Rows::of(&problem);
+    let (residual, base) = rows.extract(model);
+    let targets = part.targets.len();
+    let own = base.ncols();
+    let mut columns = base.resize_horizontally(own + 3 * targets, 0.0);
+    let (here, _) = rows.extract(model);
+    for along in 0..3 {
+        let mut moved = part.clone();
+        for target in 0..targets {
+            let mut by_mm = [0.0; 3];
+            by_mm[along] = 1.0;
+            Mend::MoveTarget { target, by_mm }.apply(&mut moved);
+        }
+        let problem = Problem::new(&moved, values);
+        let (there, _) = Rows::of(&problem).extract(model);
+        let column = here.clone() - there;
+        let n = rows.samples.len();
+        for (row, value) in column.iter().enumerate() {
+            let target = part.samples.target.as_ref()?[rows.samples[row % n]] as usize;
+            columns[(row, own + 3 * target + along)] = *value;
+        }
+    }
+    let scale = DVector::from_iterator(
+        columns.ncols(),
+        columns.column_iter().map(|c| c.norm().max(1e-12)),
+    );
+    for (k, mut column) in columns.column_iter_mut().enumerate() {
+        column /= scale[k];
+    }
+    let gram: DMatrix<f64> = columns.tr_mul(&columns);
+    let pull = columns.tr_mul(&residual);
+    let mut weight = vec![1.0; targets];
+    let mut by = vec![Vector3::zeros(); targets];
+    for _ in 0..ROUNDS {
+        let mut now = gram.clone();
+        for k in 0..now.nrows() {
+            now[(k, k)] += 1e-12;
+        }
+        for (target, weight) in weight.iter().enumerate() {
+            for along in 0..3 {
+                let at = own + 3 * target + along;
+                now[(at, at)] += 1e-7 * weight / (scale[at] * scale[at]) * rows.len() as f64;
+            }
+        }
+        let step = nalgebra::Cholesky::new(now)?.solve(&pull);
+        for target in 0..targets {
+            by[target] = Vector3::from_fn(|along, _| {
+                let at = own + 3 * target + along;
+                step[at] / scale[at]
+            });
+            weight[target] = 1.0 / by[target].norm().max(STILL_MM);
+        }
+    }
+    Some(by)
+}
+
+fn problem(
+    session: &Session,
+    target: usize,
+    by: Vector3<f64>,
+    evidence: String,
+    mend: Mend,
+) -> DataProblem {
+    let name = session.targets.get(target).map_or("", |t| t.name.as_str());
+    let size = by.norm();
+    let samples = session.samples.target.iter().flatten().enumerate();
+    DataProblem {
+        what: format!("target {name} is elsewhere: {size:.3} mm from its stated place in the tool"),
+        evidence,
+        proposal: format!(
+            "its place is fitted (moved by {:.3}, {:.3}, {:.3} mm); measure it, or state \
+             targets_sigma_mm",
+            by.x, by.y, by.z
+        ),
+        mend: Some(mend),
+        samples: samples
+            .filter(|(_, own)| **own as usize == target)
+            .map(|(row, _)| row)
+            .collect(),
+    }
+}

@@ -1,0 +1,310 @@
+#!/usr/bin/env python3
+"""What the program says of mistakes in the rows of a session, and of sessions without one.
+
+    tests/reference/wild_rows.py BINARY [--count 100] [--kinds slip-axis,clean-arm,…] [--keep FOLDER]
+
+Sessions come from exact geometry (product of exponentials, nothing linearised) that shares nothing with
+the program: one axis and six-joint arms, swept, in random order, with and without a frame of their own.
+Each kind makes one mistake that people make, or none. A line for each kind: in how many sessions it was
+said, in how many something else was said, how many ended with a name, and how far the identified model
+is from where it is without the mistake.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+
+def rotation(axis, angle):
+    axis = np.asarray(axis, float) / np.linalg.norm(axis)
+    x, y, z = axis
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+
+
+class Arm:
+    """Joints as lines at home; a pose is the product of their turns."""
+
+    def __init__(self, axes, points, tool):
+        self.axes = [np.array(a, float) for a in axes]
+        self.points = [np.array(p, float) for p in points]
+        self.tool = np.array(tool, float)
+
+    def pose(self, q):
+        turn, shift = np.eye(3), np.zeros(3)
+        for axis, point, angle in zip(self.axes, self.points, q):
+            own = rotation(axis, angle)
+            turn, shift = turn @ own, turn @ (point - own @ point) + shift
+        return turn, shift
+
+    def point(self, q, target):
+        turn, shift = self.pose(q)
+        return turn @ (self.tool + target) + shift
+
+    def spoilt(self, rng, mm, mrad):
+        """The same with every line a little off."""
+        axes = [a + rng.normal(0, mrad * 1e-3, 3) for a in self.axes]
+        points = [p + rng.normal(0, mm, 3) for p in self.points]
+        return Arm([a / np.linalg.norm(a) for a in axes], points, self.tool + rng.normal(0, mm, 3))
+
+
+SIX = Arm(
+    [[0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0]],
+    [[0, 0, 0], [25, 0, 400], [25, 0, 850], [25, 0, 885], [445, 0, 885], [445, 0, 885]],
+    [535, 0, 885],
+)
+AXIS = Arm([[0, 0, 1]], [[0, 0, 0]], [320, 0, 210])
+
+
+class Session:
+    """Columns of a session and what goes around them."""
+
+    def __init__(self, robot, targets, sigma):
+        self.robot, self.targets, self.sigma = robot, targets, sigma
+        self.columns = {}
+        self.references = {}
+
+    def rows(self):
+        return len(next(iter(self.columns.values())))
+
+    def take(self, rows):
+        self.columns = {k: [v[r] for r in rows] for k, v in self.columns.items()}
+
+    def document(self):
+        joints = [
+            {"name": f"j{k + 1}", "kind": "revolute", "axis": list(a), "point_mm": list(p), "limits": [-180, 180]}
+            for k, (a, p) in enumerate(zip(self.robot.axes, self.robot.points))
+        ]
+        tool = {"position_mm": list(self.robot.tool), "quaternion_wxyz": [1, 0, 0, 0]}
+        own = {
+            "format": "truepose-session/1",
+            "name": "rows",
+            "robot": {"name": "r", "joints": joints, "tool": tool, "gravity_m_s2": [0, 0, -9.81]},
+            "targets": {k: list(v) for k, v in self.targets.items()},
+            "instrument": {"name": "t", "sigma_mm": self.sigma},
+            "samples": {"columns": self.columns},
+        }
+        own.update(self.references)
+        return own
+
+
+def axis_session(rng, n=80, design="random", sigma=0.02, both=True, places=None):
+    robot = AXIS
+    targets = {"A": np.zeros(3), "B": np.array([90.0, 30, 50])}
+    true = {k: v.copy() for k, v in targets.items()}
+    for name, by in (places or {}).items():
+        true[name] = true[name] + by
+    zero, length = np.radians(rng.normal(0, 0.3)), rng.normal(0, 0.7)
+    if design == "random":
+        q = rng.uniform(-170, 170, n)
+    else:
+        half = np.linspace(-170, 170, n // 2 if both else n) + rng.uniform(-1, 1, n // 2 if both else n)
+        q = np.concatenate([half, half[::-1]]) if both else half
+    q = q[:n]
+    came = np.sign(np.diff(q, prepend=q[0] - 1))
+    length_of = robot.tool + [length, 0, 0]
+    s = Session(robot, targets, sigma)
+    names = ["A" if k % 2 == 0 else "B" for k in range(len(q))]
+    points = [
+        rotation([0, 0, 1], np.radians(a) + zero) @ (length_of + true[t]) + rng.normal(0, sigma, 3)
+        for a, t in zip(q, names)
+    ]
+    points = np.array(points)
+    speed = rng.choice([0.0, 8.0, 20.0], len(q)) * came
+    s.columns = {
+        "q1_deg": list(np.round(q, 7)),
+        "x_mm": list(np.round(points[:, 0], 6)),
+        "y_mm": list(np.round(points[:, 1], 6)),
+        "z_mm": list(np.round(points[:, 2], 6)),
+        "dir1": list(came),
+        "speed1_deg_s": list(speed),
+        "load_kg": list(rng.choice([0.0, 2.0, 3.0], len(q))),
+        "temperature_c": list(np.round(20 + 2 * (1 - np.exp(-np.arange(len(q)) / 60)), 4)),
+        "time_s": [8.0 * k for k in range(len(q))],
+        "target": names,
+    }
+    return s
+
+
+def arm_session(rng, n=120, design="random", sigma=0.03, poor=0, places=None, frame=True):
+    targets = {"T1": np.array([0.0, 0, 70]), "T2": np.array([60.0, 25, 40]), "T3": np.array([-35.0, 55, 60])}
+    true_places = {k: v.copy() for k, v in targets.items()}
+    for name, by in (places or {}).items():
+        true_places[name] = true_places[name] + by
+    true = SIX.spoilt(rng, 0.5, 1.0)
+    zeros = np.radians(rng.normal(0, 0.2, 6))
+    if poor:
+        true = SIX.spoilt(rng, rng.uniform(1, 5), 2.0)
+        true.tool = true.tool + rng.normal(0, 17, 3)
+        zeros = np.radians(rng.normal(0, 1.7, 6))
+    wide = np.array([150, 60, 60, 150, 100, 150.0])
+    if poor:
+        wide = wide * rng.choice([0.02, 0.1, 0.3, 1.0], 6)
+    if design == "sweep":
+        q = np.zeros((n, 6))
+        for k in range(n):
+            q[k] = wide * 0.6 * np.sin(2 * np.pi * k / n * np.array([1, 2, 3, 2, 3, 1]) + np.arange(6))
+    else:
+        q = rng.uniform(-1, 1, (n, 6)) * wide
+    turn = rotation(rng.normal(0, 1, 3), rng.uniform(0, 3)) if frame else np.eye(3)
+    shift = rng.uniform(-2000, 2000, 3) if frame else np.zeros(3)
+    names = [f"T{k % 3 + 1}" for k in range(n)]
+    points = np.array(
+        [turn @ true.point(np.radians(a) + zeros, true_places[t]) + shift for a, t in zip(q, names)]
+    ) + rng.normal(0, sigma, (n, 3))
+    came = np.sign(np.diff(q, axis=0, prepend=q[:1] - 1))
+    s = Session(SIX, targets, sigma)
+    for k in range(6):
+        s.columns[f"q{k + 1}_deg"] = list(np.round(q[:, k], 7))
+    for k, axis in enumerate("xyz"):
+        s.columns[f"{axis}_mm"] = list(np.round(points[:, k], 4))
+    for k in range(6):
+        s.columns[f"dir{k + 1}"] = list(came[:, k])
+    s.columns["time_s"] = [15.0 * k for k in range(n)]
+    s.columns["target"] = names
+    if frame:
+        s.columns["setup"] = ["st"] * n
+    return s
+
+
+def slip(s, row, lost=True):
+    """A point is missing, or there twice, in the file of the instrument."""
+    n = s.rows()
+    for axis in ("x_mm", "y_mm", "z_mm"):
+        v = list(s.columns[axis])
+        if lost:
+            del v[row]
+        else:
+            v.insert(row, v[row - 1] if row else v[0])
+        s.columns[axis] = v[:n]
+    if lost:
+        s.columns = {k: v[: n - 1] for k, v in s.columns.items()}
+
+
+def anywhere(rng, n, index):
+    return [2, n - 3, 0, n // 2][index % 8] if index % 8 < 4 else int(rng.integers(2, n - 2))
+
+
+def make(kind, index):
+    rng = np.random.default_rng([sum(map(ord, kind)), index])
+    what, _, robot = kind.partition("-")
+    design = ["random", "sweep"][index % 2]
+    arm = robot == "arm"
+    session = (lambda **k: arm_session(rng, design=design, **k)) if arm else (lambda **k: axis_session(rng, design=design, **k))
+    if what == "clean":
+        n = [30, 60, 120, 200][index % 4]
+        s = session(n=n, frame=index % 3 > 0) if arm else session(n=n, both=index % 3 > 0)
+        if index % 5 == 0:
+            s.columns.pop("time_s")
+        if index % 7 == 0:
+            s.columns = {k: (list(np.round(v, 2)) if k in ("x_mm", "y_mm", "z_mm") else v) for k, v in s.columns.items()}
+        return s, None
+    s = session(poor=1, n=int(rng.integers(14, 60))) if what == "poor" else None
+    if what == "slip":
+        s = session()
+        row = anywhere(rng, s.rows(), index // 2)
+        slip(s, row, lost=index % 3 > 0 or row == 0)
+        return s, "rows shifted by one"
+    if what == "copies":
+        s = session()
+        n = s.rows()
+        block = [list(range(n)) * 2, list(range(n)) + list(range(20, 35)), list(range(40)) + [39] + list(range(40, n))]
+        s.take(block[index % 3])
+        return s, "copied rows"
+    if what == "sorted":
+        s = session() if arm else axis_session(rng)
+        drift = rng.choice([-2, 2], 3) / 3600
+        for k, axis in enumerate(("x_mm", "y_mm", "z_mm")):
+            s.columns[axis] = [v + drift[k] * t for v, t in zip(s.columns[axis], s.columns["time_s"])]
+        s.take(list(np.argsort(s.columns["q1_deg"])))
+        return s, "rows out of order"
+    if what == "rounded":
+        step = [0.1, 0.05, 0.0254, 0.2][index % 4]
+        s = session()
+        for axis in ("x_mm", "y_mm", "z_mm"):
+            s.columns[axis] = [round(round(v / step) * step, 6) for v in s.columns[axis]]
+        return s, "resolution" if step > (0.03 if arm else 0.025) else None
+    if what == "speed":
+        s = session()
+        s.columns["speed1_deg_s"] = [-v for v in s.columns["speed1_deg_s"]]
+        return s, "speed"
+    if what == "grams":
+        s = session()
+        s.columns["load_kg"] = [1000 * v for v in s.columns["load_kg"]]
+        return s, "load"
+    if what == "target":
+        name = "T2" if arm else "B"
+        by = rng.normal(0, 1, 3)
+        by *= rng.uniform(1.5, 2.3) / np.linalg.norm(by)
+        return session(places={name: by}), f"target {name}"
+    if what == "poor":
+        return s, None
+    raise SystemExit(f"no kind is called {kind}")
+
+
+KINDS = [
+    "clean-axis", "clean-arm", "poor-arm", "slip-axis", "slip-arm", "copies-axis", "copies-arm", "sorted-axis",
+    "rounded-axis", "rounded-arm", "speed-axis", "grams-axis", "target-axis", "target-arm",
+]
+
+
+def run(binary, kind, index, folder):
+    session, word = make(kind, index)
+    path = os.path.join(folder, f"{kind}-{index}.json")
+    with open(path, "w") as out:
+        json.dump(session.document(), out, default=float)
+    done = subprocess.run([binary, "diagnose", path, "--json"], capture_output=True, text=True, timeout=300)
+    if done.returncode:
+        return {"failed": done.stderr.strip().splitlines()[-1:], "index": index}
+    answer = json.loads(done.stdout)
+    what = [p["what"] for p in answer["data_problems"]]
+    said = bool(word) and any(word in w for w in what)
+    other = [w for w in what if not (word and word in w)]
+    return {
+        "index": index,
+        "said": said,
+        "other": other,
+        "names": [f["effect"] for f in answer["found"]],
+        "verdict": answer["verdict"],
+        "end": answer["gap"]["end_mm"],
+        "ratio": answer["gap"]["end_mm"] / max(answer["floor"]["mm"], 1e-9),
+    }
+
+
+def main():
+    a = argparse.ArgumentParser()
+    a.add_argument("binary")
+    a.add_argument("--count", type=int, default=100)
+    a.add_argument("--kinds", default=",".join(KINDS))
+    a.add_argument("--keep")
+    a.add_argument("--jobs", type=int, default=1)
+    a.add_argument("--verbose", action="store_true")
+    given = a.parse_args()
+    print(f"{'kind':14} {'said':>9} {'else':>5} {'names':>6} {'noise':>6} {'end/floor':>10} {'failed':>6}")
+    with tempfile.TemporaryDirectory() as folder:
+        for kind in given.kinds.split(","):
+            with ThreadPoolExecutor(given.jobs) as pool:
+                all_ = list(pool.map(lambda k: run(given.binary, kind, k, given.keep or folder), range(given.count)))
+            good = [r for r in all_ if "failed" not in r]
+            ratio = np.median([r["ratio"] for r in good]) if good else np.nan
+            count = lambda of: sum(bool(of(r)) for r in good)
+            print(
+                f"{kind:14} {count(lambda r: r['said']):4}/{len(good):<4} {count(lambda r: r['other']):5} "
+                f"{count(lambda r: r['names']):6} {count(lambda r: r['verdict'] == 'noise'):6} {ratio:10.2f} {len(all_) - len(good):6}",
+                flush=True,
+            )
+            if given.verbose:
+                for r in all_:
+                    if "failed" in r or r["other"] or (r["names"] and kind != "sorted-axis") or not r["said"]:
+                        if kind.startswith(("clean", "poor")) and "failed" not in r and not r["other"] and not r["names"]:
+                            continue
+                        print("   ", r, file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()
