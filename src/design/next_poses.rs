@@ -24,6 +24,9 @@ use super::parting::{Attempt, Parting, over_reflectors};
 pub(crate) const MOST: usize = 24;
 /// Explanations that are compared, and of how many of them rivals are looked for.
 const MOST_COMPETING: usize = 14;
+/// Of a fit with more names than this so many are: every two of them are a comparison of as many columns as a fit has.
+const MANY_NAMES: usize = 4;
+const MOST_OF_MANY: usize = 6;
 const MOST_ASKED: usize = 3;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
@@ -109,18 +112,23 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
 fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
     let mut all: Vec<Explanation> = Vec::new();
-    join(&mut all, fit, true);
+    let most = if regression.added(fit).len() > MANY_NAMES {
+        MOST_OF_MANY
+    } else {
+        MOST_COMPETING
+    };
+    join(&mut all, fit, true, most);
     for rival in open {
-        join(&mut all, &rival.fit, true);
+        join(&mut all, &rival.fit, true, most);
     }
     let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
     for one in [fit].into_iter().chain(most_open) {
-        if all.len() == MOST_COMPETING {
+        if all.len() == most {
             break;
         }
         for near in aliases::rivals(regression, one) {
             if near.other_names() {
-                join(&mut all, &near.fit, false);
+                join(&mut all, &near.fit, false, most);
             }
         }
     }
@@ -128,9 +136,9 @@ fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation
 }
 
 /// Adds an explanation that is not there yet, if there is room.
-fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool) {
+fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool, most: usize) {
     let known = all.iter().any(|a| same_terms(&a.fit, fit));
-    if !known && all.len() < MOST_COMPETING {
+    if !known && all.len() < most {
         let fit = fit.clone();
         all.push(Explanation { fit, open });
     }

@@ -11,6 +11,9 @@ use super::significance::Significance;
 use super::steps::{Next, Step, steps};
 use super::{Cancelled, Progress, Watch};
 
+/// Logarithm of odds at which no other setting of a term passes for it in a part of the samples.
+const BEYOND_DOUBT: f64 = 40.0;
+
 /// What one term is worth beside the others.
 #[derive(Debug, Clone)]
 pub(crate) struct Worth {
@@ -37,11 +40,17 @@ pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<
         }
         let unseen = prepared.folds.rms(regression, &fit);
         let mut worst: Option<(f64, Fit)> = None;
-        for term in regression.added(&fit) {
+        let terms = regression.added(&fit);
+        let rests: Vec<_> = terms.iter().map(|t| regression.without(&fit, t)).collect();
+        let useful = prepared
+            .folds
+            .surely_predict(regression, &fit, &terms, &rests);
+        for (term, useful) in terms.into_iter().zip(useful) {
             let worth = worth(prepared, &fit, term);
+            let useful = useful && worth.ln_odds > BEYOND_DOUBT;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE, &fit);
-            let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
+            let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
             if unlikely || improbable() || useless() {
                 let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
                 if lowest {

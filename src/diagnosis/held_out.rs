@@ -6,7 +6,7 @@
 
 use std::rc::Rc;
 
-use nalgebra::{DMatrix, DMatrixView, DVector};
+use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 use crate::fit::regression::Rows;
@@ -15,6 +15,7 @@ use crate::model::Model;
 use super::columns::Among;
 use super::left_out::{Groups, LeftOut};
 use super::regression::{Fit, Regression};
+use super::surroundings::Without;
 use crate::linear::Basis;
 use crate::sessions::cells::{cells, folds_of_groups};
 
@@ -158,6 +159,47 @@ impl Folds {
         })
     }
 
+    /// Of terms that are taken out of a fit, which surely predict samples that no fit has seen: to first order, at
+    /// the settings that they have, and so clearly that the rest does not matter.
+    pub(crate) fn surely_predict(
+        &self,
+        regression: &Regression,
+        fit: &Fit,
+        terms: &[&Term],
+        rests: &[Option<Without>],
+    ) -> Vec<bool> {
+        let none = vec![false; rests.len()];
+        let (n, rows) = (self.fold.len(), regression.rows.len());
+        if n < FEW {
+            return none;
+        }
+        let mut with_all = 0.0;
+        let mut without = vec![0.0; rests.len()];
+        for fold in 0..self.count {
+            let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
+            let Some(left_out) = LeftOut::new(&fit.basis, &unseen) else {
+                return none;
+            };
+            let left = fit.residual.select_rows(&unseen);
+            let left = DMatrix::from_column_slice(left.len(), 1, left.as_slice());
+            with_all += left_out.unseen(&left).norm_squared();
+            for (sum, rest) in without.iter_mut().zip(rests) {
+                let Some(rest) = rest else { continue };
+                let of = left_out.unseen_without(&left, rest.directions(), rest.explained());
+                *sum += of.map_or(0.0, |of| of.norm_squared());
+            }
+        }
+        let settled = |term: &Term, rest: &Without| {
+            !is_scanned(term) || near_its_own(regression, fit, term, rest, RIVALS).is_empty()
+        };
+        let each = without.into_iter().zip(terms.iter().zip(rests));
+        each.map(|(sum, (term, rest))| {
+            let rest = rest.as_ref();
+            sum > SURELY * with_all && rest.is_some_and(|rest| settled(term, rest))
+        })
+        .collect()
+    }
+
     /// What is left of samples that the fit has not seen.
     pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
         if !self.say_something() {
@@ -170,8 +212,12 @@ impl Folds {
             };
         }
         let all = Whitened::of(regression, fit);
-        let scanned = scanned_terms(regression, fit, &all.white);
-        let whole = Whole::new(&scanned, &all);
+        let scanned = scanned_terms(regression, fit);
+        let whole = Whole::new(&scanned, &all, |white| {
+            let of_base = regression.of_base();
+            let extended = of_base.extended(&regression.base, &fit.model, white);
+            extended.unwrap_or_else(|| Basis::new(white))
+        });
         let (height, width) = all.white.shape();
         let settings: usize = scanned.iter().map(|s| 2 + s.candidates.len()).sum();
         let bases = (1 + scanned.len()) * 3 * width + 4 * settings;
@@ -274,50 +320,35 @@ struct Scanned {
     white: DMatrix<f64>,
 }
 
+/// What a fit without a term leaves of unseen samples is clearly more if it is so many times as much, squared.
+const SURELY: f64 = 1.04;
+/// Another setting rivals the term's own from this share of what that does on.
+const RIVALS: f64 = 0.6;
 /// Settings that are scanned afresh, at most …
 const MOST_SETTINGS: usize = 16;
 /// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
 /// does not make up for the rest.
 const NEAR: f64 = 0.3;
 
-/// A term that gains so much is no chance: only settings that look like its own may pass for it.
-const STRONG: f64 = 100.0;
-
-/// Leaves the settings that may be better than the term's own where some samples are left out.
-fn keep_near(
+/// Settings of a term, other than its own, that would lower the square by more than a share of what the term does.
+fn near_its_own(
     regression: &Regression,
     fit: &Fit,
-    (term, white): (&Term, DMatrixView<f64>),
-    candidates: Vec<usize>,
+    term: &Term,
+    rest: &Without,
+    share: f64,
 ) -> Vec<usize> {
-    let Some(rest) = regression.without(fit, term) else {
-        return candidates;
-    };
     let own = rest.rss - fit.rss;
+    let around = regression.surroundings(fit, Among::Names);
+    let gain = |index: usize| around.gain(rest, &regression.table.candidates[index]);
     let setting = |index: &usize| {
         let term = regression.table.candidates[*index].what.term();
         term.map(|t| t.setting)
     };
-    let others = candidates.into_iter();
-    let others: Vec<usize> = others
-        .filter(|c| setting(c) != Some(term.setting))
-        .collect();
-    if own > STRONG * (fit.rss / regression.m()).max(1e-300) {
-        let alike = regression.settings_alike.of_setting(term, || {
-            Rc::new(regression.alike(&white.into_owned(), &others, 0.5 * NEAR))
-        });
-        if alike.len() <= MOST_SETTINGS {
-            return alike.to_vec();
-        }
-    }
-    let around = regression.surroundings(fit, Among::Names);
-    let mut gains: Vec<(f64, usize)> = Vec::new();
-    for index in others {
-        let gain = around.gain(&rest, &regression.table.candidates[index]);
-        if gain > NEAR * own {
-            gains.push((gain, index));
-        }
-    }
+    let others = settings(regression, term).into_iter();
+    let others = others.filter(|c| setting(c) != Some(term.setting));
+    let gains = others.map(|index| (gain(index), index));
+    let mut gains: Vec<(f64, usize)> = gains.filter(|g| g.0 > share * own).collect();
     gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     gains.truncate(MOST_SETTINGS);
     let mut kept: Vec<usize> = gains.iter().map(|g| g.1).collect();
@@ -325,35 +356,39 @@ fn keep_near(
     kept
 }
 
-fn scanned_terms(regression: &Regression, fit: &Fit, white: &DMatrix<f64>) -> Vec<Scanned> {
+/// Whether a term's setting is scanned afresh in every fold.
+fn is_scanned(term: &Term) -> bool {
+    // A fade is a coefficient like others: every fold's fit moves it.
+    !matches!(
+        term.effect.about().setting,
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place | Setting::Fade
+    )
+}
+
+/// Candidates that are a term with any setting.
+fn settings(regression: &Regression, term: &Term) -> Vec<usize> {
+    let id = term.effect.about().id;
+    let same = |index: &usize| {
+        let candidate = &regression.table.candidates[*index];
+        let other = candidate.what.term();
+        other.is_some_and(|t| t.effect.about().id == id && t.joint == term.joint)
+    };
+    let count = regression.table.candidates.len();
+    (0..count).filter(same).collect()
+}
+
+fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     let mut first = 0;
     let mut all = Vec::new();
     for term in fit.model.terms() {
         let size = term.coefficients.len();
-        let about = term.effect.about();
-        // A fade is a coefficient like others: every fold's fit moves it.
-        let scanned = !matches!(
-            about.setting,
-            Setting::None | Setting::Setup | Setting::Target | Setting::Place | Setting::Fade
-        );
-        if scanned {
-            let same = |i: &usize| {
-                let candidate = &regression.table.candidates[*i];
-                candidate
-                    .what
-                    .term()
-                    .is_some_and(|t| t.effect.about().id == about.id && t.joint == term.joint)
+        if is_scanned(term) {
+            let many = regression.rows.samples.len() >= FEW;
+            let rest = many.then(|| regression.without(fit, term)).flatten();
+            let candidates = match rest {
+                Some(rest) => near_its_own(regression, fit, term, &rest, NEAR),
+                None => settings(regression, term),
             };
-            let count = regression.table.candidates.len();
-            let mut candidates: Vec<usize> = (0..count).filter(same).collect();
-            if regression.rows.samples.len() >= FEW {
-                candidates = keep_near(
-                    regression,
-                    fit,
-                    (term, white.columns(first, size)),
-                    candidates,
-                );
-            }
             if candidates.is_empty() {
                 first += size;
                 continue;
@@ -437,14 +472,12 @@ impl Beside {
 struct Untold;
 
 impl Whole {
-    fn new(scanned: &[Scanned], rows: &Whitened) -> Self {
+    /// `basis` is of all columns.
+    fn new(scanned: &[Scanned], rows: &Whitened, basis: impl Fn(&DMatrix<f64>) -> Basis) -> Self {
         let beside = |term: &Scanned| Beside::new(term, rows, term.white.clone());
         let terms: Vec<Beside> = scanned.iter().map(beside).collect();
         let last = terms.last();
-        let basis = last.map_or_else(
-            || Basis::new(&rows.white),
-            |term| term.with_term(&rows.white),
-        );
+        let basis = last.map_or_else(|| basis(&rows.white), |term| term.with_term(&rows.white));
         Self { basis, terms }
     }
 

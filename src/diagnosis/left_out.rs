@@ -64,6 +64,31 @@ impl<'b> LeftOut<'b> {
         self.basis.coefficients(along)
     }
 
+    /// What a fit without the rows leaves of them, from what the fit with them leaves:
+    /// `(1 − Q_B Q_Bᵀ)⁻¹ r_B`.
+    pub(super) fn unseen(&self, left: &DMatrix<f64>) -> DMatrix<f64> {
+        let seen = &self.inverse_root * (&self.own * left);
+        let back = self.inverse_root.tr_mul(&seen);
+        left + self.own.tr_mul(&back)
+    }
+
+    /// The same of a fit without some combinations of the basis, of which the whole fit has so much: with `u` what
+    /// they are in the rows, `(1 − Q_B Q_Bᵀ + u uᵀ)⁻¹ (r_B + u β)`, by Woodbury. `None` where the rows that stay do
+    /// not tell it.
+    pub(super) fn unseen_without(
+        &self,
+        left: &DMatrix<f64>,
+        directions: &DMatrix<f64>,
+        explained: &DMatrix<f64>,
+    ) -> Option<DMatrix<f64>> {
+        let u = self.own.tr_mul(directions);
+        let y = left + &u * explained;
+        let (of_y, of_u) = (self.unseen(&y), self.unseen(&u));
+        let k = u.ncols();
+        let inner = (DMatrix::identity(k, k) + u.tr_mul(&of_u)).cholesky()?;
+        Some(of_y - &of_u * inner.solve(&of_u.tr_mul(&y)))
+    }
+
     /// By how much each group of columns would lower the sum of squares that the basis leaves of `y` in
     /// the rows that stay.
     pub(super) fn gains(&self, groups: &Groups, y: &DVector<f64>) -> Vec<f64> {
@@ -151,6 +176,25 @@ mod tests {
         let anew = Basis::new(&a.select_rows(&stay));
         let seen = y.select_rows(&stay);
         assert!((left_out.solve(&y) - anew.solve(&seen)).amax() < 1e-9);
+
+        // What the rows that stay say of those that do not, with all columns and without one.
+        let unseen = |basis: &Basis, a: &DMatrix<f64>| {
+            let x = basis.solve(&seen);
+            y.select_rows(&out) - a.select_rows(&out) * x
+        };
+        let of_out = |y: &DVector<f64>| {
+            let rows = basis.reject(y).select_rows(&out);
+            DMatrix::from_column_slice(rows.len(), 1, rows.as_slice())
+        };
+        let left = of_out(&y);
+        let apart = left_out.unseen(&left).column(0) - unseen(&anew, &a);
+        assert!(apart.norm() < 1e-9);
+        let (directions, parts) = basis.only_of(&[4]).expect("independent");
+        let explained = parts * basis.solve(&y)[4];
+        let fewer = a.columns(0, 4).into_owned();
+        let expected = unseen(&Basis::new(&fewer.select_rows(&stay)), &fewer);
+        let without = left_out.unseen_without(&left, &directions, &explained);
+        assert!((without.expect("told").column(0) - expected).norm() < 1e-9);
 
         let gains = left_out.gains(&Groups::new(more.clone(), 2, &basis, &y), &y);
         for (group, gain) in gains.iter().enumerate() {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use super::placed::Placed;
 use super::regression::Fit;
-use crate::effects::Term;
 use crate::model::Model;
 
 /// The last answers, each with the fit that it is for.
@@ -33,12 +32,6 @@ impl<T: Clone> Memo<T> {
     /// The answer for what a fit starts from.
     pub(crate) fn of_start(&self, model: &Model, shapes: &[Placed], work: impl FnOnce() -> T) -> T {
         self.of_key(start(model, shapes), work)
-    }
-
-    /// The answer for a setting of a term.
-    pub(crate) fn of_setting(&self, term: &Term, work: impl FnOnce() -> T) -> T {
-        let place = (crate::effects::rank(term.effect) * 64 + term.joint) as u64;
-        self.of_key(vec![place, term.setting.to_bits()], work)
     }
 
     fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {

@@ -109,7 +109,10 @@ impl<'a> Prepared<'a> {
 
     /// The most that a search may add.
     pub(crate) fn cap(&self) -> usize {
-        let cap = self.regression.rows.samples.len().div_ceil(10).min(12);
+        // An old robot has a few on every joint.
+        let several = self.regression.base.robot.joints.len() > 1;
+        let most = if several { 24 } else { 12 };
+        let cap = self.regression.rows.samples.len().div_ceil(10).min(most);
         self.options.max_effects.map_or(cap, |most| most.min(cap))
     }
 

@@ -59,8 +59,6 @@ pub(crate) struct Regression<'a> {
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
     pub(super) unseen: Memo<[f64; 2]>,
-    /// Candidates that samples could take for a setting.
-    pub(super) settings_alike: Memo<Rc<Vec<usize>>>,
     /// What candidates would do beside the last fits.
     pub(super) surroundings: Memo<Rc<Surroundings>>,
     /// Other names for a fit ([`super::aliases`]).
@@ -139,7 +137,6 @@ impl<'a> Regression<'a> {
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
             unseen: Memo::new(UNSEEN_KEPT),
-            settings_alike: Memo::new(SCORES_KEPT),
             surroundings: Memo::new(SURROUNDINGS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }

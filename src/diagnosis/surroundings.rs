@@ -21,7 +21,7 @@ use super::projected::Grams;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
 use crate::effects::Term;
-use crate::linear::{Basis, small_cholesky, small_gain};
+use crate::linear::{small_cholesky, small_gain};
 
 /// The candidates beside a fit.
 pub(crate) struct Surroundings {
@@ -41,14 +41,26 @@ pub(crate) struct Surroundings {
 pub(crate) struct Without {
     /// `c`: of the fit's orthonormal columns, those that the columns alone span.
     directions: DMatrix<f64>,
-    /// `β`.
-    explained: DVector<f64>,
+    /// `β`, a single column.
+    explained: DMatrix<f64>,
     /// The sum of squares that is left.
     pub(crate) rss: f64,
     /// The rank.
     pub(crate) rank: usize,
     /// At least how likely it is; [`Regression::without`] says by how much it may be less.
     pub(crate) ln_evidence: f64,
+}
+
+impl Without {
+    /// Of the fit's orthonormal columns, those that the columns that are taken out alone span.
+    pub(crate) fn directions(&self) -> &DMatrix<f64> {
+        &self.directions
+    }
+
+    /// How much of each of them the fit has, a single column.
+    pub(crate) fn explained(&self) -> &DMatrix<f64> {
+        &self.explained
+    }
 }
 
 impl Regression<'_> {
@@ -114,7 +126,8 @@ impl Regression<'_> {
         price: f64,
     ) -> Option<Without> {
         let (directions, parts) = fit.basis.only_of(columns)?;
-        let explained = parts * DVector::from_column_slice(coefficients);
+        let own = DMatrix::from_column_slice(coefficients.len(), 1, coefficients);
+        let explained = parts * own;
         let rss = fit.rss + explained.norm_squared();
         let (m, gone) = (self.m(), directions.ncols());
         let fell = -0.5 * m * (self.rounded(rss) / self.rounded(fit.rss)).ln();
@@ -127,40 +140,11 @@ impl Regression<'_> {
         })
     }
 
-    /// Of candidates, those that the samples of this regression could take for whitened columns: which share with
-    /// them, once the base is projected out, more than this part of their square.
-    pub(crate) fn alike(&self, own: &DMatrix<f64>, candidates: &[usize], share: f64) -> Vec<usize> {
-        let basis = self.of_base().basis();
-        let mut free = own.clone();
-        let along = basis.q.tr_mul(&free);
-        free.gemm(-1.0, &basis.q, &along, 1.0);
-        let unit = Basis::new(&free).q;
-        let projected = self.projected(basis, Among::Names);
-        let products = self
-            .table
-            .columns
-            .products(&self.filter, &unit, Among::Names);
-        let near = |index: &usize| {
-            let candidate = &self.table.candidates[*index];
-            let (factor, _) = projected.factor(candidate);
-            let (first, k) = (candidate.first, candidate.size);
-            let rows = products.columns(first, k);
-            let shared: f64 = (0..unit.ncols())
-                .map(|row| {
-                    let mut pull: Vec<f64> = rows.row(row).iter().copied().collect();
-                    small_gain(&factor, k, &mut pull)
-                })
-                .sum();
-            shared > share
-        };
-        candidates.iter().copied().filter(near).collect()
-    }
-
     /// Scores of candidates beside a fit without some columns.
     pub(crate) fn scan_without(&self, around: &Surroundings, rest: &Without) -> Vec<Score> {
         let along = rest.directions.tr_mul(&around.along);
         let mut pulls = around.pulls.clone();
-        pulls.gemv_tr(1.0, &along, &rest.explained, 1.0);
+        pulls.gemv_tr(1.0, &along, &rest.explained.column(0), 1.0);
         let factor = |c: &Candidate| around.factor(c, along.columns(c.first, c.size));
         let beside = (rest.rank, rest.rss);
         self.scores(beside, around.among, factor, pulls.as_slice())
@@ -188,7 +172,7 @@ impl Surroundings {
         let back = rest.directions.tr_mul(&self.along.columns(first, k));
         let (factor, _) = self.factor(candidate, back.as_view());
         let mut pulls = self.pulls.rows(first, k).into_owned();
-        pulls.gemv_tr(1.0, &back, &rest.explained, 1.0);
+        pulls.gemv_tr(1.0, &back, &rest.explained.column(0), 1.0);
         small_gain(&factor, k, pulls.as_mut_slice())
     }
 }
