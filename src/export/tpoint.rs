@@ -67,7 +67,10 @@ impl Mount {
             return None;
         };
         let turn = |joint: &crate::kinematics::Joint| joint.kind == JointKind::Revolute;
-        let (up, axis) = (azimuth.axis.direction.z, elevation.axis.direction.into_inner());
+        let (up, axis) = (
+            azimuth.axis.direction.z,
+            elevation.axis.direction.into_inner(),
+        );
         let upright = up.abs() > 1.0 - SQUARE && axis.z.abs() < SQUARE;
         if !(turn(azimuth) && turn(elevation) && upright) {
             return None;
@@ -124,7 +127,11 @@ impl Exporter for Tpoint {
         let mut text = format!("{}\n", job.calibration.session.replace(['\n', '\r'], " "));
         // The directions that the terms were fitted to stand for the observations of a run.
         let count = GRID[0] * GRID[1];
-        let _ = writeln!(text, "S {count:4} {:10.4}    0.000   0.0000", fitted.left_arcsec);
+        let _ = writeln!(
+            text,
+            "S {count:4} {:10.4}    0.000   0.0000",
+            fitted.left_arcsec
+        );
         for (name, value) in TERMS.iter().zip(&fitted.arcsec) {
             let _ = writeln!(text, "  {name:<8} {value:+14.4}");
         }
@@ -138,7 +145,10 @@ impl Exporter for Tpoint {
         ];
         let left_out = chain.corrected.left_out.iter();
         notes.extend(left_out.map(|term| {
-            format!("{} is in none of these terms", term.effect.about().title.to_lowercase())
+            format!(
+                "{} is in none of these terms",
+                term.effect.about().title.to_lowercase()
+            )
         }));
         let sidecar = Sidecar {
             format: "truepose-table/1",
@@ -154,7 +164,10 @@ impl Exporter for Tpoint {
             terms: TERMS
                 .iter()
                 .zip(&fitted.arcsec)
-                .map(|(name, arcsec)| TermTwin { name, arcsec: *arcsec })
+                .map(|(name, arcsec)| TermTwin {
+                    name,
+                    arcsec: *arcsec,
+                })
                 .collect(),
             leaves_arcsec: fitted.left_arcsec,
             nominal_arcsec: fitted.nominal_arcsec,
@@ -198,7 +211,10 @@ fn fitted(job: &Job, chain: &Chain, mount: &Mount) -> Fitted {
             let looks = chain.robot.base_from_tool(&q).rotation * mount.looks;
             let [azimuth, elevation] = horizon(&(station.inverse() * looks));
             let far = mount.sense * q[0] - azimuth;
-            let by = [far - (far / (2.0 * turn)).round() * 2.0 * turn, q[1] - elevation];
+            let by = [
+                far - (far / (2.0 * turn)).round() * 2.0 * turn,
+                q[1] - elevation,
+            ];
             let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());
             // As far as it is seen on the sky.
             rows.push([-ce, 0.0, -1.0, -se, -sa * se, -ca * se]);
