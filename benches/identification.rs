@@ -64,6 +64,7 @@ fn session(n: usize) -> Session {
                     to: std::f64::consts::FRAC_PI_2,
                 }),
                 link: None,
+                follows: None,
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,
@@ -165,6 +166,7 @@ fn arm_session(n: usize) -> Session {
             to: limits[1].to_radians(),
         }),
         link: None,
+        follows: None,
     };
     let mut session = session(n);
     session.robot.joints = ARM.map(joint).to_vec();

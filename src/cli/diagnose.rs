@@ -272,10 +272,10 @@ fn in_words(d: &Diagnosis) -> String {
     and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
     unexplained_in_words(&mut text, d);
     let plain = |effect: &str| effect.to_owned();
-    for line in limits::not_testable(d, plain) {
-        let _ = writeln!(text, "{}: not testable, {}", line.names, line.says);
-    }
     if arm {
+        for line in limits::not_testable(d, plain) {
+            let _ = writeln!(text, "{}: not testable, {}", line.names, line.says);
+        }
         let lines = limits::limits(d, plain);
         if !lines.is_empty() {
             let _ = writeln!(text, "not found; detection limits (95 %):");
@@ -293,6 +293,15 @@ fn in_words(d: &Diagnosis) -> String {
             let _ = writeln!(text, "  {others}");
         }
     } else {
+        let robot = &d.model.robot;
+        for one in d
+            .not_testable
+            .iter()
+            .filter(|one| limits::applies(robot, one))
+        {
+            let name = named(d, one.effect, one.joint);
+            let _ = writeln!(text, "{name}: not testable, {}", one.because);
+        }
         for limit in &d.not_found {
             let name = named(d, limit.effect, limit.joint);
             let _ = writeln!(text, "{name}: {}", limit_in_words(limit));

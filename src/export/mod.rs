@@ -93,6 +93,7 @@ register! {
     ur_kinematics,
     frames,
     lerobot,
+    tpoint,
 }
 
 fn any_robot(_: &Robot) -> bool {

@@ -6,7 +6,7 @@ use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::declared::{PLANE, SOCKET};
-use crate::importers::euler::{self, Answer, EULER};
+use crate::importers::euler;
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::Role;
 use crate::importers::joint_names;
@@ -145,74 +145,6 @@ impl<'a> Case<'a> {
     pub(crate) fn has_said_columns(&self, grid: &Grid<'_>) -> bool {
         let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
         !self.words_of(headings).is_empty()
-    }
-
-    /// Angles of an orientation: how they are to be read is asked where the format can be told, and
-    /// they are kept and ignored where it cannot.
-    fn ask_about_angles(&mut self, roles: &mut [Role]) -> Option<euler::Convention> {
-        let found = euler::columns_of(roles)?;
-        let can_be_told = self.found.kind.is_some_and(|kind| {
-            let mut options = kind.options.iter();
-            options.any(|option| option.name == EULER)
-        });
-        if !can_be_told {
-            for role in roles
-                .iter_mut()
-                .filter(|role| matches!(role, Role::Turn(..)))
-            {
-                *role = Role::Kept;
-            }
-            return None;
-        }
-        if let Err(found) = found {
-            self.refuse(found, "rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be left out");
-            return None;
-        }
-        let quaternion = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
-        if roles.iter().any(quaternion) {
-            self.ask(
-                About::Columns,
-                "the orientation is there as a quaternion and as angles",
-                &[],
-            );
-            return None;
-        }
-        let answer = self
-            .reading
-            .options
-            .get(EULER)
-            .map(|answer| euler::read(answer));
-        match answer {
-            Some(Answer::Known(convention)) => return Some(convention),
-            Some(Answer::Axes(order)) => {
-                let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
-                let says = format!(
-                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said"
-                );
-                self.ask(About::Own(EULER), says, &[&fixed, &moving]);
-            }
-            Some(Answer::Wrong) => {
-                self.refuse(
-                    format!("--{EULER} {}", quoted(&self.reading.options[EULER])),
-                    "an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec",
-                );
-            }
-            None => {
-                let says = "three angles of an orientation, and neither the order of their axes nor whether these move is said";
-                self.ask(
-                    About::Own(EULER),
-                    says,
-                    &[
-                        "xyz-fixed",
-                        "zyx-moving",
-                        "xyz-moving",
-                        "zyz-moving",
-                        "rotvec",
-                    ],
-                );
-            }
-        }
-        None
     }
 
     /// Reads the cells of a table whose columns have these roles. `None` while something is asked

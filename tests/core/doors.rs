@@ -746,7 +746,7 @@ fn a_pointing_run_of_a_mount_is_read_as_its_observatory_writes_it() {
     assert_eq!(session.samples.len(), 60);
     assert!(session.instrument.references.pointing.is_some());
     assert!(said.contains("Night of the test"), "{said}");
-    let done = desk.run("identify p.json --json");
+    let done = desk.run("identify p.json --json --out mount.json");
     assert_eq!(
         done.status.code(),
         Some(0),
@@ -754,6 +754,32 @@ fn a_pointing_run_of_a_mount_is_read_as_its_observatory_writes_it() {
         String::from_utf8_lossy(&done.stderr)
     );
     let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    // Out again as the terms of an observer's software: 0.3° of index, 0.2° of lean, nothing else.
+    let done = desk.run("export mount.json --to tpoint --out mount.mod");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+    let model = std::fs::read_to_string(desk.path().join("mount.mod")).unwrap();
+    assert!(model.ends_with("END\n"), "{model}");
+    for (term, arcsec) in [
+        ("IA", 0.0),
+        ("IE", -1080.0),
+        ("CA", 0.0),
+        ("NPAE", 0.0),
+        ("AN", 0.0),
+        ("AW", -720.0),
+    ] {
+        let line = model
+            .lines()
+            .find(|line| line.split_whitespace().next() == Some(term))
+            .unwrap();
+        let value: f64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
+        // The terms are of first order: 0.3° times 0.2° is 4″.
+        assert!((value - arcsec).abs() < 8.0, "{model}");
+    }
     let text = answer.to_string();
     let after = answer["kinds"][0]["after"].as_f64();
     assert!(after.is_some_and(|mrad| mrad < 1e-3), "{text}");

@@ -63,6 +63,7 @@ fn paper_session() -> Session {
                     to: 90.0_f64.to_radians(),
                 }),
                 link: None,
+                follows: None,
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,

@@ -23,7 +23,11 @@ use crate::kinematics::{Pose, UrdfChain, robot_from_urdf, urdf_chain_of, urdf_wi
 const SAME: f64 = 1e-12;
 
 /// The file with the chain in it.
-pub(super) fn write(job: &Job, chain: &Chain, reference: Reference) -> Result<Written, ExportError> {
+pub(super) fn write(
+    job: &Job,
+    chain: &Chain,
+    reference: Reference,
+) -> Result<Written, ExportError> {
     let refused = |error: Rejected| ExportError::Refused(error.to_string());
     let text = std::str::from_utf8(reference.bytes).map_err(|_| {
         ExportError::Refused(format!("{}: expected a URDF file in UTF-8", reference.name))
@@ -38,7 +42,11 @@ pub(super) fn write(job: &Job, chain: &Chain, reference: Reference) -> Result<Wr
         .into_iter()
         .collect();
     let written = urdf_with(text, file, &origins, &added, origin).map_err(refused)?;
-    let tip = if added.is_empty() { own.tip.clone() } else { name };
+    let tip = if added.is_empty() {
+        own.tip.clone()
+    } else {
+        name
+    };
     let read_back = |error: Rejected| ExportError::ReadBack(error.to_string());
     let robot = robot_from_urdf(&written, file, &own.base, &tip).map_err(read_back)?;
     chain.check(job, &robot)?;
@@ -65,7 +73,11 @@ pub(super) fn write(job: &Job, chain: &Chain, reference: Reference) -> Result<Wr
 }
 
 /// The new origins of the joints that change, and the tool in the tip where no joint can take it.
-fn origins(chain: &Chain, own: &UrdfChain, nominal: Vec<Pose>) -> (Vec<(String, Pose)>, Option<Pose>) {
+fn origins(
+    chain: &Chain,
+    own: &UrdfChain,
+    nominal: Vec<Pose>,
+) -> (Vec<(String, Pose)>, Option<Pose>) {
     let mut changed = Vec::new();
     let (mut before, mut after) = (Pose::identity(), Pose::identity());
     let mut moving = 0;

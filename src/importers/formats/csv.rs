@@ -96,7 +96,11 @@ fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>
 /// A session's own columns of measurements other than points are such columns where the table has no
 /// points: beside points, a distance or the name of a plane may be anything.
 fn own_references(names: &[String], roles: &mut [Role]) {
-    let has = |wanted| roles.iter().any(|role: &Role| role.quantity() == Some(wanted));
+    let has = |wanted| {
+        roles
+            .iter()
+            .any(|role: &Role| role.quantity() == Some(wanted))
+    };
     if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
         return;
     }
@@ -115,7 +119,10 @@ fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Ro
         .filter(|((_, proposed), role)| proposed != role)
         .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
         .collect();
-    let says = format!("columns that may be what was measured: {}", changed.join(", "));
+    let says = format!(
+        "columns that may be what was measured: {}",
+        changed.join(", ")
+    );
     if case.reading.confirmed {
         case.note(format!("{says}; taken so, as was confirmed"));
         return;
@@ -132,9 +139,9 @@ fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
     let joint = |joint| Role::Known(Quantity::Commanded(joint), None);
     let roles: Vec<Role> = match grid.width.checked_sub(joints) {
         Some(0) if joints > 0 && !first => (0..joints).map(joint).collect(),
-        Some(1) if joints > 0 && first => {
-            std::iter::once(Role::Point).chain((0..joints).map(joint)).collect()
-        }
+        Some(1) if joints > 0 && first => std::iter::once(Role::Point)
+            .chain((0..joints).map(joint))
+            .collect(),
         _ => {
             let says = format!(
                 "{} columns and no header, for a robot of {joints} joints",
@@ -145,6 +152,9 @@ fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
         }
     };
     let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
-    case.note(format!("no header: the columns are taken as {}", words.join(", ")));
+    case.note(format!(
+        "no header: the columns are taken as {}",
+        words.join(", ")
+    ));
     roles
 }

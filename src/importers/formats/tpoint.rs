@@ -19,6 +19,7 @@
 
 use nalgebra::Vector3;
 
+use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns, Directions};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
@@ -26,10 +27,9 @@ use crate::importers::grid::Complaints;
 use crate::importers::headings::Role;
 use crate::importers::reader::Case;
 use crate::importers::settings::{ColumnGuess, Known};
-use crate::diagnostic::Diagnostic;
-use crate::sessions::{Azimuth, Lines};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
+use crate::sessions::{Azimuth, Lines};
 
 /// Option: which axis of the tool looks at the sky.
 const POINTING_AXIS: &str = "pointing-axis";
@@ -54,7 +54,9 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// The options of mounts and of how places are given.
-const OPTIONS: [&str; 7] = ["ALTAZ", "AZALT", "EQUAT", "GIMBAL", "NODA", "ALLSKY", "J2000"];
+const OPTIONS: [&str; 7] = [
+    "ALTAZ", "AZALT", "EQUAT", "GIMBAL", "NODA", "ALLSKY", "J2000",
+];
 
 /// A line without its comment.
 fn plain(line: &str) -> &str {
@@ -65,12 +67,19 @@ fn is(text: &str) -> bool {
     let lines = text.lines().map(plain).filter(|line| !line.is_empty());
     // The caption comes first.
     let mut options = lines.skip(1).take_while(|line| line.starts_with(':'));
-    options.any(|line| options_of(line).iter().any(|word| OPTIONS.contains(&word.as_str())))
+    options.any(|line| {
+        options_of(line)
+            .iter()
+            .any(|word| OPTIONS.contains(&word.as_str()))
+    })
 }
 
 fn options_of(line: &str) -> Vec<String> {
     let words = line.split([':', ' ', '\t', ',']);
-    words.filter(|word| !word.is_empty()).map(str::to_uppercase).collect()
+    words
+        .filter(|word| !word.is_empty())
+        .map(str::to_uppercase)
+        .collect()
 }
 
 /// Numbers of a line; `None` where one is no number.
@@ -95,7 +104,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         options.extend(options_of(line));
     }
     case.found.preamble = vec![caption.to_owned(), options.join(" ")];
-    if !options.iter().any(|option| option == "ALTAZ" || option == "AZALT") {
+    if !options
+        .iter()
+        .any(|option| option == "ALTAZ" || option == "AZALT")
+    {
         case.refuse(
             format!("a run with the options {}", options.join(", ")),
             "an altazimuth run (: ALTAZ) in degrees; an equatorial one states catalogue places, which have to be reduced to \
@@ -104,13 +116,19 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         return None;
     }
     if !matches!(case.reading.joints.len(), 0 | 2) {
-        let found = format!("a pointing run for a robot of {} joints", case.reading.joints.len());
+        let found = format!(
+            "a pointing run for a robot of {} joints",
+            case.reading.joints.len()
+        );
         case.refuse(found, "a mount of two joints: azimuth and elevation");
         return None;
     }
     let latitude = lines.next();
     let Some(latitude) = latitude.and_then(|(line, _)| numbers(line)) else {
-        case.refuse("no line of run parameters", "latitude in degrees, minutes and seconds behind the options");
+        case.refuse(
+            "no line of run parameters",
+            "latitude in degrees, minutes and seconds behind the options",
+        );
         return None;
     };
     let mut values = [const { Vec::new() }; 5];
@@ -141,7 +159,9 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     }
     if let [degrees, rest @ ..] = &latitude[..] {
         let minutes = rest.first().copied().unwrap_or(0.0);
-        case.note(format!("{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run"));
+        case.note(format!(
+            "{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run"
+        ));
     }
     Some(columns(case, values, rows))
 }
@@ -156,7 +176,13 @@ fn columns(case: &mut Case<'_>, values: [Vec<f64>; 5], lines: Lines) -> Columns 
         Column::made(Quantity::Commanded(1), degree, mount_elevation),
     ];
     if rotator.iter().any(|value| value.is_finite()) {
-        let cells = rotator.iter().map(|value| if value.is_nan() { String::new() } else { value.to_string() });
+        let cells = rotator.iter().map(|value| {
+            if value.is_nan() {
+                String::new()
+            } else {
+                value.to_string()
+            }
+        });
         list.push(Column {
             name: "rotator_deg".to_owned(),
             number: 5,

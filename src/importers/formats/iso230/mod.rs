@@ -295,7 +295,7 @@ fn columns(case: &Case<'_>, list: &[Measurement], is_deviation: bool, units: Uni
         list: columns,
         lines,
         commands: None,
-            directions: None,
+        directions: None,
     }
 }
 
