@@ -228,6 +228,7 @@ impl Identification {
             regions: self.regions.iter().map(|r| r.correction.clone()).collect(),
             targets: session.targets.clone(),
             measured: measured_ranges(inputs),
+            load_kg: inputs.load_kg.as_deref().map(extent),
             tolerance_mm: session.tolerance_mm,
             compensated_by: session.compensated_by.clone(),
             history: vec![

@@ -1,17 +1,18 @@
 //! `truepose compensate`: the targets of a table or a robot program, corrected in place.
 
 use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use crate::kinematics::{Pose, Robot, pose_from_parts};
+use crate::kinematics::{Pose, Robot};
 use crate::pipeline;
-use crate::present::compensation_v1::{self, Summary};
-use crate::present::json::Json;
+use crate::present::compensation_v1::{self, Document, SAID_RAD, Summary};
 use crate::programs::{
-    Answer, CompensateError, LANGUAGES, Language, ModelTool, Request, find, language_of,
+    Answer, CompensateError, Holds, LANGUAGES, Language, ModelTool, Orientation, ProgramFrames,
+    Request, find, language_of,
 };
 use crate::sessions::read_whole;
 
@@ -21,8 +22,10 @@ use super::output;
 /// Correct the targets of a table or a robot program, so that the real tool goes where the nominal
 /// robot would
 ///
-/// Everything but the numbers of targets comes out byte for byte. A target that is singular, beyond the
-/// limits or ambiguous is named and left as it is; the exit status is then 1.
+/// Everything but the numbers of targets comes out byte for byte. A target whose position cannot be
+/// corrected is named and left as it is; the exit status is then 1. Where the program's own numbers of a
+/// tool, a base or a load are not the model's, nothing is written (2) until --tool, --frame, --load,
+/// --as-programmed or --as-modelled says which holds.
 #[derive(Debug, Args)]
 pub(crate) struct Compensate {
     /// Model of the robot
@@ -35,31 +38,43 @@ pub(crate) struct Compensate {
     /// Language of the file [default: by its ending, else by what it looks like]
     #[arg(long = "as", value_name = "LANGUAGE", value_parser = PossibleValuesParser::new(LANGUAGES.iter().map(|l| l.id)))]
     language: Option<String>,
-    /// Load at the tool's origin where the file says none, kg
+    /// Load at the tool's origin, kg: whatever a program states, and of a table where it says none
+    /// [default: the program's, where the session of the model has such loads; else 0]
+    #[arg(long, value_name = "KG", allow_negative_numbers = true)]
+    load: Option<f64>,
+    /// Frame (work object, base, user frame) in which the file gives its poses, in the robot's base frame:
+    /// mm, and a quaternion or the three angles of the language for a turned one (KRL, RAPID, CSV: A,B,C about
+    /// z, y, x in degrees; FANUC: W,P,R in degrees; URScript: rotation vector in rad)
     #[arg(
         long,
-        value_name = "KG",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
-    load: f64,
-    /// Frame in which the file gives its poses where it declares none itself, in the robot's base frame:
-    /// mm, and a quaternion for a turned one
-    #[arg(
-        long,
-        value_name = "X,Y,Z[,QW,QX,QY,QZ]",
+        value_name = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]",
         value_delimiter = ',',
         allow_negative_numbers = true
     )]
     frame: Option<Vec<f64>>,
-    /// The program's tool that is the model's: its name, or where the model's tool sits on the flange
-    /// [default: the only one]
+    /// Tool (TCP) of the program on the flange, written like --frame: the targets are corrected for it;
+    /// or the name of the program's tool that is the model's
     #[arg(
         long,
-        value_name = "NAME|X,Y,Z,QW,QX,QY,QZ",
+        value_name = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]|NAME",
         allow_hyphen_values = true
     )]
     tool: Option<String>,
+    /// Where the model's own tool is on the flange, written like --frame [default: as Denavit-Hartenberg rows
+    /// have it, else the tool's frame is taken for the flange]
+    #[arg(
+        long,
+        value_name = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    model_tool: Option<Vec<f64>>,
+    /// Take tool, base and load as the program writes them, where no option gives them
+    #[arg(long, conflicts_with = "as_modelled")]
+    as_programmed: bool,
+    /// Take tool, base and load for the model's, whatever the program says, where no option gives them
+    #[arg(long)]
+    as_modelled: bool,
     /// Take the frame in which the session was measured, brought into the base, for the robot's base
     /// [default: the base is where the first axis is]
     #[arg(long)]
@@ -94,32 +109,40 @@ impl Compensate {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(Some(&self.out));
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
-        if !self.load.is_finite() || self.load < 0.0 {
+        if let Some(load) = self.load
+            && !(load.is_finite() && load >= 0.0)
+        {
             return Err(Failure::WrongInput(format!(
-                "--load {}: expected a mass in kg, zero or more",
-                self.load
+                "--load {load}: expected a mass in kg, zero or more"
             )));
         }
-        let frame = self
-            .frame
-            .as_deref()
-            .map(|n| pose("--frame", n))
-            .transpose()?;
-        let tool = self.tool.as_deref().map(tool).transpose()?;
         let calibration = pipeline::load_model(&self.model)?;
         let bytes = read_whole(&self.targets)?;
         let language = self.language(&bytes)?;
         let robot = &calibration.model.robot;
+        let (tool, frames) = self.frames(language)?;
+        let frame = match frames.frame {
+            Holds::Given(pose) => Some(pose),
+            _ => None,
+        };
         let answer = pipeline::compensate(&Request {
             calibration: &calibration,
             bytes: &bytes,
             language,
             file: Some(&self.targets),
-            load_kg: self.load,
+            load_kg: self.load.unwrap_or_default(),
             start: self.start.as_deref().map(|start| inner(robot, start)),
             frame,
             tool,
+            frames,
             measured_frame: self.measured_frame,
+        })
+        .map_err(|error| match error {
+            CompensateError::Differs(differences) => Failure::WrongInput(format!(
+                "{}: {differences}",
+                self.targets.display()
+            )),
+            other => other.into(),
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
         let names = [names[0].as_str(), names[1].as_str()];
@@ -134,9 +157,44 @@ impl Compensate {
         if self.json {
             output::json(&document)?;
         } else if !to_stdout {
-            output::text(&in_words(&answer, &self.targets))?;
+            // A robot with fewer joints never keeps the orientation.
+            let orientation = robot.mobility() == 6;
+            output::text(&in_words(&answer, &self.targets, orientation))?;
         }
         complain(&answer, &self.targets)
+    }
+
+    /// Which tool is the model's, and what holds where the program differs from it.
+    fn frames(
+        &self,
+        language: &Language,
+    ) -> Result<(Option<ModelTool>, ProgramFrames), Failure> {
+        let mut frames = if self.as_programmed {
+            ProgramFrames::as_programmed()
+        } else if self.as_modelled {
+            ProgramFrames::as_modelled()
+        } else {
+            ProgramFrames::default()
+        };
+        let turns = language.orientation;
+        let mut tool = None;
+        if let Some(numbers) = self.model_tool.as_deref() {
+            tool = Some(ModelTool::OnFlange(pose("--model-tool", numbers, turns)?));
+        }
+        if let Some(text) = self.tool.as_deref() {
+            let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+            match numbers {
+                Ok(numbers) => frames.tool = Holds::Given(pose("--tool", &numbers, turns)?),
+                Err(_) => tool = Some(ModelTool::Named(text.to_owned())),
+            }
+        }
+        if let Some(numbers) = self.frame.as_deref() {
+            frames.frame = Holds::Given(pose("--frame", numbers, turns)?);
+        }
+        if let Some(kg) = self.load {
+            frames.load = Holds::Given(kg);
+        }
+        Ok((tool, frames))
     }
 
     fn language(&self, bytes: &[u8]) -> Result<&'static Language, Failure> {
@@ -154,7 +212,7 @@ impl Compensate {
         })
     }
 
-    fn write(&self, answer: &Answer, document: &Json, to_stdout: bool) -> Result<(), Failure> {
+    fn write(&self, answer: &Answer, document: &Document, to_stdout: bool) -> Result<(), Failure> {
         let inputs = [self.model.clone(), self.targets.clone()];
         if to_stdout {
             return output::document(&self.out, &answer.bytes, self.force, &inputs);
@@ -167,34 +225,32 @@ impl Compensate {
             output::can_be_written(place, self.force)?;
             crate::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
         }
-        let mut text = serde_json::to_string_pretty(document).map_err(anyhow::Error::from)?;
-        text.push('\n');
         output::document(&self.out, &answer.bytes, self.force, &inputs)?;
-        output::document(&sidecar, text.as_bytes(), self.force, &inputs)
+        // Written as it is made: it is larger than the program.
+        Ok(crate::atomic::write_atomically(&sidecar, self.force, |file| {
+            serde_json::to_writer_pretty(&mut *file, document)?;
+            file.write_all(b"\n")
+        })?)
     }
 }
 
-fn pose(option: &str, numbers: &[f64]) -> Result<Pose, Failure> {
-    let wrong = |what: String| {
-        Failure::WrongInput(format!(
-            "{option}: {what}; expected X,Y,Z or X,Y,Z,QW,QX,QY,QZ"
-        ))
+/// A position in mm and, perhaps, an orientation in a language's numbers or as a quaternion.
+fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failure> {
+    let wrong = |what: &str| {
+        let expected = "X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite";
+        Failure::WrongInput(format!("{option}: {what}; expected {expected}"))
     };
-    match *numbers {
-        [x, y, z] => pose_from_parts([x, y, z], [1.0, 0.0, 0.0, 0.0]),
-        [x, y, z, qw, qx, qy, qz] => pose_from_parts([x, y, z], [qw, qx, qy, qz]),
-        _ => return Err(wrong(format!("{} numbers", numbers.len()))),
+    if !numbers.iter().all(|number| number.is_finite()) {
+        return Err(wrong("a number that is not finite"));
     }
-    .map_err(|error| wrong(error.to_string()))
-}
-
-/// A name, or numbers between commas.
-fn tool(text: &str) -> Result<ModelTool, Failure> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
-    match numbers {
-        Ok(numbers) => pose("--tool", &numbers).map(ModelTool::OnFlange),
-        Err(_) => Ok(ModelTool::Named(text.to_owned())),
-    }
+    let (at, turn) = match numbers {
+        [x, y, z] => ([*x, *y, *z], &[0.0; 3][..]),
+        [x, y, z, turn @ ..] if matches!(turn.len(), 3 | 4) => ([*x, *y, *z], turn),
+        _ => return Err(wrong(&format!("{} numbers", numbers.len()))),
+    };
+    let turn = turns.read(turn);
+    let turn = turn.ok_or_else(|| wrong("a quaternion of no length"))?;
+    Ok(Pose::from_parts(at.into(), turn))
 }
 
 /// Values in degrees or mm in rad or mm; too many or too few are told apart later.
@@ -208,7 +264,7 @@ fn inner(robot: &Robot, start: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-fn in_words(answer: &Answer, file: &Path) -> String {
+fn in_words(answer: &Answer, file: &Path, orientation: bool) -> String {
     let summary = Summary::new(answer);
     let mut text = String::new();
     let _ = writeln!(
@@ -225,6 +281,29 @@ fn in_words(answer: &Answer, file: &Path) -> String {
              {:.4}) corrected",
             summary.before_mm, summary.max_before_mm, summary.after_mm, summary.max_after_mm
         );
+    }
+    if summary.turned > 0 && orientation {
+        let _ = writeln!(
+            text,
+            "orientation corrected in part at {} targets (more would take large moves of the joints), largest \
+             {:.3} mrad left",
+            summary.turned,
+            1e3 * summary.max_after_rad
+        );
+    }
+    for target in &answer.targets {
+        if let Ok(written) = &target.result
+            && written.rotation_rad[1] > SAID_RAD
+            && orientation
+        {
+            let (line, column) = target.place;
+            let [before, after] = written.rotation_rad.map(|rad| 1e3 * rad);
+            let _ = writeln!(
+                text,
+                "orientation in part: line {line}, column {column}: {}: {after:.3} mrad left of {before:.3}",
+                target.name
+            );
+        }
     }
     for (line, column, says) in &answer.at_run_time {
         let _ = writeln!(text, "not corrected: line {line}, column {column}: {says}");

@@ -120,7 +120,7 @@ impl Compensation {
 }
 
 /// Some consecutive poses of `inputs`.
-fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
+pub(super) fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
     let end = (start + most).min(inputs.len());
     let cut =
         |column: &Cow<[f64]>| -> Cow<'static, [f64]> { Cow::Owned(column[start..end].to_vec()) };

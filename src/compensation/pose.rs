@@ -1,36 +1,61 @@
 //! The inverse of a model for the tool's whole pose: which commands bring the real tool to given
 //! poses.
 //!
-//! The position of the tool's origin comes first, its orientation as far as the joints then still
-//! allow (task priority: Nakamura 1991). With six joints or more both are met; of several commands
-//! that do, the nearest is taken. The derivatives are the exact ones of the model
-//! ([`Model::visit_by_commands`]).
+//! The position of the tool comes first, its orientation as far as the joints then still allow (task
+//! priority: Nakamura 1991). With p and r what is missing of position and orientation, and x the step of
+//! the joints,
+//!
+//! ```text
+//! x = Jp⁺ p + N z,   N Jp-free motions,   least |r − Jr x|² + Σ λᵢ² (vᵢ · (q + x − q₀))²  over z
+//! λᵢ² = ε² − σᵢ²  where σᵢ < ε, else 0
+//! ```
+//!
+//! σᵢ and vᵢ are the singular values and directions of the orientation's part Jr N. Where the joints turn
+//! the tool well (σ ≥ ε, [`DAMPED_BELOW`]) both are met, and of several commands that do the nearest are
+//! taken. Near a singular pose (a stretched wrist) a turn about the lost axis would take a large move:
+//! there the orientation is met in part, the less the nearer, and goes over into the exact answer without a
+//! jump (numerical filtering: Maciejewski and Klein 1988). The damping holds the commands to q₀, the ones
+//! of the target, so that it does not depend on how many steps are taken, and no joint moves further for
+//! the orientation than 1/ε times what is missing of it.
+//!
+//! A position is singular where the tool can hardly be moved in some direction (less than a hundredth of
+//! the best): a tiny gain would cost a large move, and it is left.
 //!
 //! The tool's orientation is that of three points around its origin, so that it holds for every
-//! effect, whatever it moves. Where the tool can hardly be moved in some direction (less than a
-//! hundredth of the best) a pose is singular: a tiny gain would cost a large move, and it is left.
+//! effect, whatever it moves. The derivatives are the exact ones of the model
+//! ([`Model::visit_by_commands`]).
 
 use std::borrow::Cow;
 
-use nalgebra::{DMatrix, DVector, Matrix3, Point3, Rotation3, UnitQuaternion};
+use nalgebra::{DMatrix, Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::effects::Inputs;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Model;
 
+use super::plan::part_of;
+
 /// How far from the tool's origin the points stand that carry its orientation, mm.
 const LEVER_MM: f64 = 100.0;
 /// Directions in which the tool moves less than this part of the most are singular.
 const FLATTEST: f64 = 1e-2;
+/// ε: directions in which the joints turn the tool less than this (rad per rad) are damped.
+pub(crate) const DAMPED_BELOW: f64 = 0.04;
+/// A direction in which the joints turn the tool less than this (rad per rad) is none.
+const NO_TURN: f64 = 1e-7;
 /// A step below this (rad, or the same part of the reach) changes nothing any more.
-const SETTLED: f64 = 1e-13;
+const SETTLED: f64 = 1e-11;
+/// The same where the orientation is damped: it settles slower, and to where rounding does not matter.
+const SETTLED_DAMPED: f64 = 1e-9;
 /// The longest single step, rad; a model is not trusted further away.
 const LONGEST: f64 = 0.5;
 /// Poses that do not settle by then do not settle.
 const MOST_PASSES: usize = 40;
 /// Enough for the singular values of any small matrix.
 const MOST_ROTATIONS: usize = 1000;
+/// So many poses go through at once: a block of the model.
+const AT_ONCE: usize = 64;
 
 /// Where the commands of one pose ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,12 +70,38 @@ pub(crate) struct Reached {
     pub singular: bool,
     /// Whether the search has settled.
     pub settled: bool,
+    /// Whether a part of the orientation was given up, because it would take a large move.
+    pub damped: bool,
 }
 
-/// Where a model has the tool at each pose of `inputs`; its targets play no part.
-pub(crate) fn tool_poses(model: &Model, inputs: &Inputs) -> Vec<Pose> {
-    let seen = seen(model, inputs);
-    (0..inputs.len()).map(|i| seen[i].pose()).collect()
+/// Tools: the pose of each at home, in the base frame, and which of them each pose is of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Tools {
+    /// At home, base frame; at least one.
+    pub base_from_tool: Vec<Pose>,
+    /// For each pose an index into them; empty: always the first.
+    pub of_pose: Vec<u32>,
+}
+
+impl Tools {
+    /// The tool of a robot.
+    pub(crate) fn of(robot: &Robot) -> Self {
+        Self {
+            base_from_tool: vec![robot.base_from_tool],
+            of_pose: Vec::new(),
+        }
+    }
+}
+
+/// Where a model has the tools at each pose of `inputs`; its targets play no part.
+pub(crate) fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
+    let mut poses = Vec::with_capacity(inputs.len());
+    for start in (0..inputs.len()).step_by(AT_ONCE) {
+        let part = with_tools(inputs, tools, start);
+        let seen = seen(model, &part, tools);
+        poses.extend(seen.iter().map(Seen::pose));
+    }
+    poses
 }
 
 /// The commands that bring the tool of `model` to `wanted`, starting from the commands of `inputs`.
@@ -60,23 +111,61 @@ pub(crate) fn commands_for_poses(
     inputs: &Inputs,
     wanted: &[Pose],
     free: &[usize],
+    tools: &Tools,
 ) -> Vec<Reached> {
     let free = &model.robot.leading(free)[..];
-    let mut trial = inputs.clone();
     let scale = Scale::of(&model.robot, free);
-    let mut done = vec![false; inputs.len()];
-    let mut singular = vec![false; inputs.len()];
-    for _ in 0..MOST_PASSES {
-        let seen = seen(model, &trial);
-        for i in 0..inputs.len() {
-            if done[i] {
+    let mut reached = Vec::with_capacity(inputs.len());
+    for start in (0..inputs.len()).step_by(AT_ONCE) {
+        let part = with_tools(inputs, tools, start);
+        let wanted = &wanted[start..start + part.len()];
+        reached.extend(commands_of_block(model, &scale, part, wanted, free, tools));
+    }
+    reached
+}
+
+/// Some consecutive poses of `inputs`, with the tool of each.
+fn with_tools(inputs: &Inputs, tools: &Tools, start: usize) -> Inputs<'static> {
+    let mut part = part_of(inputs, start, AT_ONCE);
+    let of_pose = tools.of_pose.get(start..start + part.len());
+    part.target = of_pose.map(|of_pose| Cow::Owned(of_pose.to_vec()));
+    part
+}
+
+fn commands_of_block(
+    model: &Model,
+    scale: &Scale,
+    mut trial: Inputs<'static>,
+    wanted: &[Pose],
+    free: &[usize],
+    tools: &Tools,
+) -> Vec<Reached> {
+    let count = trial.len();
+    let first: Vec<Vec<f64>> = trial.q.iter().map(|q| q.to_vec()).collect();
+    let mut state: Vec<State> = (0..count).map(|_| State::default()).collect();
+    let mut step = Vec::with_capacity(free.len());
+    let mut so_far = Vec::with_capacity(free.len());
+    for pass in 0..2 * MOST_PASSES {
+        let seen = seen(model, &trial, tools);
+        for (i, state) in state.iter_mut().enumerate() {
+            if state.done {
                 continue;
             }
-            let Some(step) = scale.step(&model.robot, &seen[i], &wanted[i], free) else {
-                singular[i] = true;
-                done[i] = true;
+            if pass == MOST_PASSES {
+                // What does not settle keeps its orientation and gets its position.
+                state.position_only = true;
+                for joint in free {
+                    trial.q[*joint].to_mut()[i] = first[*joint][i];
+                }
                 continue;
-            };
+            }
+            so_far.clear();
+            so_far.extend(free.iter().map(|j| (trial.q[*j][i] - first[*j][i]) / scale.unit(*j)));
+            scale.step(&seen[i], &wanted[i], free, &so_far, state, &mut step);
+            if state.singular {
+                state.done = true;
+                continue;
+            }
             for (joint, by) in free.iter().zip(&step) {
                 let by = by.clamp(-LONGEST, LONGEST) * scale.unit(*joint);
                 trial.q[*joint].to_mut()[i] += by;
@@ -84,25 +173,41 @@ pub(crate) fn commands_for_poses(
                     trial.q[follower].to_mut()[i] += ratio * by;
                 }
             }
-            done[i] = step.iter().all(|by| by.abs() <= SETTLED * SETTLING);
+            let enough = if state.damped { SETTLED_DAMPED } else { SETTLED };
+            state.done = step.iter().all(|by| by.abs() <= enough);
         }
-        if done.iter().all(|d| *d) {
+        if state.iter().all(|state| state.done) {
             break;
         }
     }
-    let seen = seen(model, &trial);
-    (0..inputs.len())
-        .map(|i| {
-            let (way, turn) = seen[i].missing(&wanted[i]);
-            Reached {
-                q: trial.q.iter().map(|q: &Cow<[f64]>| q[i]).collect(),
-                position_mm: dot(way, way).sqrt(),
-                rotation_rad: dot(turn, turn).sqrt(),
-                singular: singular[i],
-                settled: done[i] && !singular[i],
-            }
-        })
-        .collect()
+    let seen = seen(model, &trial, tools);
+    let all = state.iter().enumerate().map(|(i, state)| {
+        let (way, turn) = seen[i].missing(&wanted[i]);
+        Reached {
+            q: trial.q.iter().map(|q: &Cow<[f64]>| q[i]).collect(),
+            position_mm: dot(way, way).sqrt(),
+            rotation_rad: dot(turn, turn).sqrt(),
+            singular: state.singular,
+            settled: state.done && !state.singular,
+            damped: state.damped || state.position_only,
+        }
+    });
+    all.collect()
+}
+
+/// How far the search of one pose is.
+#[derive(Debug, Clone, Copy, Default)]
+struct State {
+    done: bool,
+    singular: bool,
+    /// Whether the last step was damped.
+    damped: bool,
+    position_only: bool,
+}
+
+/// In how many directions the free joints move the tool's origin in a generic pose.
+pub(crate) fn directions(robot: &Robot, free: &[usize]) -> usize {
+    Scale::of(robot, free).directions
 }
 
 /// Whether the nominal tool can hardly be moved in some direction at these joint values (rad or mm).
@@ -136,9 +241,6 @@ pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     }
 }
 
-/// Rounding keeps the last steps from becoming smaller than this many times [`SETTLED`].
-const SETTLING: f64 = 100.0;
-
 /// The tool at one pose: its origin and the points that carry its orientation, and how they move.
 struct Seen {
     /// Origin, and points along x, y and z of the tool frame, mm.
@@ -147,7 +249,7 @@ struct Seen {
     by: Vec<[[f64; 3]; 4]>,
 }
 
-fn seen(model: &Model, inputs: &Inputs) -> Vec<Seen> {
+fn seen(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Seen> {
     let joints = inputs.q.len();
     let nothing = || Seen {
         at: [[0.0; 3]; 4],
@@ -155,9 +257,9 @@ fn seen(model: &Model, inputs: &Inputs) -> Vec<Seen> {
     };
     let mut all: Vec<Seen> = (0..inputs.len()).map(|_| nothing()).collect();
     let mut one = inputs.clone();
-    one.target = None;
-    for (point, at_mm) in points_at_home(&model.robot).into_iter().enumerate() {
-        one.reflectors_at_home = vec![at_mm];
+    let points: Vec<_> = tools.base_from_tool.iter().map(points_at_home).collect();
+    for point in 0..4 {
+        one.reflectors_at_home = points.iter().map(|points| points[point]).collect();
         model.visit_by_commands(&one, |start, block| {
             for i in 0..block.len {
                 let seen = &mut all[start + i];
@@ -172,8 +274,7 @@ fn seen(model: &Model, inputs: &Inputs) -> Vec<Seen> {
 }
 
 /// The tool's origin and a point along each of its axes, at home, base frame, mm.
-fn points_at_home(robot: &Robot) -> [[f64; 3]; 4] {
-    let tool = &robot.base_from_tool;
+fn points_at_home(tool: &Pose) -> [[f64; 3]; 4] {
     let along = |k: usize| {
         let mut point = Point3::origin();
         if k > 0 {
@@ -213,9 +314,8 @@ impl Seen {
     }
 
     /// How the tool moves and turns per rad or mm of a joint's command.
-    fn motion(&self, joint: usize) -> ([f64; 3], [f64; 3]) {
+    fn motion(&self, joint: usize, axes: &[[f64; 3]; 3]) -> ([f64; 3], [f64; 3]) {
         let by = &self.by[joint];
-        let axes = self.axes();
         let turn = (0..3).fold([0.0; 3], |sum, k| {
             let slope = minus(by[k + 1], by[0]).map(|v| v / LEVER_MM);
             add_scaled(sum, cross(axes[k], slope), 0.5)
@@ -233,10 +333,12 @@ struct Scale {
     /// In how many directions the free joints move the tool's origin in a generic pose.
     directions: usize,
 }
-
-impl Scale {
-    fn of(robot: &Robot, free: &[usize]) -> Self {
+struct Scale<'r> {
+    robot: &'r Robot,
+impl<'r> Scale<'r> {
+    fn of(robot: &'r Robot, free: &[usize]) -> Self {
         let mut scale = Self {
+            robot,
             reach_mm: robot.reach_mm(),
             kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
             whole: false,
@@ -298,35 +400,101 @@ impl Scale {
         jacobian
     }
 
-    /// The next step in [`Scale::unit`]s; `None` where the pose is singular.
-    fn step(&self, robot: &Robot, seen: &Seen, wanted: &Pose, free: &[usize]) -> Option<Vec<f64>> {
+    /// The next step in [`Scale::unit`]s. `so_far`: what the steps before have moved, in the same.
+    fn step(
+        &self,
+        seen: &Seen,
+        wanted: &Pose,
+        free: &[usize],
+        so_far: &[f64],
+        state: &mut State,
+        step: &mut Vec<f64>,
+    ) {
+        step.clear();
+        step.resize(free.len(), 0.0);
         let (way, turn) = seen.missing(wanted);
-        let jacobian = free
-            .iter()
-            .map(|j| with_followers(robot, *j, |j| seen.motion(j)));
-        let jacobian = self.jacobian(jacobian, free);
-        let finite = jacobian
-            .iter()
-            .chain(&way)
-            .chain(&turn)
-            .all(|v| v.is_finite());
-        if !finite {
-            return None;
+        let way = Vector3::from(way) / self.reach_mm;
+        let turn = Vector3::from(turn);
+        let axes = seen.axes();
+        let columns = free.iter().map(|joint| {
+            let (by_way, by_turn) = with_followers(self.robot, *joint, |j| seen.motion(j, &axes));
+            let unit = self.unit(*joint);
+            let by_way = Vector3::from(by_way) * (unit / self.reach_mm);
+            (by_way, Vector3::from(by_turn) * unit)
+        });
+        let columns: Vec<(Vector3<f64>, Vector3<f64>)> = columns.collect();
+        let finite = |v: &Vector3<f64>| v.iter().all(|v| v.is_finite());
+        let good = finite(&way) && finite(&turn);
+        if !good || !columns.iter().all(|(a, b)| finite(a) && finite(b)) {
+            state.singular = true;
+            return;
         }
-        let way = DVector::from_iterator(3, way.iter().map(|v| v / self.reach_mm));
-        let turn = DVector::from_row_slice(&turn);
-        if self.whole {
-            let all = DVector::from_iterator(6, way.iter().chain(turn.iter()).copied());
-            return solved(&jacobian, &all, 6).map(|step| step.as_slice().to_vec());
+        let gram = columns.iter().fold(Matrix3::zeros(), |sum, (p, _)| sum + p * p.transpose());
+        let Some(inverse) = self.position_inverse(&gram) else {
+            state.singular = true;
+            return;
+        };
+        let pull = inverse * way;
+        for (step, (p, _)) in step.iter_mut().zip(&columns) {
+            *step = p.dot(&pull);
         }
-        let position = jacobian.rows(0, 3).into_owned();
-        let orientation = jacobian.rows(3, 3).into_owned();
-        let first = solved(&position, &way, self.directions)?;
-        // What the position leaves free turns the tool.
-        let spare = spare_directions(&position, self.directions)?;
-        let rest = turn - &orientation * &first;
-        let second = least_squares(&(&orientation * &spare), &rest);
-        Some((first + spare * second).as_slice().to_vec())
+        if state.position_only {
+            return;
+        }
+        // What the position leaves free turns the tool: Jr (1 − Jp⁺ Jp), column by column.
+        let across = columns.iter().fold(Matrix3::zeros(), |sum, (p, r)| sum + r * p.transpose());
+        let taken = across * inverse;
+        let spare = |(p, r): &(Vector3<f64>, Vector3<f64>)| r - taken * p;
+        let (mut turned, mut moved) = (Vector3::zeros(), Vector3::zeros());
+        let mut spread = Matrix3::zeros();
+        for ((column, step), so_far) in columns.iter().zip(step.iter()).zip(so_far) {
+            let free = spare(column);
+            turned += column.1 * *step;
+            moved += free * *so_far;
+            spread += free * free.transpose();
+        }
+        let rest = turn - turned;
+        let eigen = spread.symmetric_eigen();
+        let mut pull = Vector3::zeros();
+        state.damped = false;
+        for k in 0..3 {
+            let squared = eigen.eigenvalues[k];
+            if squared <= NO_TURN * NO_TURN {
+                state.damped |= self.whole;
+                continue;
+            }
+            let along = eigen.eigenvectors.column(k).into_owned();
+            let asked = along.dot(&rest);
+            let most = DAMPED_BELOW * DAMPED_BELOW;
+            pull += along
+                * if squared >= most {
+                    asked / squared
+                } else {
+                    state.damped = true;
+                    (asked - (most - squared) * along.dot(&moved) / squared) / most
+                };
+        }
+        for (step, column) in step.iter_mut().zip(&columns) {
+            *step += spare(column).dot(&pull);
+        }
+    }
+
+    /// The inverse of Jp Jpᵀ over the directions in which the tool moves well; `None` where they are fewer
+    /// than in a generic pose.
+    fn position_inverse(&self, gram: &Matrix3<f64>) -> Option<Matrix3<f64>> {
+        let eigen = gram.symmetric_eigen();
+        let most = eigen.eigenvalues.max();
+        let mut inverse = Matrix3::zeros();
+        let mut good = 0;
+        for k in 0..3 {
+            let value = eigen.eigenvalues[k];
+            if most > 0.0 && value > FLATTEST * FLATTEST * most {
+                let along = eigen.eigenvectors.column(k);
+                inverse += along * along.transpose() / value;
+                good += 1;
+            }
+        }
+        (good >= self.directions && good > 0).then_some(inverse)
     }
 }
 
@@ -349,51 +517,3 @@ fn with_followers(
 
 /// An angle that no two joints share and no robot is built to be singular at.
 const GENERIC_STEP: f64 = 2.399_963_229_728_653;
-
-/// The least step that solves the equations; `None` where fewer than `rank` directions are good.
-fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>, rank: usize) -> Option<DVector<f64>> {
-    let svd = matrix
-        .clone()
-        .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)?;
-    let most = svd.singular_values.max();
-    let good = svd.singular_values.iter().filter(|s| **s > FLATTEST * most);
-    if most <= 0.0 || good.count() < rank {
-        return None;
-    }
-    svd.solve(right, FLATTEST * most).ok()
-}
-
-/// The least step of the least squares; directions that do nothing are left alone.
-fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
-    let none = DVector::zeros(matrix.ncols());
-    if matrix.is_empty() {
-        return none;
-    }
-    let Some(svd) = matrix
-        .clone()
-        .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)
-    else {
-        return none;
-    };
-    svd.solve(right, FLATTEST).unwrap_or(none)
-}
-
-/// An orthonormal basis of the joint motions that leave the position where it is, as columns.
-fn spare_directions(position: &DMatrix<f64>, rank: usize) -> Option<DMatrix<f64>> {
-    let n = position.ncols();
-    // Square, so that the decomposition has a vector for every joint.
-    let square = position.transpose() * position;
-    let eigen = square.try_symmetric_eigen(f64::EPSILON, MOST_ROTATIONS)?;
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-    let spare = n.saturating_sub(rank);
-    let columns: Vec<_> = order[..spare]
-        .iter()
-        .map(|k| eigen.eigenvectors.column(*k).into_owned())
-        .collect();
-    Some(if columns.is_empty() {
-        DMatrix::zeros(n, 0)
-    } else {
-        DMatrix::from_columns(&columns)
-    })
-}

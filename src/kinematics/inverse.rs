@@ -8,12 +8,14 @@
 //! those that many starts lead to: what was found before, mirror images of it, and points that are
 //! spread evenly over the joints' travel (Halton 1960). The starts are always the same, and so is
 //! the answer. A robot with more joints than the pose asks for has endlessly many solutions; for it
-//! only the one nearest to a start means anything.
+//! only the one nearest to a start means anything. Arms of the usual shapes have all their solutions at once
+//! ([`super::closed_form`]).
 
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, Point3, UnitQuaternion, Vector3};
 
+use super::closed_form::ClosedForm;
 use super::quaternion;
 use super::robot::{JointKind, Pose, Robot};
 
@@ -29,6 +31,8 @@ pub const REACHED_MM: f64 = 0.02;
 pub const REACHED_RAD: f64 = 2e-4;
 /// Solutions nearer to each other than this (rad, or the same part of the reach) are one.
 const SAME: f64 = 1e-5;
+/// Solutions of the closed form nearer than this (rad) are searched for: a file rounds more.
+const BESIDE: f64 = 1e-3;
 
 /// Where the tool is to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,15 +64,19 @@ pub struct Inverse<'a> {
     robot: &'a Robot,
     free: Vec<usize>,
     reach_mm: f64,
+    /// All solutions at once, of an arm that has a shape for it.
+    closed: Option<ClosedForm>,
 }
 
 impl<'a> Inverse<'a> {
     /// The joints in `free` (counted from 0) move; the others stay where a start puts them.
     pub fn new(robot: &'a Robot, free: Vec<usize>) -> Self {
+        let closed = ClosedForm::of(robot).filter(|_| free == [0, 1, 2, 3, 4, 5]);
         Self {
             robot,
             free: robot.leading(&free),
             reach_mm: robot.reach_mm(),
+            closed,
         }
     }
 
@@ -109,6 +117,9 @@ impl<'a> Inverse<'a> {
     /// order. `fixed` has the values of the joints that are not free; `known` are solutions of a
     /// goal near by, which help to find all of these quickly.
     pub fn all(&self, goal: &Goal, fixed: &[f64], known: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        if let Some(found) = self.closed(goal) {
+            return self.in_order(found);
+        }
         let mut found: Vec<Vec<f64>> = Vec::new();
         let mut starts: Vec<Vec<f64>> = known.to_vec();
         starts.extend((0..STARTS).map(|k| self.spread(fixed, k)));
@@ -124,6 +135,31 @@ impl<'a> Inverse<'a> {
             }
             next += 1;
         }
+        self.in_order(found)
+    }
+
+    /// The solutions of the closed form; `None` where it has none to give, or may have lost one.
+    fn closed(&self, goal: &Goal) -> Option<Vec<Vec<f64>>> {
+        let closed = self.closed.as_ref()?;
+        let pose = Pose::from_parts(goal.position_mm.coords.into(), goal.rotation?);
+        let all = closed.solutions(&pose)?;
+        let mut found: Vec<Vec<f64>> = Vec::with_capacity(all.len());
+        for q in all {
+            if !self.is_reached(goal, &q) {
+                return None;
+            }
+            let q = self.wound_back(q.to_vec());
+            // Two that fall together are the border of a singular pose.
+            if found.iter().any(|f| self.distance(f, &q) < BESIDE) {
+                return None;
+            }
+            found.push(q);
+        }
+        // None at all may be a pose at the very end of the reach.
+        (!found.is_empty()).then_some(found)
+    }
+
+    fn in_order(&self, mut found: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         found.sort_by(|a, b| {
             let pairs = a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
             pairs.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)

@@ -44,6 +44,7 @@
 //! ```
 
 pub(crate) mod chain;
+mod closed_form;
 pub(crate) mod configuration;
 pub(crate) mod description;
 pub(crate) mod dh;

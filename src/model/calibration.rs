@@ -61,6 +61,8 @@ pub struct Calibration {
     pub targets: Vec<Target>,
     /// Range of every joint in the measured samples, rad or mm.
     pub measured: Vec<Range>,
+    /// Least and largest load of the measured samples, kg; `None`: the session does not say.
+    pub load_kg: Option<[f64; 2]>,
     /// Tolerance of the session, mm.
     pub tolerance_mm: Option<f64>,
     /// Hash of the model whose table was active while the session was measured. Such a calibration

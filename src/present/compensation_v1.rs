@@ -4,7 +4,8 @@
 //! { "format": "truepose-compensation/1", "model": "cell.model.json", "file": "p.mod", "as": "rapid",
 //!   "frame": { "position_mm": [0, 0, 0], "quaternion_wxyz": [1, 0, 0, 0] },
 //!   "summary": { "targets": 12, "corrected": 11, "left": 1, "at_run_time": 2,
-//!                "before_mm": 1.31, "max_before_mm": 2.02, "after_mm": 0.0, "max_after_mm": 0.0 },
+//!                "before_mm": 1.31, "max_before_mm": 2.02, "after_mm": 0.0, "max_after_mm": 0.0,
+//!                "orientation_in_part": 1, "max_after_mrad": 0.8 },
 //!   "targets": [ { "name": "p10", "line": 4, "column": 26, "kind": "pose", "corrected": true,
 //!                  "because": null, "says": null, "q_deg": [], "change_deg": [], "dir": [], "load_kg": 0,
 //!                  "before_mm": 1.2, "after_mm": 0.0, "before_mrad": 2.1, "after_mrad": 0.0 } ],
@@ -18,8 +19,12 @@
 //!   with the correction; in the summary the root mean square over the corrected targets.
 //! - `because`: `singular`, `unreachable`, `ambiguous`, `relative` or `frame` (its frame or its tool is not
 //!   known) for a target that was left as it is.
+//! - `after_mrad`: what of the orientation is left: where a turn would take a large move of the joints (near
+//!   a singular wrist) it is corrected in part; `orientation_in_part` counts these targets.
 //! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.
 //! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
+
+use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 use super::json::{Json, list, object};
 use super::parts::pose;
@@ -45,27 +50,58 @@ pub struct Summary {
     pub after_mm: f64,
     /// The largest.
     pub max_after_mm: f64,
+    /// Corrected targets of which a part of the orientation is left.
+    pub turned: usize,
+    /// The largest orientation error that is left, rad.
+    pub max_after_rad: f64,
 }
+
+/// Of a corrected target an orientation error above this is said, rad.
+pub const SAID_RAD: f64 = 1e-6;
 
 /// mrad in a rad.
 const MRAD: f64 = 1e3;
 
+/// The document of an answer. What it says of a target is worked out as it is written: of a large program
+/// there is never a whole tree of it in memory.
+#[derive(Debug, Clone, Copy)]
+pub struct Document<'a> {
+    answer: &'a Answer,
+    robot: &'a Robot,
+    /// Names of the model's file and of the targets'.
+    names: [&'a str; 2],
+    language: &'a str,
+    frame: Pose,
+}
+
 /// The document of an answer; `model` and `file` are the names of the inputs.
-pub fn document(
-    answer: &Answer,
-    robot: &Robot,
-    [model, file]: [&str; 2],
-    language: &str,
+pub fn document<'a>(
+    answer: &'a Answer,
+    robot: &'a Robot,
+    names: [&'a str; 2],
+    language: &'a str,
     frame: &Pose,
-) -> Json {
-    let s = Summary::new(answer);
-    object! {
-        "format": "truepose-compensation/1",
-        "model": model,
-        "file": file,
-        "as": language,
-        "frame": pose(frame),
-        "summary": object! {
+) -> Document<'a> {
+    Document {
+        answer,
+        robot,
+        names,
+        language,
+        frame: *frame,
+    }
+}
+
+impl Serialize for Document<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let s = Summary::new(self.answer);
+        let [model, file] = self.names;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("format", "truepose-compensation/1")?;
+        map.serialize_entry("model", model)?;
+        map.serialize_entry("file", file)?;
+        map.serialize_entry("as", self.language)?;
+        map.serialize_entry("frame", &pose(&self.frame))?;
+        let summary = object! {
             "targets": s.targets,
             "corrected": s.corrected,
             "left": s.left,
@@ -74,11 +110,29 @@ pub fn document(
             "max_before_mm": s.max_before_mm,
             "after_mm": s.after_mm,
             "max_after_mm": s.max_after_mm,
-        },
-        "targets": list(&answer.targets, |target| entry(target, robot)),
-        "at_run_time": placed(&answer.at_run_time),
-        "remarks": placed(&answer.remarks),
-        "notes": &answer.notes,
+            "orientation_in_part": s.turned,
+            "max_after_mrad": MRAD * s.max_after_rad,
+        };
+        map.serialize_entry("summary", &summary)?;
+        map.serialize_entry("targets", &Targets(self))?;
+        map.serialize_entry("at_run_time", &placed(&self.answer.at_run_time))?;
+        map.serialize_entry("remarks", &placed(&self.answer.remarks))?;
+        map.serialize_entry("notes", &self.answer.notes)?;
+        map.end()
+    }
+}
+
+/// The targets of a document.
+struct Targets<'a>(&'a Document<'a>);
+
+impl Serialize for Targets<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let targets = &self.0.answer.targets;
+        let mut seq = serializer.serialize_seq(Some(targets.len()))?;
+        for target in targets {
+            seq.serialize_element(&entry(target, self.0.robot))?;
+        }
+        seq.end()
     }
 }
 
@@ -106,6 +160,8 @@ impl Summary {
             max_before_mm: most(0),
             after_mm: rms(1),
             max_after_mm: most(1),
+            turned: corrected.iter().filter(|w| w.rotation_rad[1] > SAID_RAD).count(),
+            max_after_rad: corrected.iter().map(|w| w.rotation_rad[1]).fold(0.0, f64::max),
         }
     }
 }

@@ -15,8 +15,10 @@ use crate::model::Calibration;
 
 use super::answer::{Answer, Left, Outcome, Reason, Written};
 use super::axes::Axes;
+use super::convention::Convention;
 use super::corrected::corrected;
 use super::frames::{self, ModelTool};
+use super::program_frames::{Differences, ProgramFrames, Reading, settled};
 use super::resolve::{Resolved, Resolver};
 use super::rewrite;
 use super::target::{Program, Remark, Shape, Target};
@@ -46,6 +48,8 @@ pub struct Request<'a> {
     pub frame: Option<Pose>,
     /// Which of the program's tools is the model's; `None`: the only one.
     pub tool: Option<ModelTool>,
+    /// What holds where the program's tool, frame or load is not the model's.
+    pub frames: ProgramFrames,
     /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
     /// so that what the first joint shares with it is corrected too.
     pub measured_frame: bool,
@@ -76,6 +80,20 @@ pub enum CompensateError {
          meaning for it"
     )]
     NoMeasuredFrame,
+    /// The program's tool, frame or load is not the model's, and which holds is not settled.
+    #[error("{0}")]
+    Differs(Differences),
+    /// One tool or frame is given, and the program has several.
+    #[error(
+        "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the \
+         program declares it"
+    )]
+    Several {
+        /// Tool or frame.
+        what: &'static str,
+        /// Those of the program.
+        names: String,
+    },
     /// The program has no such tool.
     #[error(
         "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ"
@@ -111,19 +129,21 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         return Err(CompensateError::NoMeasuredFrame);
     }
     let axes = Axes::new(robot);
-    let program = read(request, request.bytes, &axes)?;
-    let results = resolved(request, &program, &axes);
-    let conditions = sequence::Sequence::new(&program, &results, request.load_kg);
-    let corrected = corrected(request, &program, &axes, &conditions, &results);
-    let bytes = written(request, &program, robot, &corrected);
-    read_back(request, &program, &axes, &corrected, &bytes)?;
+    let mut program = request.language.read(request.bytes, &axes, request.file)?;
+    let reading = settled(&program, &Text::new(request.bytes), request)?;
+    frames::place(&mut program, &reading);
+    let convention = Convention::of(calibration);
+    let results = resolved(request, &program, &axes, convention);
+    let conditions = sequence::Sequence::new(
+        &program,
+        &results,
+        robot.joints.len(),
+        convention,
+        reading.load_kg,
+    );
+    let corrected = corrected(request, &program, &axes, &conditions, results);
+    let bytes = written(request, &program, robot, convention, &corrected);
     let text = Text::new(request.bytes);
-    let outcome = |(target, result): (&Target, Result<Written, Left>)| Outcome {
-        name: target.name.clone(),
-        place: text.place(target.at),
-        is_pose: matches!(target.shape, Shape::Pose(_)),
-        result,
-    };
     let placed = |remarks: &[Remark]| {
         let mut remarks: Vec<_> = remarks
             .iter()
@@ -137,27 +157,41 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     };
     let mut remarks = placed(&program.notes);
     remarks.extend(placed(&conditions.remarks));
-    let notes = notes(request, &program);
+    let notes = notes(request, &reading, &program);
+    let at_run_time = placed(&program.at_run_time);
+    drop(conditions);
+    // What was read is not needed any more: a large file is not held twice.
+    let outcome = |(target, result): (Target, Result<Written, Left>)| {
+        let left = result.is_err().then(|| target.shape.values());
+        let outcome = Outcome {
+            name: target.name,
+            place: text.place(target.at),
+            is_pose: matches!(target.shape, Shape::Pose(_)),
+            result,
+        };
+        (outcome, left)
+    };
+    let all = program.targets.into_iter().zip(corrected).map(outcome);
+    let (targets, left): (Vec<Outcome>, Vec<Option<Vec<f64>>>) = all.unzip();
+    read_back(request, &reading, &axes, convention, (&targets, &left), &bytes)?;
     Ok(Answer {
         bytes,
-        at_run_time: placed(&program.at_run_time),
+        at_run_time,
         remarks,
         notes,
-        targets: program.targets.iter().zip(corrected).map(outcome).collect(),
+        targets,
     })
 }
 
-/// The targets of a file, each with its frame and tool.
-fn read(request: &Request, bytes: &[u8], axes: &Axes) -> Result<Program, CompensateError> {
-    let mut program = request.language.read(bytes, axes, request.file)?;
-    frames::place(&mut program, request.frame, request.tool.as_ref())?;
-    Ok(program)
-}
-
 /// The joint values that every target means, in the order of the file.
-fn resolved(request: &Request, program: &Program, axes: &Axes) -> Vec<Result<Resolved, Left>> {
+fn resolved(
+    request: &Request,
+    program: &Program,
+    axes: &Axes,
+    convention: Convention,
+) -> Vec<Result<Resolved, Left>> {
     let robot = &request.calibration.model.robot;
-    let mut resolver = Resolver::new(robot, axes, request.start.clone());
+    let mut resolver = Resolver::new(robot, axes, convention, request.start.clone());
     let nothing = || Err(Left::new(Reason::Ambiguous, String::new()));
     let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
     for k in program.order() {
@@ -176,45 +210,50 @@ fn written(
     request: &Request,
     program: &Program,
     robot: &Robot,
+    convention: Convention,
     corrected: &[Result<Written, Left>],
 ) -> Vec<u8> {
-    let mut edits = Vec::new();
-    for (target, result) in program.targets.iter().zip(corrected) {
-        if let Ok(written) = result {
-            edits.extend(rewrite::edits(target, robot, &written.corrected));
-        }
-    }
+    let mut order: Vec<usize> = (0..corrected.len()).collect();
+    order.sort_by_key(|k| program.targets[*k].at);
+    let edits = order.into_iter().filter_map(|k| {
+        let written = corrected[k].as_ref().ok()?;
+        let target = &program.targets[k];
+        Some(rewrite::edits(target, robot, convention, &written.corrected))
+    });
     rewrite::applied(request.bytes, edits)
 }
 
 /// Reads what was written, and compares it with what was meant.
 fn read_back(
     request: &Request,
-    program: &Program,
+    reading: &Reading,
     axes: &Axes,
-    corrected: &[Result<Written, Left>],
+    convention: Convention,
+    (targets, left): (&[Outcome], &[Option<Vec<f64>>]),
     bytes: &[u8],
 ) -> Result<(), CompensateError> {
     let robot = &request.calibration.model.robot;
     let wrong = |what: String| Err(CompensateError::ReadBack(what));
-    let again = match read(request, bytes, axes) {
+    let mut again = match request.language.read(bytes, axes, request.file) {
         Ok(again) => again,
         Err(error) => return wrong(error.to_string()),
     };
-    if again.targets.len() != program.targets.len() {
+    frames::place(&mut again, reading);
+    if again.targets.len() != targets.len() {
         return wrong(format!("{} targets", again.targets.len()));
     }
-    for ((target, before), result) in again.targets.iter().zip(&program.targets).zip(corrected) {
-        let Ok(written) = result else {
-            let values = |t: &Target| t.shape.values();
-            if values(target) != values(before) {
+    for ((target, outcome), left) in again.targets.iter().zip(targets).zip(left) {
+        let Ok(written) = &outcome.result else {
+            if left.as_ref() != Some(&target.shape.values()) {
                 return wrong(format!("{} was to be left", target.name));
             }
             continue;
         };
         let off = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
-                let values = numbers.iter().zip(inner).zip(&written.corrected);
+                let mut raw = written.corrected.clone();
+                convention.to_raw(&mut raw);
+                let values = numbers.iter().zip(inner).zip(&raw);
                 let off = values.map(|((number, inner), q)| (number.value * inner - q).abs());
                 off.fold(0.0, f64::max)
             }
@@ -236,14 +275,14 @@ fn read_back(
 }
 
 /// What was assumed, in words.
-fn notes(request: &Request, program: &Program) -> Vec<String> {
-    let mut notes = Vec::new();
+fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String> {
+    let mut notes = reading.notes.clone();
     let poses = program
         .targets
         .iter()
         .any(|t| matches!(t.shape, Shape::Pose(_)));
     if poses {
-        let frame = if request.frame.is_none() {
+        let frame = if reading.stated.is_none() {
             "in the robot's base frame"
         } else {
             "in the frame that was stated"
@@ -271,7 +310,7 @@ fn notes(request: &Request, program: &Program) -> Vec<String> {
     if program.targets.iter().any(unstated) {
         notes.push(format!(
             "targets without a load are corrected for {} kg",
-            request.load_kg
+            reading.load_kg
         ));
     }
     let cold = |t: &Target| t.circumstances.temperature_c.is_none();

@@ -18,11 +18,9 @@ mod positions;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::kinematics::Pose;
-
 use super::answer::{Left, Reason};
 use super::axes::Axes;
-use super::frames::declare;
+use super::frames::{declare, declare_none};
 use super::target::{Problem, Program, Remark};
 use super::text::Text;
 use super::tokens::{Dialect, Words, words};
@@ -46,7 +44,7 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("E1 to E3")?;
     let mut program = Program::default();
-    declare(&mut program.tools, "UT 0", 0, Ok(Pose::identity()));
+    declare_none(&mut program.tools, "UT 0");
     let mut problems = Vec::new();
     let (moves, positions) = sections(text);
     let by_number = match positions {
@@ -134,6 +132,7 @@ fn motion(
     let has_letter = matches!(rest, [b'J' | b'L' | b'C' | b'A' | b'S', b' ' | b'P', ..]);
     let goes_on = upper.starts_with("P[") && !upper.contains('=');
     if !has_letter && !goes_on {
+        set_by(&upper, at, program);
         if let Some(number) = position_numbers(&upper.replace(' ', "")).first()
             && upper.replace(' ', "").starts_with(&format!("P[{number}]="))
         {
@@ -169,6 +168,32 @@ fn motion(
             }
             None => program.visits.push(*index),
         }
+    }
+}
+
+/// `UTOOL[n]=…`, `UFRAME[n]=…` and `PAYLOAD[n]`: what the controller holds or a register sets.
+fn set_by(line: &str, at: usize, program: &mut Program) {
+    let line = line.replace(' ', "");
+    let number = |name: &str| -> Option<&str> {
+        let rest = line.strip_prefix(name)?.strip_prefix('[')?;
+        rest.split([']', ':', ',']).next()
+    };
+    let kinds = [("UTOOL", "UT", true), ("UFRAME", "UF", false)];
+    for (name, short, tool) in kinds {
+        if let Some(n) = number(name) {
+            let says = format!("{name}[{n}] is set at run time");
+            let names = if tool {
+                &mut program.tools
+            } else {
+                &mut program.frames
+            };
+            declare(names, &format!("{short} {n}"), at, Err(says.clone()));
+            program.at_run_time.push(Remark { at, says });
+        }
+    }
+    if let Some(n) = number("PAYLOAD") {
+        let says = format!("PAYLOAD[{n}] has its mass in the controller: --load says it");
+        program.at_run_time.push(Remark { at, says });
     }
 }
 

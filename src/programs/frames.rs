@@ -6,12 +6,13 @@
 //! tool_from_model      = (flange_from_tool)⁻¹ · flange_from_model
 //! ```
 //!
-//! X is the pose as the file writes it. A declared frame stands in the robot's base. A pose that names no
+//! X is the pose as the file writes it. A declared frame is in the robot's base. A pose that names no
 //! frame is in the one that the caller states, and so is one whose frame is declared elsewhere, if it is
-//! the only such frame and the caller states one. A file with one tool has the model's; with several the
-//! caller says which one that is, or where it sits on the flange.
+//! the only such frame and the caller states one. What holds of a program's tools and frames is settled
+//! before ([`super::program_frames`]).
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 
@@ -19,7 +20,7 @@ use crate::kinematics::Pose;
 use crate::kinematics::inverse::Goal;
 
 use super::answer::{Left, Reason};
-use super::compensate::CompensateError;
+use super::program_frames::{Reading, ToolReading};
 use super::target::{Program, Remark, Shape};
 
 /// What a motion, or a position, says of its frame or tool.
@@ -29,14 +30,18 @@ pub(super) enum Referred {
     #[default]
     Unsaid,
     /// The one of this name, in small letters.
-    Named(String),
+    Named(Arc<str>),
     /// One that is chosen at run time, in words.
-    Unknown(String),
+    Unknown(Arc<str>),
 }
 
 impl Referred {
     pub(super) fn named(spelled: impl AsRef<str>) -> Self {
-        Self::Named(spelled.as_ref().to_lowercase())
+        Self::Named(spelled.as_ref().to_lowercase().into())
+    }
+
+    pub(super) fn unknown(says: impl AsRef<str>) -> Self {
+        Self::Unknown(says.as_ref().into())
     }
 
     /// Whether it has this name, whatever its capitals.
@@ -49,18 +54,71 @@ impl std::fmt::Display for Referred {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Unsaid => f.write_str("none"),
-            Self::Named(name) => f.write_str(name),
-            Self::Unknown(says) => f.write_str(says),
+            Self::Named(says) | Self::Unknown(says) => f.write_str(says),
         }
     }
 }
 
-/// That a motion goes to a target in a frame with a tool.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Use {
-    pub(super) target: usize,
+/// The frame and the tool of a motion.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Way {
     pub(super) frame: Referred,
     pub(super) tool: Referred,
+}
+
+/// Every frame and tool that motions of a program have, each pair once.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct AllWays {
+    all: Vec<Way>,
+    index: BTreeMap<Way, u32>,
+}
+
+impl AllWays {
+    /// The number of a frame and a tool.
+    pub(super) fn of(&mut self, way: Way) -> u32 {
+        if let Some(index) = self.index.get(&way) {
+            return *index;
+        }
+        let index = u32::try_from(self.all.len()).unwrap_or(u32::MAX);
+        self.index.insert(way.clone(), index);
+        self.all.push(way);
+        index
+    }
+
+    fn get(&self, index: u32) -> &Way {
+        &self.all[index as usize]
+    }
+
+    /// Changes the tool of every motion.
+    pub(super) fn set_tools(&mut self, tool: &Referred) {
+        for way in &mut self.all {
+            way.tool = tool.clone();
+        }
+    }
+}
+
+/// In which ways motions go to a target: the first two that differ tell whether it is one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Ways([Option<u32>; 2]);
+
+impl Ways {
+    pub(super) fn add(&mut self, way: u32) {
+        match self.0 {
+            [None, _] => self.0[0] = Some(way),
+            [Some(first), None] if first != way => self.0[1] = Some(way),
+            _ => {}
+        }
+    }
+
+    pub(super) fn join(&mut self, other: Self) {
+        for way in other.0.into_iter().flatten() {
+            self.add(way);
+        }
+    }
+
+    fn iter(self) -> impl Iterator<Item = u32> {
+        self.0.into_iter().flatten()
+    }
 }
 
 /// A frame or a tool that the file declares: where, and its pose (in the base, on the flange) or why that
@@ -69,22 +127,41 @@ pub(super) struct Use {
 pub(super) struct Declared {
     pub(super) at: usize,
     pub(super) pose: Result<Pose, String>,
+    /// Mass of a tool that is declared with one, kg.
+    pub(super) mass_kg: Option<f64>,
+    /// Whether it is the language's own name for "none": it says nothing.
+    pub(super) is_none: bool,
 }
 
 /// Frames or tools by their names in small letters.
 pub(super) type Names = BTreeMap<String, Declared>;
 
-/// Keeps a declaration; of a name that is declared twice nothing is known.
+/// Keeps a declaration; of a name that is declared twice differently nothing is known.
 pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<Pose, String>) {
-    let twice = Err(format!("{spelled} is declared several times"));
     names
         .entry(spelled.to_lowercase())
         .and_modify(|known| {
             if known.pose != pose {
-                known.pose = twice;
+                known.pose = Err(format!("{spelled} is declared several times"));
             }
         })
-        .or_insert(Declared { at, pose });
+        .or_insert(Declared {
+            at,
+            pose,
+            mass_kg: None,
+            is_none: false,
+        });
+}
+
+/// Declares the language's own name for the flange, or for the base.
+pub(super) fn declare_none(names: &mut Names, spelled: &str) {
+    let none = Declared {
+        at: 0,
+        pose: Ok(Pose::identity()),
+        mass_kg: None,
+        is_none: true,
+    };
+    names.insert(spelled.to_lowercase(), none);
 }
 
 /// Which of a program's tools is the one of the model.
@@ -96,103 +173,41 @@ pub enum ModelTool {
     OnFlange(Pose),
 }
 
-/// How the poses of a target are to be read.
+/// How the pose of a target is to be read.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Placed {
+pub(super) struct Placement {
     pub(super) base_from_frame: Pose,
     pub(super) tool_from_model: Pose,
 }
 
-/// What is known of a program's frames and tools as a whole.
-struct Known<'a> {
-    program: &'a Program,
-    stated: Option<Pose>,
-    /// Frames that are declared elsewhere.
-    elsewhere: usize,
-    /// Tools of poses, as they are spelled.
-    tools: BTreeSet<Referred>,
-    model_tool: Option<&'a ModelTool>,
-}
-
-/// Says of every target how its pose is to be read, or that it is left.
-///
-/// # Errors
-/// If the model's tool has a name that the program does not use.
-pub(super) fn place(
-    program: &mut Program,
-    stated: Option<Pose>,
-    model_tool: Option<&ModelTool>,
-) -> Result<(), CompensateError> {
-    let is_pose = |k: usize| matches!(program.targets[k].shape, Shape::Pose(_));
-    let of_poses: Vec<&Use> = program.uses.iter().filter(|u| is_pose(u.target)).collect();
-    let elsewhere = |frame: &&Referred| match frame {
-        Referred::Named(name) => !program.frames.contains_key(name),
-        _ => false,
-    };
-    let frames: BTreeSet<&Referred> = of_poses.iter().map(|u| &u.frame).collect();
-    let known = Known {
-        program,
-        stated,
-        elsewhere: frames.into_iter().filter(elsewhere).count(),
-        tools: of_poses.iter().map(|u| u.tool.clone()).collect(),
-        model_tool,
-    };
-    if let Some(ModelTool::Named(name)) = model_tool {
-        known.check_name(name)?;
-    }
-    let mut placed = Vec::new();
-    let mut taken: BTreeSet<(usize, String)> = BTreeSet::new();
-    for k in 0..program.targets.len() {
-        let mut uses: Vec<&Use> = program.uses.iter().filter(|u| u.target == k).collect();
-        uses.dedup_by(|a, b| a.frame == b.frame && a.tool == b.tool);
-        placed.push(if is_pose(k) {
-            known.placed(&uses)
-        } else {
-            Ok(Placed::stated(None))
-        });
-        for one in uses.iter().filter(|_| is_pose(k)) {
-            let kinds = [
-                (&one.frame, &program.frames, "frame"),
-                (&one.tool, &program.tools, "tool"),
-            ];
-            for (referred, names, what) in kinds {
-                if let Referred::Named(name) = referred
-                    && let Some(Declared { at, pose: Ok(_) }) = names.get(name)
-                    && (what == "frame" || model_tool.is_some())
-                {
-                    taken.insert((
-                        *at,
-                        format!("{what} {name} is taken as it is declared here"),
-                    ));
-                }
-            }
-        }
-    }
-    for (target, placed) in program.targets.iter_mut().zip(placed) {
-        match placed {
-            Ok(placed) => target.placed = placed,
-            Err(says) => target.left = Some(Left::new(Reason::Frame, says)),
-        }
-    }
-    let notes = taken.into_iter().map(|(at, says)| Remark { at, says });
-    program.notes.extend(notes);
-    Ok(())
-}
+/// The same, shared by the targets that are read alike; `None`: in the base, of the model's tool.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Placed(Option<Arc<Placement>>);
 
 impl Placed {
-    /// In the frame that the caller states, of the model's tool.
-    pub(super) fn stated(frame: Option<Pose>) -> Self {
-        Self {
-            base_from_frame: frame.unwrap_or_else(Pose::identity),
-            tool_from_model: Pose::identity(),
-        }
+    fn new(placement: Placement) -> Self {
+        let nothing = Placement::stated(None);
+        Self((placement != nothing).then(|| Arc::new(placement)))
+    }
+
+    pub(super) fn get(&self) -> Placement {
+        self.0
+            .as_deref()
+            .copied()
+            .unwrap_or_else(|| Placement::stated(None))
+    }
+
+    /// Whether the program's tool is the model's.
+    pub(super) fn is_of_model_tool(&self) -> bool {
+        self.get().tool_from_model == Pose::identity()
     }
 
     /// Where a pose of the file puts the model's tool, in the robot's base.
     pub(super) fn goal(&self, written: &Goal) -> Goal {
         let rotation = written.rotation.unwrap_or_else(UnitQuaternion::identity);
         let pose = Pose::from_parts(written.position_mm.coords.into(), rotation);
-        let pose = self.base_from_frame * pose * self.tool_from_model;
+        let placement = self.get();
+        let pose = placement.base_from_frame * pose * placement.tool_from_model;
         Goal {
             position_mm: pose.translation.vector.into(),
             rotation: written.rotation.map(|_| pose.rotation),
@@ -201,20 +216,126 @@ impl Placed {
 
     /// What the file writes for a pose of the model's tool in the robot's base.
     pub(super) fn written(&self, pose: &Pose) -> Pose {
-        self.base_from_frame.inverse() * pose * self.tool_from_model.inverse()
+        let placement = self.get();
+        placement.base_from_frame.inverse() * pose * placement.tool_from_model.inverse()
     }
 }
 
-impl Known<'_> {
-    fn check_name(&self, name: &str) -> Result<(), CompensateError> {
-        let known = self.program.tools.contains_key(&name.to_lowercase());
-        if known || self.tools.iter().any(|tool| tool.is(name)) {
-            return Ok(());
+impl Placement {
+    /// In the frame that the caller states, of the model's tool.
+    fn stated(frame: Option<Pose>) -> Self {
+        Self {
+            base_from_frame: frame.unwrap_or_else(Pose::identity),
+            tool_from_model: Pose::identity(),
         }
-        Err(CompensateError::Tool {
-            found: name.to_owned(),
-            expected: self.tools_in_words(),
-        })
+    }
+}
+
+/// The ways in which motions go to poses, and to targets of joint values.
+pub(super) struct Used<'p> {
+    /// Of poses.
+    pub(super) poses: Vec<&'p Way>,
+    /// Of joint values.
+    pub(super) joints: Vec<&'p Way>,
+}
+
+impl<'p> Used<'p> {
+    pub(super) fn of(program: &'p Program) -> Self {
+        let mut used = [BTreeSet::new(), BTreeSet::new()];
+        for target in &program.targets {
+            let which = usize::from(matches!(target.shape, Shape::Joints { .. }));
+            used[which].extend(target.ways.iter());
+        }
+        let [poses, joints] = used.map(|used| {
+            let ways = used.into_iter().map(|way| program.ways.get(way));
+            ways.collect()
+        });
+        Self { poses, joints }
+    }
+}
+
+/// What is known of a program's frames and tools as a whole.
+struct Known<'a> {
+    program: &'a Program,
+    reading: &'a Reading,
+    /// Frames that are declared elsewhere.
+    elsewhere: usize,
+    /// Tools of poses, as they are spelled.
+    tools: BTreeSet<&'a Referred>,
+}
+
+/// Says of every target how its pose is to be read, or that it is left.
+pub(super) fn place(program: &mut Program, reading: &Reading) {
+    let known = Known::of(program, reading);
+    // Every pair of frame and tool is read once, however many targets there are.
+    let mut read: BTreeMap<(bool, Ways2), Result<Placed, String>> = BTreeMap::new();
+    let mut all = Vec::with_capacity(program.targets.len());
+    for target in &program.targets {
+        let pose = matches!(target.shape, Shape::Pose(_));
+        let placed = read
+            .entry((pose, target.ways.0))
+            .or_insert_with(|| known.placed(target.ways, pose).map(Placed::new));
+        all.push(placed.clone());
+    }
+    let notes = known.taken();
+    for (target, placed) in program.targets.iter_mut().zip(all) {
+        match placed {
+            Ok(placed) => target.placed = placed,
+            Err(says) => target.left = Some(Left::new(Reason::Frame, says)),
+        }
+    }
+    program.notes.extend(notes);
+}
+
+type Ways2 = [Option<u32>; 2];
+
+impl<'a> Known<'a> {
+    fn of(program: &'a Program, reading: &'a Reading) -> Self {
+        let used = Used::of(program);
+        let elsewhere = |frame: &&Referred| match frame {
+            Referred::Named(name) => !program.frames.contains_key(&**name),
+            _ => false,
+        };
+        let frames: BTreeSet<&Referred> = used.poses.iter().map(|way| &way.frame).collect();
+        Self {
+            program,
+            reading,
+            elsewhere: frames.into_iter().filter(elsewhere).count(),
+            tools: used.poses.iter().map(|way| &way.tool).collect(),
+        }
+    }
+
+    /// Frames and tools that are taken as the file declares them.
+    fn taken(&self) -> Vec<Remark> {
+        let tools = matches!(
+            self.reading.tool,
+            ToolReading::Named(_) | ToolReading::Declared { .. }
+        );
+        let mut taken: BTreeSet<(usize, String)> = BTreeSet::new();
+        for way in Used::of(self.program).poses {
+            let kinds = [
+                (
+                    &way.frame,
+                    &self.program.frames,
+                    "frame",
+                    self.reading.all_frames.is_none(),
+                ),
+                (&way.tool, &self.program.tools, "tool", tools),
+            ];
+            for (referred, names, what, as_declared) in kinds {
+                if let Referred::Named(name) = referred
+                    && let Some(Declared { at, pose: Ok(_), .. }) = names.get(&**name)
+                    && as_declared
+                {
+                    taken.insert((
+                        *at,
+                        format!("{what} {name} is taken as it is declared here"),
+                    ));
+                }
+            }
+        }
+        let remarks = taken.into_iter().map(|(at, says)| Remark { at, says });
+        remarks.collect()
     }
 
     fn tools_in_words(&self) -> String {
@@ -222,65 +343,141 @@ impl Known<'_> {
         all.join(", ")
     }
 
-    /// The reading of a pose that motions use so; in words where it is not known.
-    fn placed(&self, uses: &[&Use]) -> Result<Placed, String> {
-        match uses {
-            [] => Ok(Placed::stated(self.stated)),
-            [one] => Ok(Placed {
-                base_from_frame: self.frame(&one.frame)?,
-                tool_from_model: self.tool(&one.tool)?,
-            }),
-            [one, other, ..] => {
+    /// The reading of a target that motions go to so; in words where it is not known. Of joint values only
+    /// the tool matters: it says which point is to be right.
+    fn placed(&self, ways: Ways, pose: bool) -> Result<Placement, String> {
+        let one = match ways.0.map(|way| way.map(|way| self.program.ways.get(way))) {
+            [None, _] => None,
+            [Some(one), None] => Some(one),
+            [Some(one), Some(other)] if pose => {
                 let (what, a, b) = if one.frame == other.frame {
                     ("tools", &one.tool, &other.tool)
                 } else {
                     ("frames", &one.frame, &other.frame)
                 };
-                Err(format!("motions go to it with the {what} {a} and {b}"))
+                return Err(format!("motions go to it with the {what} {a} and {b}"));
             }
+            [Some(_), Some(_)] => None,
+        };
+        if !pose {
+            return Ok(Placement {
+                base_from_frame: Pose::identity(),
+                tool_from_model: self.tool_of_joints(one),
+            });
         }
+        let unsaid = Way {
+            frame: Referred::Unsaid,
+            tool: Referred::Unsaid,
+        };
+        let Some(one) = one else {
+            return Ok(Placement {
+                base_from_frame: self.frame(&unsaid.frame)?,
+                tool_from_model: match self.reading.tool {
+                    ToolReading::Given(tool_from_model) => tool_from_model,
+                    _ => Pose::identity(),
+                },
+            });
+        };
+        Ok(Placement {
+            base_from_frame: self.frame(&one.frame)?,
+            tool_from_model: self.tool(&one.tool)?,
+        })
     }
 
     fn frame(&self, referred: &Referred) -> Result<Pose, String> {
-        let stated = self.stated.unwrap_or_else(Pose::identity);
+        let stated = self.reading.stated.unwrap_or_else(Pose::identity);
         let name = match referred {
             Referred::Unsaid => return Ok(stated),
             Referred::Unknown(says) => return Err(format!("its frame is not known: {says}")),
             Referred::Named(name) => name,
         };
-        match self.program.frames.get(name) {
-            Some(declared) => declared.pose.clone(),
-            None if self.stated.is_some() && self.elsewhere == 1 => Ok(stated),
+        match self.program.frames.get(&**name) {
+            Some(Declared { pose: Ok(pose), .. }) => Ok(self.reading.all_frames.unwrap_or(*pose)),
+            Some(Declared { pose: Err(says), .. }) => Err(says.clone()),
+            None if self.reading.stated.is_some() && self.elsewhere == 1 => Ok(stated),
             None => Err(format!(
-                "its frame {name} is declared elsewhere: --frame says where it stands (one frame in a file)"
+                "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \
+                 a file)"
             )),
         }
     }
 
-    fn tool(&self, referred: &Referred) -> Result<Pose, String> {
-        let on_flange = |name: &str| match self.program.tools.get(&name.to_lowercase()) {
+    fn on_flange(&self, name: &str) -> Result<Pose, String> {
+        match self.program.tools.get(&name.to_lowercase()) {
             Some(declared) => declared.pose.clone(),
             None => Err(format!("its tool {name} is declared elsewhere")),
-        };
+        }
+    }
+
+    fn tool(&self, referred: &Referred) -> Result<Pose, String> {
+        if let ToolReading::Given(tool_from_model) = self.reading.tool {
+            return Ok(tool_from_model);
+        }
         if let Referred::Unknown(says) = referred {
             return Err(format!("its tool is not known: {says}"));
         }
-        let model = match self.model_tool {
-            None if self.tools.len() <= 1 => return Ok(Pose::identity()),
-            None => {
+        let model = match &self.reading.tool {
+            ToolReading::Given(tool_from_model) => return Ok(*tool_from_model),
+            ToolReading::OnlyOne if self.tools.len() <= 1 => return Ok(Pose::identity()),
+            ToolReading::OnlyOne => {
                 let all = self.tools_in_words();
                 return Err(format!(
                     "poses of this file are of several tools ({all}): --tool says which one is the model's"
                 ));
             }
-            Some(ModelTool::Named(name)) if referred.is(name) => return Ok(Pose::identity()),
-            Some(ModelTool::Named(name)) => on_flange(name)?,
-            Some(ModelTool::OnFlange(pose)) => *pose,
+            ToolReading::Named(name) if referred.is(name) => return Ok(Pose::identity()),
+            ToolReading::Named(name) => self.on_flange(name)?,
+            ToolReading::Declared { model, lenient } => {
+                // One tool of which the file has no numbers is the model's.
+                let one = self.tools.len() <= 1;
+                let known = match referred {
+                    Referred::Named(name) => self.program.tools.contains_key(&**name),
+                    _ => false,
+                };
+                if *lenient && one && !known {
+                    return Ok(Pose::identity());
+                }
+                *model
+            }
         };
         let own = match referred {
-            Referred::Named(name) => on_flange(name)?,
+            Referred::Named(name) => self.on_flange(name)?,
             _ => return Err("which tool it is of is not said".to_owned()),
         };
         Ok(own.inverse() * model)
+    }
+
+    /// The tool of joint values; where it is not known the model's.
+    fn tool_of_joints(&self, way: Option<&Way>) -> Pose {
+        let own = match (&self.reading.tool, way) {
+            (ToolReading::Given(tool_from_model), _) => return *tool_from_model,
+            (ToolReading::OnlyOne, _) | (_, None) => return Pose::identity(),
+            (_, Some(way)) => &way.tool,
+        };
+        let none = match own {
+            Referred::Named(name) => (self.program.tools.get(&**name)).is_none_or(|t| t.is_none),
+            _ => true,
+        };
+        if none {
+            return Pose::identity();
+        }
+        self.tool(own).unwrap_or_else(|_| Pose::identity())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_ways_that_differ_are_kept_and_no_more() {
+        let mut ways = Ways::default();
+        for way in [4, 4, 7, 9, 4] {
+            ways.add(way);
+        }
+        assert_eq!(ways.iter().collect::<Vec<_>>(), [4, 7]);
+        let mut other = Ways::default();
+        other.join(ways);
+        assert_eq!(other, ways);
     }
 }

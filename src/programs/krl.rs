@@ -184,7 +184,7 @@ impl Reader<'_> {
 
     fn go(&mut self, at: usize, goal: Goal) {
         let Held { base, tool } = self.held.clone();
-        self.moves.push(at, goal, base, tool);
+        self.moves.push(&mut self.program, at, goal, &base, &tool);
     }
 
     fn motion(&mut self, words: &Words, name: &str) -> Result<(), Problem> {

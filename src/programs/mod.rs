@@ -11,12 +11,14 @@
 //!
 //! Poses are taken in the frame and of the tool that the file declares for them (`frames`); where it
 //! declares none, they are those of the model's tool in the frame that the caller states
-//! ([`Request::frame`]).
+//! ([`Request::frame`]). What the file declares in numbers is compared with the model first
+//! ([`ProgramFrames`]).
 
 mod answer;
 mod axes;
 mod compensate;
 mod configuration;
+mod convention;
 mod corrected;
 mod csv;
 mod fanuc;
@@ -25,6 +27,7 @@ mod krl;
 mod moves;
 mod number;
 mod pose;
+mod program_frames;
 mod rapid;
 mod resolve;
 mod rewrite;
@@ -41,6 +44,7 @@ pub use compensate::{CompensateError, Request, compensate};
 pub use frames::ModelTool;
 pub use number::Number;
 pub use pose::{Frame, Orientation};
+pub use program_frames::{Difference, Differences, Differing, Holds, ProgramFrames};
 pub use target::{Circumstances, Program, Remark, Shape, Target};
 pub use text::Text;
 pub use write::{Stop, WriteError, stops};
@@ -55,6 +59,8 @@ pub struct Language {
     pub title: &'static str,
     /// Endings of its files, in small letters, without the dot.
     pub extensions: &'static [&'static str],
+    /// How it writes an orientation, and how six numbers of a tool or a frame are meant for it.
+    pub orientation: Orientation,
     /// Whether a file looks like it.
     looks_like: fn(&[u8]) -> bool,
     read: fn(&Text, &Axes) -> Result<Program, Vec<Problem>>,
@@ -66,6 +72,7 @@ pub const LANGUAGES: &[Language] = &[
         id: "fanuc-ls",
         title: "FANUC LS",
         extensions: &["ls"],
+        orientation: Orientation::XyzFixedDegrees,
         looks_like: fanuc::looks_like,
         read: fanuc::read,
     },
@@ -73,6 +80,7 @@ pub const LANGUAGES: &[Language] = &[
         id: "krl",
         title: "KRL",
         extensions: &["src", "dat", "sub"],
+        orientation: Orientation::ZyxDegrees,
         looks_like: krl::looks_like,
         read: krl::read,
     },
@@ -80,6 +88,7 @@ pub const LANGUAGES: &[Language] = &[
         id: "rapid",
         title: "RAPID",
         extensions: &["mod", "modx", "sys", "sysx", "prg"],
+        orientation: Orientation::Quaternion,
         looks_like: rapid::looks_like,
         read: rapid::read,
     },
@@ -87,6 +96,7 @@ pub const LANGUAGES: &[Language] = &[
         id: "urscript",
         title: "URScript",
         extensions: &["script", "urscript"],
+        orientation: Orientation::RotationVector,
         looks_like: urscript::looks_like,
         read: urscript::read,
     },
@@ -94,6 +104,7 @@ pub const LANGUAGES: &[Language] = &[
         id: "csv",
         title: "CSV",
         extensions: &["csv", "tsv"],
+        orientation: Orientation::Quaternion,
         looks_like: csv::looks_like,
         read: csv::read,
     },

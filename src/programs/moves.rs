@@ -1,8 +1,12 @@
 //! Which targets the motions of a program go to, in which frame and with which tool.
+//!
+//! A name may have many values and many motions: what the motions say of it is kept once for the name,
+//! not once for every pair of a motion and a value, so that the work grows with the file and not with
+//! its square.
 
 use std::collections::BTreeMap;
 
-use super::frames::{Referred, Use};
+use super::frames::{Referred, Way, Ways};
 use super::target::{Program, Remark, Target};
 
 /// What a motion goes to.
@@ -15,19 +19,34 @@ pub(super) enum Goal {
     Mentioned(String),
 }
 
-/// One motion.
-pub(super) struct Move {
-    pub(super) at: usize,
-    pub(super) goal: Goal,
-    pub(super) frame: Referred,
-    pub(super) tool: Referred,
+/// One motion to a name.
+struct Move {
+    at: usize,
+    /// The name in [`Moves::names`].
+    name: usize,
+    /// How the name is spelled; `None` where the goal is only worked out from it.
+    spelled: Option<Box<str>>,
+}
+
+/// What a motion went to, in the order of the file.
+enum Visit {
+    Inline(usize),
+    Move(Move),
+}
+
+/// A name, the targets that are its values, and how motions go to it.
+#[derive(Default)]
+struct Named {
+    targets: Vec<usize>,
+    ways: Ways,
 }
 
 /// The targets of a program by name, and its motions in the order of the file.
 #[derive(Default)]
 pub(super) struct Moves {
-    by_name: BTreeMap<String, Vec<usize>>,
-    all: Vec<Move>,
+    by_name: BTreeMap<String, usize>,
+    names: Vec<Named>,
+    all: Vec<Visit>,
     /// Names that something is assigned to at run time, how they are spelled, and where.
     changed: Vec<(String, String, usize)>,
 }
@@ -43,18 +62,46 @@ impl Moves {
         program.targets.push(target);
         let index = program.targets.len() - 1;
         if let Some(name) = name {
-            self.by_name.entry(name.to_owned()).or_default().push(index);
+            let name = self.name(name);
+            self.names[name].targets.push(index);
         }
         index
     }
 
-    pub(super) fn push(&mut self, at: usize, goal: Goal, frame: Referred, tool: Referred) {
-        self.all.push(Move {
-            at,
-            goal,
-            frame,
-            tool,
+    fn name(&mut self, name: &str) -> usize {
+        if let Some(index) = self.by_name.get(name) {
+            return *index;
+        }
+        self.names.push(Named::default());
+        let index = self.names.len() - 1;
+        self.by_name.insert(name.to_owned(), index);
+        index
+    }
+
+    /// A motion, in a frame and with a tool.
+    pub(super) fn push(
+        &mut self,
+        program: &mut Program,
+        at: usize,
+        goal: Goal,
+        frame: &Referred,
+        tool: &Referred,
+    ) {
+        let way = program.ways.of(Way {
+            frame: frame.clone(),
+            tool: tool.clone(),
         });
+        let (name, spelled) = match goal {
+            Goal::Inline(index) => {
+                program.targets[index].ways.add(way);
+                return self.all.push(Visit::Inline(index));
+            }
+            Goal::Named(name, spelled) => (name, Some(spelled.into_boxed_str())),
+            Goal::Mentioned(name) => (name, None),
+        };
+        let name = self.name(&name);
+        self.names[name].ways.add(way);
+        self.all.push(Visit::Move(Move { at, name, spelled }));
     }
 
     /// A name that is assigned to at run time.
@@ -65,37 +112,32 @@ impl Moves {
     /// The program with its visits, the frames that its targets are used in, and what is not corrected.
     /// `elsewhere`: what there is to say of a name that the file gives no values.
     pub(super) fn finish(self, mut program: Program, elsewhere: &str) -> Program {
-        let mut visits = Vec::new();
-        for one in self.all {
-            let targets: Vec<usize> = match &one.goal {
-                Goal::Inline(index) => {
-                    visits.push(*index);
-                    vec![*index]
+        for visit in self.all {
+            let one = match visit {
+                Visit::Inline(index) => {
+                    program.visits.push(index);
+                    continue;
                 }
-                Goal::Named(name, spelled) => match self.by_name.get(name).map(Vec::as_slice) {
-                    Some([index]) => {
-                        visits.push(*index);
-                        vec![*index]
-                    }
-                    // An array, or a name that is given several values.
-                    Some(several) => several.to_vec(),
-                    None => {
-                        let says = format!("{spelled} {elsewhere}");
-                        program.at_run_time.push(Remark { at: one.at, says });
-                        Vec::new()
-                    }
-                },
-                Goal::Mentioned(name) => self.by_name.get(name).cloned().unwrap_or_default(),
+                Visit::Move(one) => one,
             };
-            program.uses.extend(targets.into_iter().map(|target| Use {
-                target,
-                frame: one.frame.clone(),
-                tool: one.tool.clone(),
-            }));
+            match (&self.names[one.name].targets[..], one.spelled) {
+                ([index], Some(_)) => program.visits.push(*index),
+                ([], Some(spelled)) => {
+                    let says = format!("{spelled} {elsewhere}");
+                    program.at_run_time.push(Remark { at: one.at, says });
+                }
+                // An array, a name that is given several values, or one that is only mentioned.
+                _ => {}
+            }
         }
-        program.visits.extend(visits);
+        for named in &self.names {
+            for target in &named.targets {
+                program.targets[*target].ways.join(named.ways);
+            }
+        }
         for (name, spelled, at) in self.changed {
-            if self.by_name.contains_key(&name) {
+            let known = self.by_name.get(&name);
+            if known.is_some_and(|known| !self.names[*known].targets.is_empty()) {
                 let says = format!("{spelled} is changed at run time");
                 program.at_run_time.push(Remark { at, says });
             }

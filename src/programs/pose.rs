@@ -22,6 +22,54 @@ pub enum Orientation {
     Free,
 }
 
+impl Orientation {
+    /// The orientation that three numbers (angles) or four (a quaternion) mean; `None` of another count, or
+    /// of a quaternion without length. Three numbers of a language that writes quaternions are
+    /// `R_z(A) R_y(B) R_x(C)` in degrees.
+    pub fn read(self, numbers: &[f64]) -> Option<UnitQuaternion<f64>> {
+        match (self, numbers) {
+            (_, [w, x, y, z]) => {
+                let quaternion = Quaternion::new(*w, *x, *y, *z);
+                let length = quaternion.norm();
+                let good = length.is_finite() && length > 0.0;
+                good.then(|| UnitQuaternion::new_normalize(quaternion))
+            }
+            (Self::RotationVector, [x, y, z]) => {
+                Some(UnitQuaternion::new(Vector3::new(*x, *y, *z)))
+            }
+            (Self::XyzFixedDegrees, [w, p, r]) => Some(turned(*w, *p, *r)),
+            (_, [a, b, c]) => Some(turned(*c, *b, *a)),
+            _ => None,
+        }
+    }
+
+    /// An orientation as the language writes it: what its numbers are called, the numbers, their unit.
+    pub fn numbers(self, pose: &Pose) -> (&'static [&'static str], Vec<f64>, &'static str) {
+        match self {
+            Self::Quaternion => {
+                let q = pose.rotation.quaternion();
+                let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
+                let numbers = [q.w, q.i, q.j, q.k].map(|v| sign * v);
+                (&["QW", "QX", "QY", "QZ"], numbers.to_vec(), "")
+            }
+            Self::RotationVector => {
+                let vector = crate::kinematics::quaternion::log(&pose.rotation);
+                let numbers = vector.iter().copied().collect();
+                (&["RX", "RY", "RZ"], numbers, " rad")
+            }
+            Self::XyzFixedDegrees => {
+                let numbers = nearest_angles(&pose.rotation, [0.0; 3]);
+                (&["W", "P", "R"], numbers, "°")
+            }
+            Self::ZyxDegrees | Self::Free => {
+                let mut numbers = nearest_angles(&pose.rotation, [0.0; 3]);
+                numbers.reverse();
+                (&["A", "B", "C"], numbers, "°")
+            }
+        }
+    }
+}
+
 /// The numbers of a pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {

@@ -16,16 +16,16 @@
 
 mod lists;
 
-use crate::kinematics::Pose;
+use std::collections::BTreeMap;
 
 use super::axes::Axes;
-use super::frames::{Names, Referred, declare};
+use super::frames::{Names, Referred, declare, declare_none};
 use super::moves::{Goal, Moves};
 use super::target::{Problem, Program, Remark};
 use super::text::Text;
 use super::tokens::{Dialect, Kind, Words, words};
 
-use lists::{Lists, Tree, is_array};
+use lists::{Lists, Tree, is_array, mass};
 
 const DIALECT: Dialect = Dialect {
     comment: Some(b'!'),
@@ -58,9 +58,16 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         program: Program::default(),
         problems: Vec::new(),
         moves: Moves::default(),
+        loads: BTreeMap::new(),
+        gripped: Vec::new(),
     };
-    declare(&mut reader.program.tools, "tool0", 0, Ok(Pose::identity()));
+    declare_none(&mut reader.program.tools, "tool0");
     reader.run();
+    for (name, at) in std::mem::take(&mut reader.gripped) {
+        if let Some(kg) = reader.loads.get(&name.to_lowercase()) {
+            reader.program.loads.state(*kg, at, &name);
+        }
+    }
     if reader.problems.is_empty() {
         Ok(reader.moves.finish(reader.program, "is declared elsewhere"))
     } else {
@@ -74,6 +81,10 @@ struct Reader<'t, 'a> {
     program: Program,
     problems: Vec<Problem>,
     moves: Moves,
+    /// Masses of `loaddata`, kg, by name.
+    loads: BTreeMap<String, f64>,
+    /// What `GripLoad` names, and where.
+    gripped: Vec<(String, usize)>,
 }
 
 impl<'t, 'a> Reader<'t, 'a> {
@@ -81,8 +92,13 @@ impl<'t, 'a> Reader<'t, 'a> {
         let mut k = 0;
         while k < self.words.tokens.len() {
             k = match self.words.name(k).as_deref() {
-                Some(kind @ ("robtarget" | "jointtarget" | "tooldata" | "wobjdata")) => {
-                    self.declaration(k, kind)
+                Some(
+                    kind @ ("robtarget" | "jointtarget" | "tooldata" | "wobjdata" | "loaddata"),
+                ) => self.declaration(k, kind),
+                Some("gripload") if self.words.kind(k + 1) == Some(Kind::Name) => {
+                    let one = (self.words.spelled(k + 1), self.words.at(k + 1));
+                    self.gripped.push(one);
+                    k + 2
                 }
                 Some(name) if is_move(name) => self.motion(k, name),
                 Some(name) => {
@@ -113,6 +129,9 @@ impl<'t, 'a> Reader<'t, 'a> {
         k += if valued { 2 } else { 0 };
         if !valued || !self.words.is_sign(k, b'[') {
             // Without a value, or a parameter of a procedure.
+            if kind == "loaddata" {
+                return k;
+            }
             if let Some(names) = self.names(kind) {
                 declare(
                     names,
@@ -132,9 +151,21 @@ impl<'t, 'a> Reader<'t, 'a> {
                 return self.words.until(k, b";");
             }
         };
+        if kind == "loaddata" {
+            if let Some(kg) = mass(Some(&tree)) {
+                self.loads.insert(spelled.to_lowercase(), kg);
+            }
+            return end;
+        }
         let pose = self.lists().held(&tree, &spelled, kind == "tooldata");
         if let Some(names) = self.names(kind) {
             declare(names, &spelled, at, pose);
+            let load = tree.list().and_then(|parts| parts.get(2));
+            if let Some(declared) = names.get_mut(&spelled.to_lowercase())
+                && kind == "tooldata"
+            {
+                declared.mass_kg = mass(load);
+            }
         } else {
             self.declared(&tree, &spelled, &spelled, kind == "robtarget", array);
         }
@@ -285,7 +316,7 @@ impl<'t, 'a> Reader<'t, 'a> {
             if alone(k, end) {
                 Referred::named(self.words.spelled(k))
             } else {
-                Referred::Unknown(format!(
+                Referred::unknown(format!(
                     "{} is worked out at run time",
                     self.words.shown(k, end)
                 ))
@@ -310,7 +341,9 @@ impl<'t, 'a> Reader<'t, 'a> {
 
     fn goal(&mut self, k: usize, end: usize, command: &str, frame: &Referred, tool: &Referred) {
         let at = self.words.at(k);
-        let mut go = |goal| self.moves.push(at, goal, frame.clone(), tool.clone());
+        let mut go = |goal| {
+            self.moves.push(&mut self.program, at, goal, frame, tool);
+        };
         // Switches of the move may follow its target.
         let alone = k + 1 == end || self.words.is_sign(k + 1, b'\\');
         if self.words.kind(k) == Some(Kind::Name) {
@@ -342,8 +375,8 @@ impl<'t, 'a> Reader<'t, 'a> {
         match read {
             Ok(Some(target)) => {
                 let index = self.moves.target(&mut self.program, None, target);
-                self.moves
-                    .push(at, Goal::Inline(index), frame.clone(), tool.clone());
+                let goal = Goal::Inline(index);
+                self.moves.push(&mut self.program, at, goal, frame, tool);
             }
             Ok(None) => self.run_time(
                 at,

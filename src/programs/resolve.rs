@@ -9,6 +9,7 @@ use crate::kinematics::{JointKind, Pose, Robot};
 
 use super::answer::{Left, Reason};
 use super::axes::Axes;
+use super::convention::Convention;
 use super::target::{Shape, Target};
 
 /// Two solutions are equally near when the farther one is not farther than this times as far.
@@ -30,6 +31,7 @@ pub(super) struct Resolved {
 /// See the module. Targets have to come in the order in which they are gone to.
 pub(super) struct Resolver<'a> {
     robot: &'a Robot,
+    convention: Convention,
     free: Vec<usize>,
     inverse: Inverse<'a>,
     /// Joint values of the target before.
@@ -39,9 +41,19 @@ pub(super) struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    pub(super) fn new(robot: &'a Robot, axes: &Axes, start: Option<Vec<f64>>) -> Self {
+    /// `start`: joint values before the first target, raw.
+    pub(super) fn new(
+        robot: &'a Robot,
+        axes: &Axes,
+        convention: Convention,
+        mut start: Option<Vec<f64>>,
+    ) -> Self {
+        if let Some(start) = &mut start {
+            convention.to_model(start);
+        }
         Self {
             robot,
+            convention,
             free: axes.free(),
             inverse: Inverse::new(robot, axes.free()),
             before: start,
@@ -56,7 +68,9 @@ impl<'a> Resolver<'a> {
         let (q, pose) = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
                 let values = numbers.iter().zip(inner);
-                let q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
+                let mut q: Vec<f64> =
+                    values.map(|(number, inner)| number.value * inner).collect();
+                self.convention.to_model(&mut q);
                 self.check_limits(&q)?;
                 let pose = self.robot.base_from_tool(&q);
                 (q, pose)
@@ -94,17 +108,21 @@ impl<'a> Resolver<'a> {
         for (joint, value) in &target.external {
             fixed[*joint] = *value;
         }
-        let near = target.near.clone().or_else(|| self.before.clone());
-        let near = near.map(|mut q| {
-            for (joint, value) in &target.external {
-                q[*joint] = *value;
+        self.convention.to_model(&mut fixed);
+        let stated = target.near.clone().map(|mut near| {
+            self.convention.to_model(&mut near);
+            near
+        });
+        let near = stated.or_else(|| self.before.clone()).map(|mut q| {
+            for (joint, _) in &target.external {
+                q[*joint] = fixed[*joint];
             }
             q
         });
         if !self.inverse.is_determined(goal) {
             return self.nearest_of_a_line(goal, near.as_deref());
         }
-        let known = self.with_external(&target.external);
+        let known = self.with_external(&target.external, &fixed);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
             let says = "no joint values within the limits reach it";
@@ -123,11 +141,11 @@ impl<'a> Resolver<'a> {
         self.nearest(possible, near.as_deref())
     }
 
-    fn with_external(&self, external: &[(usize, f64)]) -> Vec<Vec<f64>> {
+    fn with_external(&self, external: &[(usize, f64)], fixed: &[f64]) -> Vec<Vec<f64>> {
         let mut known = self.known.clone();
         for q in &mut known {
-            for (joint, value) in external {
-                q[*joint] = *value;
+            for (joint, _) in external {
+                q[*joint] = fixed[*joint];
             }
         }
         known
@@ -226,30 +244,30 @@ impl<'a> Resolver<'a> {
     }
 }
 
+/// The first joint beyond a limit, and that limit.
+pub(super) fn first_beyond(robot: &Robot, q: &[f64]) -> Option<(usize, f64)> {
+    let mut joints = robot.joints.iter().zip(q).enumerate();
+    joints.find_map(|(k, (joint, value))| {
+        let limits = joint.limits?;
+        if *value < limits.from - ON_THE_LIMIT {
+            Some((k, limits.from))
+        } else if *value > limits.to + ON_THE_LIMIT {
+            Some((k, limits.to))
+        } else {
+            None
+        }
+    })
+}
+
 /// The first joint beyond a limit, in words.
 pub(super) fn beyond_a_limit(robot: &Robot, q: &[f64]) -> Option<String> {
-    robot
-        .joints
-        .iter()
-        .zip(q)
-        .enumerate()
-        .find_map(|(k, (joint, value))| {
-            let limits = joint.limits?;
-            let inside = *value >= limits.from - ON_THE_LIMIT && *value <= limits.to + ON_THE_LIMIT;
-            if inside {
-                return None;
-            }
-            let limit = if *value < limits.from {
-                limits.from
-            } else {
-                limits.to
-            };
-            let (kind, sign) = (joint.kind, joint.kind.sign());
-            Some(format!(
-                "joint {} would be at {:.4}{sign}, beyond its limit of {:.4}{sign},",
-                k + 1,
-                kind.outer(*value),
-                kind.outer(limit)
-            ))
-        })
+    let (k, limit) = first_beyond(robot, q)?;
+    let kind = robot.joints[k].kind;
+    let sign = kind.sign();
+    Some(format!(
+        "joint {} would be at {:.4}{sign}, beyond its limit of {:.4}{sign},",
+        k + 1,
+        kind.outer(q[k]),
+        kind.outer(limit)
+    ))
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::kinematics::Robot;
 
+use super::convention::Convention;
 use super::target::{Shape, Target};
 
 /// New bytes for a range of a file.
@@ -21,14 +22,21 @@ impl Edit {
 }
 
 /// The edits that put corrected joint values into a target.
-pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
+pub(super) fn edits(
+    target: &Target,
+    robot: &Robot,
+    convention: Convention,
+    q: &[f64],
+) -> Vec<Edit> {
+    let mut raw = q.to_vec();
+    convention.to_raw(&mut raw);
     let numbers: Vec<(&super::Number, f64, usize)> = match &target.shape {
         Shape::Joints {
             numbers,
             inner,
             decimals,
         } => {
-            let values = numbers.iter().zip(inner).zip(q);
+            let values = numbers.iter().zip(inner).zip(&raw);
             let values = values.map(|((number, inner), q)| (number, q / inner, *decimals));
             values.collect()
         }
@@ -53,15 +61,18 @@ pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
     edits
 }
 
-/// The file with its edits; they must not overlap.
-pub(super) fn applied(bytes: &[u8], mut edits: Vec<Edit>) -> Vec<u8> {
-    edits.sort_by_key(|edit| edit.range.start);
-    let mut written = Vec::with_capacity(bytes.len() + 8 * edits.len());
+/// The file with its edits, which come target by target; they must not overlap, and targets do not lie in
+/// each other.
+pub(super) fn applied(bytes: &[u8], targets: impl Iterator<Item = Vec<Edit>>) -> Vec<u8> {
+    let mut written = Vec::with_capacity(bytes.len() + bytes.len() / 4);
     let mut at = 0;
-    for edit in edits {
-        written.extend_from_slice(&bytes[at..edit.range.start]);
-        written.extend_from_slice(edit.text.as_bytes());
-        at = edit.range.end;
+    for mut edits in targets {
+        edits.sort_by_key(|edit| edit.range.start);
+        for edit in edits {
+            written.extend_from_slice(&bytes[at..edit.range.start]);
+            written.extend_from_slice(edit.text.as_bytes());
+            at = edit.range.end;
+        }
     }
     written.extend_from_slice(&bytes[at..]);
     written

@@ -11,34 +11,32 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
 
 use super::answer::Left;
+use super::convention::Convention;
 use super::resolve::Resolved;
-use super::target::{Program, Remark};
+use super::target::{Program, Remark, Target};
 
 /// A joint that moves less than this (rad or mm) does not move.
 const STANDS: f64 = 1e-9;
 
+/// See the module. Joint by joint for each target, one target after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sequence {
-    targets: Vec<There>,
+    joints: usize,
+    convention: Convention,
+    /// +1, −1, 0 unknown.
+    dir: Vec<i8>,
+    /// Since the last reversal, rad or mm.
+    travel: Vec<f64>,
+    /// Where the file says none, kg.
+    load_kg: f64,
     /// What there is to say about targets.
     pub(super) remarks: Vec<Remark>,
 }
 
-/// The circumstances of one target, by joint where they are a joint's.
-#[derive(Debug, Clone, PartialEq)]
-struct There {
-    dir: Vec<f64>,
-    travel: Vec<f64>,
-    speed: Vec<f64>,
-    load_kg: f64,
-    temperature_c: f64,
-}
-
 /// One visit of a target.
-#[derive(Clone)]
 struct Visit {
     q: Vec<f64>,
-    dir: Vec<f64>,
+    dir: Vec<i8>,
     travel: Vec<f64>,
 }
 
@@ -47,19 +45,27 @@ impl Sequence {
     pub(super) fn new(
         program: &Program,
         resolved: &[Result<Resolved, Left>],
+        joints: usize,
+        convention: Convention,
         load_kg: f64,
     ) -> Self {
         let targets = &program.targets;
-        let mut first: Vec<Option<Visit>> = vec![None; targets.len()];
-        let mut remarks = Vec::new();
+        let mut sequence = Self {
+            joints,
+            convention,
+            dir: vec![0; joints * targets.len()],
+            travel: vec![f64::INFINITY; joints * targets.len()],
+            load_kg,
+            remarks: Vec::new(),
+        };
+        let mut known = vec![false; targets.len()];
         let mut before: Option<Visit> = None;
         let mut visited = vec![false; targets.len()];
         for k in &program.visits {
             visited[*k] = true;
         }
         let others = (0..targets.len()).filter(|k| !visited[*k]);
-        let order = program.visits.iter().copied().chain(others);
-        for k in order {
+        for k in program.visits.iter().copied().chain(others) {
             let Ok(resolved) = &resolved[k] else {
                 // From where it is not known the next one is reached from an unknown side.
                 before = None;
@@ -67,109 +73,106 @@ impl Sequence {
             };
             // What no motion of the file names may come from anywhere.
             let from = before.as_ref().filter(|_| visited[k]);
-            let stated = &targets[k].circumstances.dir;
-            let visit = visit(&resolved.q, stated, from);
-            match &mut first[k] {
-                Some(known) => {
-                    let mut several = false;
-                    for (known, now) in known.dir.iter_mut().zip(&visit.dir) {
-                        several |= *known != *now && *known != 0.0;
-                        if *known != *now {
-                            *known = 0.0;
-                        }
-                    }
-                    if several {
-                        let says = format!(
-                            "{} is gone to from several sides; effects of the side are left out",
-                            targets[k].name
-                        );
-                        let at = targets[k].at;
-                        remarks.push(Remark { at, says });
+            let visit = sequence.visit(&resolved.q, &targets[k], from);
+            let own = k * joints..(k + 1) * joints;
+            if known[k] {
+                let mut several = false;
+                for (known, now) in sequence.dir[own].iter_mut().zip(&visit.dir) {
+                    several |= *known != *now && *known != 0;
+                    if *known != *now {
+                        *known = 0;
                     }
                 }
-                none => *none = Some(visit.clone()),
+                if several {
+                    let says = format!(
+                        "{} is gone to from several sides; effects of the side are left out",
+                        targets[k].name
+                    );
+                    let at = targets[k].at;
+                    sequence.remarks.push(Remark { at, says });
+                }
+            } else {
+                known[k] = true;
+                sequence.dir[own.clone()].copy_from_slice(&visit.dir);
+                sequence.travel[own].copy_from_slice(&visit.travel);
             }
             before = Some(visit);
         }
-        remarks.dedup();
-        let there = |(k, first): (usize, Option<Visit>)| {
-            let joints = resolved[k].as_ref().map_or(0, |r| r.q.len());
-            let unknown = || (vec![0.0; joints], vec![f64::INFINITY; joints]);
-            let (dir, travel) = first.map_or_else(unknown, |visit| (visit.dir, visit.travel));
-            let stated = &targets[k].circumstances;
-            let speed = |j: usize| stated.speed.get(j).copied().flatten().unwrap_or(0.0);
-            There {
-                dir,
-                travel,
-                speed: (0..joints).map(speed).collect(),
-                load_kg: stated.load_kg.unwrap_or(load_kg),
-                temperature_c: stated.temperature_c.unwrap_or(REFERENCE_TEMPERATURE_C),
-            }
-        };
-        Self {
-            targets: first.into_iter().enumerate().map(there).collect(),
-            remarks,
-        }
+        sequence.remarks.dedup();
+        sequence
     }
 
     /// Side from which each joint comes to a target.
     pub(super) fn dir(&self, target: usize) -> Vec<f64> {
-        self.targets[target].dir.clone()
+        let own = &self.dir[target * self.joints..(target + 1) * self.joints];
+        own.iter().map(|dir| f64::from(*dir)).collect()
     }
 
     /// Load at a target, kg.
-    pub(super) fn load_kg(&self, target: usize) -> f64 {
-        self.targets[target].load_kg
+    pub(super) fn load_kg(&self, target: &Target) -> f64 {
+        target.circumstances.load_kg.unwrap_or(self.load_kg)
     }
 
     /// Some targets as a model takes them.
     pub(super) fn inputs(
         &self,
-        targets: &[usize],
-        resolved: &[&Resolved],
+        targets: &[Target],
+        indices: &[usize],
+        q: Vec<Vec<f64>>,
         robot: &Robot,
     ) -> Inputs<'static> {
-        let joints = robot.joints.len();
-        let column = |of: &dyn Fn(&There) -> f64| -> Vec<f64> {
-            targets.iter().map(|k| of(&self.targets[*k])).collect()
+        let column = |of: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            indices.iter().map(|k| of(*k)).collect()
         };
-        let q = (0..joints).map(|j| resolved.iter().map(|r| r.q[j]).collect());
         let home = robot.base_from_tool.translation.vector.into();
-        let mut inputs = Inputs::at_poses(q.collect(), vec![home]);
-        for j in 0..joints {
-            inputs.dir[j] = Some(Cow::Owned(column(&|there| there.dir[j])));
-            inputs.speed[j] = Some(Cow::Owned(column(&|there| there.speed[j])));
-            inputs.travel[j] = Some(column(&|there| there.travel[j]));
+        let mut inputs = Inputs::at_poses(q, vec![home]);
+        for j in 0..self.joints {
+            let at = |k: usize| k * self.joints + j;
+            let speed = |k: usize| {
+                let speed = targets[k].circumstances.speed.get(j);
+                speed.copied().flatten().unwrap_or(0.0)
+            };
+            inputs.dir[j] = Some(Cow::Owned(column(&|k| f64::from(self.dir[at(k)]))));
+            inputs.speed[j] = Some(Cow::Owned(column(&speed)));
+            inputs.travel[j] = Some(column(&|k| self.travel[at(k)]));
         }
-        inputs.load_kg = Some(Cow::Owned(column(&|there| there.load_kg)));
-        inputs.above_20_c = Some(column(&|there| {
-            there.temperature_c - REFERENCE_TEMPERATURE_C
+        inputs.load_kg = Some(Cow::Owned(column(&|k| self.load_kg(&targets[k]))));
+        inputs.above_20_c = Some(column(&|k| {
+            let stated = targets[k].circumstances.temperature_c;
+            stated.unwrap_or(REFERENCE_TEMPERATURE_C) - REFERENCE_TEMPERATURE_C
         }));
         inputs
     }
-}
 
-fn visit(q: &[f64], stated: &[Option<f64>], before: Option<&Visit>) -> Visit {
-    let mut visit = Visit {
-        q: q.to_vec(),
-        dir: vec![0.0; q.len()],
-        travel: vec![f64::INFINITY; q.len()],
-    };
-    for j in 0..q.len() {
-        let way = before.map(|before| q[j] - before.q[j]);
-        let followed = match way {
-            Some(way) if way > STANDS => 1.0,
-            Some(way) if way < -STANDS => -1.0,
-            _ => before.map_or(0.0, |before| before.dir[j]),
+    fn visit(&self, q: &[f64], target: &Target, before: Option<&Visit>) -> Visit {
+        let mut stated = target.circumstances.dir.clone();
+        self.convention.sides_to_model(&mut stated);
+        let mut visit = Visit {
+            q: q.to_vec(),
+            dir: vec![0; q.len()],
+            travel: vec![f64::INFINITY; q.len()],
         };
-        visit.dir[j] = stated.get(j).copied().flatten().unwrap_or(followed);
-        if let (Some(way), Some(before)) = (way, before) {
-            visit.travel[j] = if visit.dir[j] == before.dir[j] {
-                before.travel[j] + way.abs()
-            } else {
-                way.abs()
+        for j in 0..q.len() {
+            let way = before.map(|before| q[j] - before.q[j]);
+            let followed = match way {
+                Some(way) if way > STANDS => 1,
+                Some(way) if way < -STANDS => -1,
+                _ => before.map_or(0, |before| before.dir[j]),
             };
+            let stated = stated.get(j).copied().flatten();
+            visit.dir[j] = match stated {
+                Some(side) if side > 0.0 => 1,
+                Some(side) if side < 0.0 => -1,
+                _ => followed,
+            };
+            if let (Some(way), Some(before)) = (way, before) {
+                visit.travel[j] = if visit.dir[j] == before.dir[j] {
+                    before.travel[j] + way.abs()
+                } else {
+                    way.abs()
+                };
+            }
         }
+        visit
     }
-    visit
 }

@@ -5,9 +5,10 @@ use std::ops::Range;
 use crate::kinematics::configuration::Statement;
 
 use super::answer::Left;
-use super::frames::{Names, Placed, Use};
+use super::frames::{AllWays, Names, Placed, Ways};
 use super::number::Number;
 use super::pose::Frame;
+use super::program_frames::StatedLoads;
 
 /// Something broken in a file: at which byte, what is there and what should be.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -117,6 +118,8 @@ pub struct Target {
     /// Why it cannot be corrected, whatever its numbers.
     pub left: Option<Left>,
     pub(super) marks: Vec<Mark>,
+    /// In which frames and with which tools motions go to it.
+    pub(super) ways: Ways,
     /// How its pose is to be read.
     pub(super) placed: Placed,
 }
@@ -133,7 +136,8 @@ impl Target {
             circumstances: Circumstances::default(),
             left: None,
             marks: Vec::new(),
-            placed: Placed::stated(None),
+            ways: Ways::default(),
+            placed: Placed::default(),
         }
     }
 }
@@ -150,7 +154,9 @@ pub struct Program {
     /// What else there is to know.
     pub notes: Vec<Remark>,
     /// In which frames and with which tools motions go to the targets.
-    pub(super) uses: Vec<Use>,
+    pub(super) ways: AllWays,
+    /// Loads that the file states.
+    pub(super) loads: StatedLoads,
     /// Frames that the file declares, in the robot's base.
     pub(super) frames: Names,
     /// Tools that the file declares, on the flange.
@@ -167,8 +173,7 @@ impl Program {
             place[*before] = now;
         }
         self.targets.sort_by_key(|target| target.at);
-        let used = self.uses.iter_mut().map(|one| &mut one.target);
-        for index in self.visits.iter_mut().chain(used) {
+        for index in &mut self.visits {
             *index = place[*index];
         }
     }

@@ -112,13 +112,19 @@ impl Reader<'_, '_> {
                 "def" | "thread" | "sec" => {
                     self.blocks.push(Some(self.tool.clone()));
                     if self.functions > 0 {
-                        self.tool = Referred::Unknown(CALLER.to_owned());
+                        self.tool = Referred::unknown(CALLER);
                     }
                     self.functions += 1;
                 }
                 "end" => {
                     if let Some(Some(tool)) = self.blocks.pop() {
                         self.tool = tool;
+                    }
+                }
+                "set_payload" | "set_target_payload" | "set_payload_mass" if called => {
+                    if let Some(Ok((kg, _))) = self.words.number(k + 2) {
+                        let at = self.words.at(k);
+                        self.program.loads.state(kg.value, at, &name);
                     }
                 }
                 "set_tcp" if called => {
@@ -157,8 +163,9 @@ impl Reader<'_, '_> {
     }
 
     fn go(&mut self, at: usize, goal: Goal) {
+        let frame = Referred::Unsaid;
         self.moves
-            .push(at, goal, Referred::Unsaid, self.tool.clone());
+            .push(&mut self.program, at, goal, &frame, &self.tool);
     }
 
     fn go_to_name(&mut self, k: usize, near: Option<Vec<f64>>) {
@@ -356,12 +363,11 @@ impl Reader<'_, '_> {
         }
         let elsewhere = "is worked out at run time, or has its values elsewhere";
         let mut program = self.moves.finish(self.program, elsewhere);
-        for one in &mut program.uses {
-            if program.tools.is_empty() {
-                one.tool = Referred::Unsaid;
-            } else if self.unsure {
-                one.tool = Referred::Unknown("set_tcp stands in a branch or a loop".to_owned());
-            }
+        if program.tools.is_empty() {
+            program.ways.set_tools(&Referred::Unsaid);
+        } else if self.unsure {
+            let says = "set_tcp is called in a branch or a loop";
+            program.ways.set_tools(&Referred::unknown(says));
         }
         program.sort();
         program

@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
-use crate::compensation::pose::{commands_for_poses, conditioning, is_singular};
+use crate::compensation::pose::{Tools, commands_for_poses, conditioning, is_singular};
 use crate::diagnosis::NextPose;
 use crate::effects::Inputs;
 use crate::kinematics::inverse::{Goal, Inverse, REACHED_MM};
@@ -208,7 +208,8 @@ impl<'a> Search<'a> {
         } else {
             let home = self.robot.base_from_tool.translation.vector.into();
             let inputs = Inputs::at_poses(from.iter().map(|q| vec![*q]).collect(), vec![home]);
-            let mut all = commands_for_poses(&self.nominal, &inputs, &[*pose], &self.free);
+            let tools = Tools::of(self.robot);
+            let mut all = commands_for_poses(&self.nominal, &inputs, &[*pose], &self.free, &tools);
             let reached = all.pop()?;
             if !reached.settled || reached.position_mm > REACHED_MM {
                 return None;

@@ -45,6 +45,7 @@ mod observed_poses;
 mod paper;
 mod plan;
 mod plan_arms;
+mod program_frames;
 mod programs;
 mod recordings;
 mod recovery;

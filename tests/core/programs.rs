@@ -14,7 +14,9 @@ use truepose::fit::identify_exact;
 use truepose::kinematics::Pose;
 use truepose::model::Calibration;
 use truepose::pipeline;
-use truepose::programs::{Answer, CompensateError, ModelTool, Reason, Request, find, language_of};
+use truepose::programs::{
+    Answer, CompensateError, ModelTool, ProgramFrames, Reason, Request, find, language_of,
+};
 use truepose::sessions::load;
 
 const DEG: f64 = std::f64::consts::PI / 180.0;
@@ -55,6 +57,7 @@ fn request<'a>(calibration: &'a Calibration, bytes: &'a [u8], language: &str) ->
         start: None,
         frame: None,
         tool: None,
+        frames: ProgramFrames::as_declared(),
         measured_frame: false,
     }
 }
@@ -1111,20 +1114,24 @@ fn the_command_names_what_it_leaves_with_its_line_and_says_so_with_its_status() 
     let file = |name: &str| out.path().join(name).to_str().unwrap().to_owned();
     let (model, cell) = (model_in(out.path()), folder().join("cell.script"));
     let cell = cell.to_str().unwrap();
-    // A singular, an unreachable and an ambiguous target: named with line and reason, status 1.
+    // A stretched wrist is corrected in position, and what is left of its orientation is said; unreachable and
+    // ambiguous targets are named with line and reason, status 1.
     let table = file("left.csv");
     let rows = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n10,20,-30,40,50,60\n10,20,-30,40,0,60\n10,300,0,0,50,0\n";
     std::fs::write(&table, rows).unwrap();
     let (status, summary, said) =
         truepose(&["compensate", &model, &table, "--out", &file("left.out.csv")]);
     assert_eq!(status, Some(1), "{said}");
-    assert!(summary.contains("1 of 3 targets corrected"), "{summary}");
-    for (line, reason) in [("line 3", "(singular)"), ("line 4", "(unreachable)")] {
-        assert!(
-            said.lines().any(|l| l.contains(line) && l.contains(reason)),
-            "{said}"
-        );
-    }
+    assert!(summary.contains("2 of 3 targets corrected"), "{summary}");
+    assert!(
+        summary.contains("orientation in part: line 3, column 1: row 2: "),
+        "{summary}"
+    );
+    assert!(
+        said.lines()
+            .any(|l| l.contains("line 4") && l.contains("(unreachable)")),
+        "{said}"
+    );
     let poses = file("poses.csv");
     std::fs::write(&poses, bytes("poses.csv")).unwrap();
     let (status, _, said) = truepose(&[

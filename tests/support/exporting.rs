@@ -66,6 +66,7 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
         tolerance_mm: session.tolerance_mm,
         compensated_by: None,
         history: Vec::new(),
+        load_kg: None,
         samples_hash: "0".repeat(64),
         program_version: "0".to_owned(),
     }

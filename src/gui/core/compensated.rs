@@ -7,7 +7,7 @@ use crate::kinematics::Pose;
 use crate::model::Calibration;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
-use crate::programs::{Answer, LANGUAGES, Request, language_of};
+use crate::programs::{Answer, Holds, LANGUAGES, ProgramFrames, Request, language_of};
 use crate::sessions::files::read_document;
 
 /// No robot carries more, kg.
@@ -112,6 +112,11 @@ fn corrected(
         start: None,
         frame: None,
         tool: None,
+        // What differs from the model is refused in words until the dialog asks for it.
+        frames: ProgramFrames {
+            load: Holds::Given(wanted.load_kg),
+            ..ProgramFrames::default()
+        },
         measured_frame: wanted.measured_frame,
     })
     .map_err(|error| lines(&error))?;

@@ -105,6 +105,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         regions: Vec::new(),
         targets: default_targets(),
         measured: Vec::new(),
+        load_kg: None,
         tolerance_mm: None,
         compensated_by: None,
         history: Vec::new(),
@@ -187,6 +188,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
             o.error_in("measured", found, expected);
         }
     }
+    o.optional("load_kg", &mut own.load_kg, &LOADS);
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.optional("compensated_by", &mut own.compensated_by, &TEXT);
     if o.needs("history", "an array") {
@@ -274,6 +276,20 @@ const RANGES: Kind<Vec<Range>> = Kind {
     expected: "an array of objects",
     read: |at| at.list(&RANGE),
     write: |all| all.iter().map(RANGE.write).collect(),
+};
+
+/// Least and largest, kg.
+const LOADS: Kind<[f64; 2]> = Kind {
+    expected: "two numbers, the least load and the largest",
+    read: |at| {
+        let [least, most] = at.numbers::<2>()?;
+        if least > most || least < 0.0 {
+            let found = format!("loads from {least} to {most} kg");
+            return at.error(found, "the least load and the largest, none below zero");
+        }
+        Some([least, most])
+    },
+    write: |own| (*own).into(),
 };
 
 /// rad or mm.

@@ -127,6 +127,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                 gap_mm: number * 3.0,
                 held_out_mm: None,
             }],
+            load_kg: Some([0.0, 2.5]),
             samples_hash: "00ff".to_owned(),
             program_version: "0.1.0".to_owned(),
             model,

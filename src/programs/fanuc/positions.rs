@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::kinematics::configuration::Statement;
 
 use super::super::axes::{Axes, Slot};
-use super::super::frames::{Referred, Use};
+use super::super::frames::{Referred, Way};
 use super::super::number::Number;
 use super::super::pose::{Frame, Orientation};
 use super::super::target::{Mark, Problem, Program, Remark, Shape, Target};
@@ -114,13 +114,11 @@ impl Positions<'_, '_, '_> {
             first = false;
             if number == 1 {
                 target = self.target(&group, name, at, begins)?;
-                if target.is_some() {
-                    self.program.uses.push(Use {
-                        // Where the target will stand.
-                        target: self.program.targets.len(),
+                if let Some(target) = &mut target {
+                    target.ways.add(self.program.ways.of(Way {
                         frame: group.frame,
                         tool: group.tool,
-                    });
+                    }));
                 }
             } else if !self
                 .program

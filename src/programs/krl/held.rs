@@ -5,9 +5,11 @@
 //! from there to the next word that branches, and after the block they are not. A routine after the
 //! first of a file that sets one takes them from its caller.
 
+use std::collections::BTreeMap;
+
 use crate::kinematics::Pose;
 
-use super::super::frames::{Names, Referred, declare};
+use super::super::frames::{Names, Referred, declare, declare_none};
 
 use super::super::target::Program;
 use super::super::tokens::{Kind, Words};
@@ -26,10 +28,11 @@ type Set = [Option<Referred>; 2];
 impl Held {
     /// Base and tool at each line; what the file declares of them goes to the program.
     pub(super) fn of(lines: &[Words], program: &mut Program) -> Vec<Self> {
-        declare(&mut program.tools, "$nullframe", 0, Ok(Pose::identity()));
+        declare_none(&mut program.tools, "$nullframe");
+        let numbers = numbers_of(lines);
         let sets: Vec<Set> = lines
             .iter()
-            .map(|line| set_by(line, lines, program))
+            .map(|line| set_by(line, &numbers, program))
             .collect();
         let any = which_set(&sets);
         let mut held = Self::default();
@@ -75,10 +78,10 @@ impl Held {
 
     fn unknown(&mut self, [base, tool]: [bool; 2], says: &str) {
         if base {
-            self.base = Referred::Unknown(says.to_owned());
+            self.base = Referred::unknown(says);
         }
         if tool {
-            self.tool = Referred::Unknown(says.to_owned());
+            self.tool = Referred::unknown(says);
         }
     }
 }
@@ -111,7 +114,7 @@ fn end_of_block(lines: &[Words], from: usize) -> usize {
 }
 
 /// What a line sets or declares.
-fn set_by(line: &Words, lines: &[Words], program: &mut Program) -> Set {
+fn set_by(line: &Words, numbers: &Numbers, program: &mut Program) -> Set {
     // BAS(#BASE,3)
     if line.name(0).as_deref() == Some("bas") && line.is_sign(2, b'#') && line.is_sign(4, b',') {
         let number = line.shown(5, line.until(5, b")"));
@@ -144,7 +147,17 @@ fn set_by(line: &Words, lines: &[Words], program: &mut Program) -> Set {
     let which = match name.as_deref() {
         Some("$base") => 0,
         Some("$tool") => 1,
-        Some("fdat_act") => return numbers_of(&line.spelled(equals + 1), lines),
+        Some("$load" | "load_data") if !component => {
+            if line.is_sign(equals + 1, b'{')
+                && let Ok((load, _)) = aggregate(line, equals + 1)
+                && let Some(kg) = load.number("m")
+            {
+                let name = line.shown(k, equals);
+                program.loads.state(kg.value, line.at(k), &name);
+            }
+            return [None, None];
+        }
+        Some("fdat_act") => return set_by_numbers(&line.spelled(equals + 1), numbers),
         Some(_) if !component => {
             declare_aggregate(line, k, equals, program);
             return [None, None];
@@ -157,7 +170,7 @@ fn set_by(line: &Words, lines: &[Words], program: &mut Program) -> Set {
         &mut program.tools
     };
     let referred = if component {
-        Referred::Unknown(format!(
+        Referred::unknown(format!(
             "{} is set",
             line.shown(k.saturating_sub(2), equals)
         ))
@@ -188,7 +201,7 @@ fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
     if line.kind(k) == Some(Kind::Name) && (whole(k + 1) || indexed && whole(k + 4)) {
         return Referred::named(shown);
     }
-    Referred::Unknown(format!("{shown} is worked out at run time"))
+    Referred::unknown(format!("{shown} is worked out at run time"))
 }
 
 /// `FIXTURE = {X …}`, `BASE_DATA[3] = {X …}`: what may be a base or a tool. A target has these components too,
@@ -196,7 +209,13 @@ fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
 fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Program) {
     let spelled = line.shown(k, equals);
     let pose = if line.is_sign(equals + 1, b'{') {
+        // With a configuration or with axes it is a target and no frame.
         let read = aggregate(line, equals + 1).ok();
+        let is_frame = |read: &Aggregate| {
+            let target = ["s", "t", "a1"];
+            !target.iter().any(|key| read.components.contains_key(*key))
+        };
+        let read = read.filter(|(read, _)| is_frame(read));
         read.map(|(read, _)| pose_of(&read, &spelled))
     } else {
         Some(Err(format!("{spelled} is worked out at run time")))
@@ -212,23 +231,42 @@ fn pose_of(aggregate: &Aggregate, spelled: &str) -> Result<Pose, String> {
     pose.ok_or_else(|| format!("{spelled} is not written out in numbers"))
 }
 
+/// The numbers of base and tool by the names, in small letters, that are declared with them.
+type Numbers = BTreeMap<String, [Option<f64>; 2]>;
+
+/// Read once for the file, because every motion of an inline form names one.
+fn numbers_of(lines: &[Words]) -> Numbers {
+    let mut numbers = Numbers::new();
+    for line in lines {
+        let equals = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'='));
+        let Some(equals) = equals.filter(|k| line.is_sign(*k + 1, b'{')) else {
+            continue;
+        };
+        let (Some(name), Ok((read, _))) = (line.name(equals - 1), aggregate(line, equals + 1))
+        else {
+            continue;
+        };
+        let own = ["base_no", "tool_no"].map(|key| read.number(key).map(|number| number.value));
+        if own != [None; 2] {
+            numbers.entry(name).or_insert(own);
+        }
+    }
+    numbers
+}
+
 /// Base and tool of `FDAT_ACT = name`, by the numbers that `name` is declared with.
-fn numbers_of(name: &str, lines: &[Words]) -> Set {
-    let declared = lines.iter().find_map(|line| {
-        let equals = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'='))?;
-        let same = line.spelled(equals - 1).eq_ignore_ascii_case(name);
-        (same && line.is_sign(equals + 1, b'{')).then(|| aggregate(line, equals + 1).ok())?
-    });
-    let of = |key: &str, table: &str, zero: Referred| {
-        let number = declared.as_ref().and_then(|(read, _)| read.number(key));
+fn set_by_numbers(name: &str, numbers: &Numbers) -> Set {
+    let declared = numbers.get(&name.to_lowercase()).copied();
+    let declared = declared.unwrap_or_default();
+    let of = |number: Option<f64>, table: &str, zero: Referred| {
         Some(match number {
-            Some(number) => numbered(table, &number.value.to_string(), zero),
-            None => Referred::Unknown(format!("{name} has its numbers elsewhere")),
+            Some(number) => numbered(table, &number.to_string(), zero),
+            None => Referred::unknown(format!("{name} has its numbers elsewhere")),
         })
     };
     [
-        of("base_no", "BASE_DATA", Referred::Unsaid),
-        of("tool_no", "TOOL_DATA", null_tool()),
+        of(declared[0], "BASE_DATA", Referred::Unsaid),
+        of(declared[1], "TOOL_DATA", null_tool()),
     ]
 }
 
@@ -237,7 +275,7 @@ fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
     match number.parse::<u32>() {
         Ok(0) => zero,
         Ok(number) => Referred::named(format!("{table}[{number}]")),
-        Err(_) => Referred::Unknown(format!("{table}[{number}] is chosen at run time")),
+        Err(_) => Referred::unknown(format!("{table}[{number}] is chosen at run time")),
     }
 }
 

@@ -235,6 +235,14 @@ fn pose_of(tree: &Tree) -> Option<Pose> {
     pose_from_parts(at, turn).ok()
 }
 
+/// The mass of `[mass, [centre], [axes], ix, iy, iz]`, kg.
+pub(super) fn mass(load: Option<&Tree>) -> Option<f64> {
+    match load?.list()?.first()? {
+        Tree::Number(number) => Some(number.value),
+        _ => None,
+    }
+}
+
 /// The value of an external axis that the model has.
 fn external_axis<'n>(number: &'n Number, name: &str) -> Result<&'n Number, Problem> {
     if number.value.abs() < NOT_THERE {

@@ -1,0 +1,556 @@
+//! Which tool, base and load hold for a program: its own, those of the model, or ones that the caller gives.
+//!
+//! A controller brings the tool that the *program* declares to the poses of the program; a model was
+//! identified for the tool of its *session*. If they differ and the difference is not noticed, other joint
+//! values are solved than the controller will take, and the corrected program is worse than it need be.
+//! So the numbers of the program are compared with the model's, and a difference is a question
+//! ([`Difference`]) until the caller answers it ([`ProgramFrames`]).
+//!
+//! ```text
+//! flange_from_tool (program)  against  flange_from_model_tool   within 0.05 mm and 0.01°
+//! base_from_frame  (program)  against  the identity             the same
+//! load (program)              against  the loads of the session
+//! ```
+//!
+//! The model's tool is on the flange where its robot is described by Denavit–Hartenberg rows with a tool
+//! behind them; of other robots the frame of the tool is taken for the flange, unless the caller says where
+//! on the flange it is ([`ModelTool::OnFlange`]).
+
+use std::collections::BTreeMap;
+
+use crate::kinematics::{Pose, Robot, RobotSource, robot_from_dh};
+use crate::model::Calibration;
+
+use super::compensate::{CompensateError, Request};
+use super::frames::{Declared, ModelTool, Referred, Used};
+use super::pose::Orientation;
+use super::target::Program;
+use super::text::Text;
+
+/// Poses nearer to each other than this (mm, rad) are the same: controllers show hundredths.
+const SAME_MM: f64 = 0.05;
+const SAME_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
+/// Loads nearer to each other than this are the same, kg.
+const SAME_KG: f64 = 0.01;
+
+/// What holds where the program's number is not the model's.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Holds<T> {
+    /// It is not settled: a difference is refused.
+    #[default]
+    Unsettled,
+    /// The model's, whatever the program says.
+    Model,
+    /// The program's, as it writes it.
+    Program,
+    /// This one, whatever the program says.
+    Given(T),
+}
+
+/// Which tool, base and load hold for a program. The default settles nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ProgramFrames {
+    /// Pose of the tool (TCP) on the flange. `Model`: the program's tool is the model's.
+    pub tool: Holds<Pose>,
+    /// Pose of the frame of the poses (work object, base, user frame) in the robot's base. `Model`: the
+    /// base itself.
+    pub frame: Holds<Pose>,
+    /// Load at the tool's origin, kg. `Model`: [`Request::load_kg`].
+    pub load: Holds<f64>,
+}
+
+impl ProgramFrames {
+    /// The program's tool is the model's, its frames are as it declares them, and the load is the caller's:
+    /// nothing is compared.
+    pub fn as_declared() -> Self {
+        Self {
+            tool: Holds::Model,
+            frame: Holds::Program,
+            load: Holds::Model,
+        }
+    }
+
+    /// Everything as in the model.
+    pub fn as_modelled() -> Self {
+        Self {
+            tool: Holds::Model,
+            frame: Holds::Model,
+            load: Holds::Model,
+        }
+    }
+
+    /// Everything as the program writes it.
+    pub fn as_programmed() -> Self {
+        Self {
+            tool: Holds::Program,
+            frame: Holds::Program,
+            load: Holds::Program,
+        }
+    }
+}
+
+named! {
+    /// What of a program can differ from the model.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Differing {
+        /// The tool on the flange.
+        Tool = "tool",
+        /// The frame of the poses in the base.
+        Frame = "frame",
+        /// The load.
+        Load = "load",
+    }
+    /// Its name, which is also that of the option that settles it.
+    pub fn name;
+}
+
+/// A number of the program that is not the model's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// What differs.
+    pub what: Differing,
+    /// Where the program says it: line and column, from 1.
+    pub place: (u64, u64),
+    /// What the program calls it.
+    pub name: String,
+    /// The program's value, in words.
+    pub program: String,
+    /// The model's value, in words.
+    pub model: String,
+}
+
+impl std::fmt::Display for Difference {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (line, column) = self.place;
+        let (what, name) = (self.what.name(), &self.name);
+        write!(
+            f,
+            "line {line}, column {column}: the program's {what} {name} is {}; the model's is {}",
+            self.program, self.model
+        )
+    }
+}
+
+/// A load that a program states.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct StatedLoad {
+    pub(super) at: usize,
+    pub(super) name: String,
+}
+
+/// Loads that a program states, by kg (its bits), each with where it is stated first.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct StatedLoads(BTreeMap<u64, StatedLoad>);
+
+impl StatedLoads {
+    /// Keeps a load in kg; one below zero is a controller's way to say that none is set.
+    pub(super) fn state(&mut self, kg: f64, at: usize, name: &str) {
+        if kg.is_finite() && kg >= 0.0 {
+            let name = name.to_owned();
+            let bits = (kg + 0.0).to_bits();
+            self.0.entry(bits).or_insert(StatedLoad { at, name });
+        }
+    }
+
+    /// From the smallest; the bits of what is not negative are in its order.
+    fn all(&self) -> Vec<(f64, &StatedLoad)> {
+        let all = self.0.iter();
+        all.map(|(bits, load)| (f64::from_bits(*bits), load))
+            .collect()
+    }
+}
+
+/// How the tool of poses is to be read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum ToolReading {
+    /// The only tool of the file is the model's.
+    OnlyOne,
+    /// The tool of this name is the model's; others are as they are declared.
+    Named(String),
+    /// Tools are as they are declared, the model's is here on the flange; `lenient`: the only tool of a file
+    /// that has no numbers is the model's.
+    Declared {
+        /// Pose of the model's tool on the flange.
+        model: Pose,
+        lenient: bool,
+    },
+    /// Every pose is of one tool: where the model's tool is in it.
+    Given(Pose),
+}
+
+/// How a program is to be read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Reading {
+    /// Frame of the poses for which the file declares none, in the base.
+    pub(super) stated: Option<Pose>,
+    /// One frame for all poses, whatever the file declares.
+    pub(super) all_frames: Option<Pose>,
+    pub(super) tool: ToolReading,
+    /// Load where the file says none for a target, kg.
+    pub(super) load_kg: f64,
+    /// What was settled, in words.
+    pub(super) notes: Vec<String>,
+}
+
+/// Where the model's tool is on the flange.
+fn model_on_flange(robot: &Robot) -> Pose {
+    let RobotSource::Dh {
+        base_from_first,
+        rows,
+    } = &robot.source
+    else {
+        return Pose::identity();
+    };
+    match robot_from_dh("", rows) {
+        Ok(flange) if flange.joints.len() == robot.joints.len() => {
+            (base_from_first * flange.base_from_tool).inverse() * robot.base_from_tool
+        }
+        _ => Pose::identity(),
+    }
+}
+
+fn same(a: &Pose, b: &Pose) -> bool {
+    (a.translation.vector - b.translation.vector).norm() <= SAME_MM
+        && a.rotation.angle_to(&b.rotation) <= SAME_RAD
+}
+
+/// A frame or a tool of a program with numbers, under its name.
+type Numeric<'p> = BTreeMap<&'p str, (usize, Pose)>;
+
+/// Compares a program with the model and says how it is to be read.
+///
+/// # Errors
+/// [`CompensateError::Differs`] for what is not settled, [`CompensateError::Several`] where one tool or
+/// frame is given and the program has several, [`CompensateError::Tool`] for a name that it has not.
+pub(super) fn settled(
+    program: &Program,
+    text: &Text,
+    request: &Request,
+) -> Result<Reading, CompensateError> {
+    let robot = &request.calibration.model.robot;
+    let turns = request.language.orientation;
+    let used = Used::of(program);
+    let model = match &request.tool {
+        Some(ModelTool::OnFlange(pose)) => *pose,
+        _ => model_on_flange(robot),
+    };
+    let frames = numeric(used.poses.iter().map(|way| &way.frame), &program.frames);
+    let mut tools = numeric(used.poses.iter().map(|way| &way.tool), &program.tools);
+    // Joint values without a tool of their own say nothing about it.
+    let of_joints = used.joints.iter().map(|way| &way.tool);
+    let named = of_joints.filter(|tool| match tool {
+        Referred::Named(name) => program.tools.get(&**name).is_some_and(|t| !t.is_none),
+        _ => false,
+    });
+    tools.extend(numeric(named, &program.tools));
+    let mut notes = Vec::new();
+    let mut differ = Vec::new();
+    let says = |what, name: &str, (at, pose): &(usize, Pose), model: String| Difference {
+        what,
+        place: text.place(*at),
+        name: name.to_owned(),
+        program: in_words(pose, turns),
+        model,
+    };
+
+    let tool = match (&request.tool, request.frames.tool) {
+        (_, Holds::Given(given)) => {
+            one_only("tool", &tools, &given)?;
+            ToolReading::Given(given.inverse() * model)
+        }
+        (Some(ModelTool::Named(name)), _) => {
+            check_name(name, program, &used)?;
+            ToolReading::Named(name.clone())
+        }
+        (_, Holds::Program) => ToolReading::Declared {
+            model,
+            lenient: true,
+        },
+        (Some(ModelTool::OnFlange(_)), Holds::Model) => ToolReading::Declared {
+            model,
+            lenient: false,
+        },
+        (None, Holds::Model) => ToolReading::OnlyOne,
+        (tool, Holds::Unsettled) => {
+            let others = tools.iter().filter(|(_, (_, pose))| !same(pose, &model));
+            differ.extend(others.map(|(name, found)| {
+                let words = in_words(&model, turns);
+                let own = if tool.is_some() || model != Pose::identity() {
+                    words
+                } else {
+                    format!("{words} (its tool frame is taken for the flange)")
+                };
+                says(Differing::Tool, name, found, own)
+            }));
+            ToolReading::Declared {
+                model,
+                lenient: true,
+            }
+        }
+    };
+
+    let identity = Pose::identity();
+    let mut stated = request.frame;
+    let all_frames = match request.frames.frame {
+        Holds::Given(given) => {
+            one_only("frame", &frames, &given)?;
+            stated = Some(given);
+            Some(given)
+        }
+        Holds::Model => Some(identity),
+        Holds::Program => None,
+        Holds::Unsettled => {
+            let others = frames.iter().filter(|(_, (_, pose))| !same(pose, &identity));
+            differ.extend(others.map(|(name, found)| {
+                let own = format!("the robot's base, {}", in_words(&identity, turns));
+                says(Differing::Frame, name, found, own)
+            }));
+            None
+        }
+    };
+    let load_kg = load(program, text, request, &mut differ, &mut notes);
+    if !differ.is_empty() {
+        return Err(CompensateError::Differs(Differences(differ)));
+    }
+    for (name, (_, pose)) in &tools {
+        let shown = in_words(pose, turns);
+        match request.frames.tool {
+            Holds::Model if !same(pose, &model) => notes.push(format!(
+                "the program's tool {name} ({shown}) is taken for the model's"
+            )),
+            Holds::Given(given) if !same(pose, &given) => notes.push(format!(
+                "the poses are taken of the tool {} and not of the program's {name} ({shown})",
+                in_words(&given, turns)
+            )),
+            _ => {}
+        }
+    }
+    if let Some(all) = &all_frames {
+        let others = frames.iter().filter(|(_, (_, pose))| !same(pose, all));
+        notes.extend(others.map(|(name, (_, pose))| {
+            format!(
+                "the poses are taken in the frame {} and not in the program's {name} ({})",
+                in_words(all, turns),
+                in_words(pose, turns)
+            )
+        }));
+    }
+    Ok(Reading {
+        stated,
+        all_frames,
+        tool,
+        load_kg,
+        notes,
+    })
+}
+
+/// What a file declares in numbers of the frames, or the tools, that are used.
+fn numeric<'p>(
+    used: impl Iterator<Item = &'p Referred>,
+    declared: &'p BTreeMap<String, Declared>,
+) -> Numeric<'p> {
+    let found = used.filter_map(|referred| match referred {
+        Referred::Named(name) => {
+            let declared = declared.get(&**name)?;
+            let pose = declared.pose.as_ref().ok()?;
+            Some((&**name, (declared.at, *pose)))
+        }
+        _ => None,
+    });
+    found.collect()
+}
+
+/// One tool or frame that is given stands for one of the program.
+fn one_only(what: &'static str, known: &Numeric, given: &Pose) -> Result<(), CompensateError> {
+    let mut distinct: Vec<&Pose> = Vec::new();
+    for (_, pose) in known.values() {
+        // A program declares a handful of them.
+        if distinct.iter().all(|other| !same(pose, other)) {
+            distinct.push(pose);
+        }
+    }
+    if distinct.len() < 2 || distinct.iter().all(|pose| same(pose, given)) {
+        return Ok(());
+    }
+    let names: Vec<&str> = known.keys().copied().collect();
+    Err(CompensateError::Several {
+        what,
+        names: names.join(", "),
+    })
+}
+
+fn check_name(name: &str, program: &Program, used: &Used) -> Result<(), CompensateError> {
+    let known = program.tools.contains_key(&name.to_lowercase());
+    if known || used.poses.iter().any(|way| way.tool.is(name)) {
+        return Ok(());
+    }
+    let mut all: Vec<String> = used.poses.iter().map(|way| way.tool.to_string()).collect();
+    all.sort();
+    all.dedup();
+    Err(CompensateError::Tool {
+        found: name.to_owned(),
+        expected: all.join(", "),
+    })
+}
+
+/// The load to correct for, kg.
+fn load(
+    program: &Program,
+    text: &Text,
+    request: &Request,
+    differ: &mut Vec<Difference>,
+    notes: &mut Vec<String>,
+) -> f64 {
+    let stated = with_tools(program);
+    let own = request.calibration.load_kg;
+    let modelled = match own {
+        Some([least, most]) if request.load_kg == 0.0 && most - least <= SAME_KG => least,
+        _ => request.load_kg,
+    };
+    let inside = |kg: f64| own.is_none_or(|[a, b]| kg >= a - SAME_KG && kg <= b + SAME_KG);
+    let range = || match own {
+        Some([a, b]) if b - a <= SAME_KG => format!("{a} kg"),
+        Some([a, b]) => format!("{a} to {b} kg"),
+        None => "not in the model".to_owned(),
+    };
+    match (request.frames.load, &stated[..]) {
+        (Holds::Given(kg), _) => {
+            if !inside(kg) {
+                notes.push(format!(
+                    "a load of {kg} kg is beyond those of the model's session ({})",
+                    range()
+                ));
+            }
+            return kg;
+        }
+        (Holds::Model, _) => return modelled,
+        (_, []) => return request.load_kg,
+        _ => {}
+    }
+    let matters = depends_on_load(request.calibration, &stated);
+    let several = stated.len() > 1 && matters;
+    let refused = if several {
+        stated.iter().collect::<Vec<_>>()
+    } else if request.frames.load == Holds::Program {
+        Vec::new()
+    } else {
+        let unknown = own.is_none() && matters;
+        let outside = stated.iter().filter(|(kg, _)| !inside(*kg) || (unknown && *kg > SAME_KG));
+        outside.collect()
+    };
+    differ.extend(refused.into_iter().map(|(kg, load)| Difference {
+        what: Differing::Load,
+        place: text.place(load.at),
+        name: load.name.clone(),
+        program: format!("{kg} kg"),
+        model: if several {
+            format!("{}, and the program states several", range())
+        } else {
+            range()
+        },
+    }));
+    let (kg, load) = &stated[stated.len() - 1];
+    if matters {
+        notes.push(format!(
+            "corrected for the load that the program states, {kg} kg ({})",
+            load.name
+        ));
+    } else if own.is_none() {
+        notes.push(format!(
+            "the program states a load of {kg} kg ({}); the model knows nothing of loads",
+            load.name
+        ));
+    }
+    *kg
+}
+
+/// The loads that a program states: what is gripped and the mass of the tool.
+fn with_tools(program: &Program) -> Vec<(f64, StatedLoad)> {
+    let used = Used::of(program);
+    let tools = used.poses.iter().chain(&used.joints).map(|way| &way.tool);
+    let mut all = StatedLoads::default();
+    let gripped = program.loads.all();
+    for tool in tools {
+        if let Referred::Named(name) = tool
+            && let Some(Declared { at, mass_kg, .. }) = program.tools.get(&**name)
+            && let Some(own) = mass_kg.filter(|kg| *kg > 0.0)
+        {
+            all.state(own, *at, name);
+            for (kg, load) in &gripped {
+                all.state(own + kg, load.at, &format!("{name} with {}", load.name));
+            }
+        }
+    }
+    if all.0.is_empty() {
+        all = program.loads.clone();
+    }
+    let all = all.all().into_iter();
+    all.map(|(kg, load)| (kg, load.clone())).collect()
+}
+
+/// Whether the loads make a difference to where the model has the tool.
+fn depends_on_load(calibration: &Calibration, stated: &[(f64, StatedLoad)]) -> bool {
+    let robot = &calibration.model.robot;
+    let most = stated.iter().map(|(kg, _)| *kg).fold(1.0, f64::max);
+    // Any pose away from home shows it.
+    let q = (0..robot.joints.len()).map(|joint| vec![0.3 + 0.1 * joint as f64; 2]);
+    let home = robot.base_from_tool.translation.vector.into();
+    let mut inputs = crate::effects::Inputs::at_poses(q.collect(), vec![home]);
+    inputs.load_kg = Some(vec![0.0, most].into());
+    let at = calibration.model.predict(&inputs);
+    let [none, loaded] = [0, 1].map(|k: usize| nalgebra::Vector3::from(at.get(k)));
+    (none - loaded).norm() > 1e-6
+}
+
+/// Several differences, for a message: a line for each, and how to settle them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Differences(pub Vec<Difference>);
+
+impl std::fmt::Display for Differences {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for difference in &self.0 {
+            writeln!(f, "{difference}")?;
+        }
+        let any = |what| self.0.iter().any(|d| d.what == what);
+        let options = [
+            (Differing::Tool, "--tool X,Y,Z,A,B,C"),
+            (Differing::Frame, "--frame X,Y,Z,A,B,C"),
+            (Differing::Load, "--load KG"),
+        ];
+        let own = options.into_iter().filter(|(what, _)| any(*what));
+        let own: Vec<&str> = own.map(|(_, option)| option).collect();
+        write!(
+            f,
+            "say which holds: {}, --as-programmed (as the program writes it) or --as-modelled (as in the model, \
+             whatever the program says)",
+            own.join(", ")
+        )
+    }
+}
+
+/// A pose as a person types it for a language: mm, and its own angles or a quaternion.
+fn in_words(pose: &Pose, orientation: Orientation) -> String {
+    let at = pose.translation.vector;
+    let at: Vec<String> = at.iter().map(|v| short(*v, 3)).collect();
+    let (names, turn, unit) = orientation.numbers(pose);
+    let turn = turn.iter().map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
+    let turn: Vec<String> = names
+        .iter()
+        .zip(turn)
+        .map(|(name, value)| format!("{name} {value}{unit}"))
+        .collect();
+    format!(
+        "X {}, Y {}, Z {} mm, {}",
+        at[0],
+        at[1],
+        at[2],
+        turn.join(", ")
+    )
+}
+
+/// A number without zeros at its end.
+fn short(value: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", value + 0.0);
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
+}

@@ -1,0 +1,371 @@
+"""Programs as they are in the wild: foreign tools, stretched wrists, large files. Drives the release binary,
+and a robot with hidden errors (numpy and scipy, tests/reference/programs.py) that shares nothing with src/.
+
+    python tests/reference/wild_programs.py BINARY [--before OTHER] [--only tools|singular|times] [--count N]
+
+- tools: N programs a language whose tool is not the model's. A controller (scipy: the nominal robot with the
+  program's own tool) solves the corrected poses, and the real robot, with that tool on its flange, is driven there.
+- singular: 1000 joint targets for each kind of arm, half of them within 3 degrees of a singular pose, and paths
+  through it in steps of 0.05 degrees.
+- times: an ordinary program repeated, processor time and peak memory.
+"""
+
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import least_squares
+
+sys.path.insert(0, str(Path(__file__).parent))
+import arms as arm_kinds
+import programs as p
+
+DATA = Path(__file__).parent.parent / "data" / "programs"
+
+
+def run(binary, *arguments):
+    """Exit status, messages, processor seconds and peak memory in MB."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    child = subprocess.Popen([binary, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    said = child.stdout.read().decode(errors="replace")
+    _, status, usage = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    del before
+    return child.returncode, said, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def pose_of(at, rotation):
+    out = np.eye(4)
+    out[:3, :3], out[:3, 3] = rotation, at
+    return out
+
+
+def apart(a, b):
+    """mm and mrad between two poses."""
+    turn = a[:3, :3].T @ b[:3, :3]
+    skew = 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+    return float(np.linalg.norm(a[:3, 3] - b[:3, 3])), 1e3 * float(np.arcsin(min(1, np.linalg.norm(skew))))
+
+
+def solved(robot, tool, pose, near):
+    """The controller: joint values near some others at which the nominal robot has its tool at a pose."""
+
+    def missing(q):
+        here = robot.pose(q) @ tool
+        turn = sum(np.cross(here[:3, k], pose[:3, k]) for k in range(3)) / 2
+        return np.r_[(pose[:3, 3] - here[:3, 3]) / 300, turn]
+
+    return least_squares(missing, near, xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+
+
+# --- tools ---------------------------------------------------------------------------------------------
+
+
+def good_poses(rng, nominal, count):
+    """Joint values (degrees) away from singular poses, and whether the wrist is behind axis 1."""
+    shown, behind = [], []
+    low, high = np.array(p.LIMITS, float).T
+    while len(shown) < count:
+        q = np.round(rng.uniform(low, high), 3)
+        q[5] = np.round(rng.uniform(-170, 170), 3)
+        still = np.radians(np.r_[0, q[1:]])
+        wrist = (p.motion(*nominal.joints[1], still[1]) @ p.motion(*nominal.joints[2], still[2]) @ [302, 0, 630, 1])[0]
+        bent = np.arctan2(302, 70) + np.radians(q[2])
+        inside = all(lo + 3 < v < hi - 3 for v, (lo, hi) in zip(q, p.LIMITS))
+        if abs(q[4]) > 15 and abs(wrist) > 80 and 0.3 < bent < 2.6 and inside:
+            shown.append(q)
+            behind.append(wrist < 0)
+    return np.array(shown), behind
+
+
+def written(language, tool, poses, shown, behind):
+    """A program with this tool that goes to these poses of it."""
+    at, turn = tool[:3, 3], tool[:3, :3]
+    f = lambda values, digits: ",".join(f"{v:.{digits}f}" for v in values)
+    if language == "rapid":
+        lines = ["MODULE m", f"PERS tooldata tT:=[TRUE,[[{f(at, 6)}],[{f(p.quaternion(turn), 10)}]],[-1,[0,0,0],[1,0,0,0],0,0,0]];"]
+        for k, (pose, q) in enumerate(zip(poses, shown)):
+            cf = f"[{p.quadrant(q[0])},{p.quadrant(q[3])},{p.quadrant(q[5])},{int(q[4] < 0) + 4 * int(behind[k])}]"
+            body = f"[[{f(pose[:3, 3], 6)}],[{f(p.quaternion(pose[:3, :3]), 10)}],{cf},[9E9,9E9,9E9,9E9,9E9,9E9]]"
+            lines.append(f"CONST robtarget p{k}:={body};")
+        return "\n".join([*lines, "PROC main()", *(f"MoveJ p{k},v9,fine,tT;" for k in range(len(poses))), "ENDPROC", "ENDMODULE", ""])
+    if language == "krl":
+        frame = lambda m: ",".join(f"{n} {v:.8f}" for n, v in zip("XYZABC", [*m[:3, 3], *p.zyx(m[:3, :3])]))
+        lines = ["DEF m()", f"$TOOL={{{frame(tool)}}}"]
+        for k, (pose, q) in enumerate(zip(poses, shown)):
+            t = sum(1 << i for i, v in enumerate(q) if v < 0)
+            lines.append(f"PTP {{{frame(pose)},S {int(behind[k])},T {t}}}")
+        return "\n".join([*lines, "END", ""])
+    if language == "urscript":
+        body = lambda m: ", ".join(f"{v:.9f}" for v in [*m[:3, 3] / 1000, *p.rotation_vector(m[:3, :3])])
+        lines = ["def m():", f"  set_tcp(p[{body(tool)}])"]
+        for pose, q in zip(poses, shown):
+            near = ", ".join(f"{v:.6f}" for v in np.radians(q))
+            lines.append(f"  movej(get_inverse_kin(p[{body(pose)}], qnear=[{near}]), a=1)")
+        return "\n".join([*lines, "end", ""])
+    moves, positions = [], []
+    for k, (pose, q) in enumerate(zip(poses, shown)):
+        moves.append(f"{k + 1}:J P[{k + 1}] 9% FINE ;")
+        turns = ", ".join(str(int(np.round(q[i] / 360))) for i in (0, 3, 5))
+        letters = f"{'N' if q[4] < 0 else 'F'} U {'B' if behind[k] else 'T'}"
+        numbers = [f"{n} = {v:.6f} mm" for n, v in zip("XYZ", pose[:3, 3])]
+        numbers += [f"{n} = {v:.8f} deg" for n, v in zip("WPR", p.zyx(pose[:3, :3])[::-1])]
+        positions.append(f"P[{k + 1}]{{\n GP1:\n UF : 0, UT : 3, CONFIG : '{letters}, {turns}',\n {', '.join(numbers)}\n}};")
+    return "\n".join(["/PROG M", "/MN", *moves, "/POS", *positions, "/END", ""])
+
+
+def poses_in(language, text, count):
+    """What a controller reads of such a program."""
+    number = r"-?\d+\.?\d*(?:[eE][+-]?\d+)?"
+    import re
+
+    out = []
+    if language == "rapid":
+        for line in (l for l in text.splitlines() if "robtarget" in l):
+            v = [float(x) for x in re.findall(number, line[line.index(":=") :])]
+            w, x, y, z = np.array(v[3:7]) / np.linalg.norm(v[3:7])
+            r = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+            out.append(pose_of(v[:3], r))
+    elif language == "krl":
+        for line in (l for l in text.splitlines() if l.startswith("PTP")):
+            out.append(zyx_pose([float(x) for x in re.findall(rf"[XYZABC] ({number})", line)]))
+    elif language == "urscript":
+        for line in (l for l in text.splitlines() if "get_inverse_kin" in l):
+            v = [float(x) for x in re.findall(number, line[line.index("p[") : line.index("]")])]
+            out.append(pose_of(np.array(v[:3]) * 1000, p.rotation(v[3:6])))
+    else:
+        for block in text.split("P[")[-count:]:
+            v = [float(x) for x in re.findall(rf"[XYZWPR] = ({number})", block)]
+            out.append(zyx_pose([*v[:3], *v[:2:-1]]))
+    return out
+
+
+def zyx_pose(v):
+    a, b, c = np.radians(v[3:6])
+    return pose_of(v[:3], p.rotation([0, 0, a]) @ p.rotation([0, b, 0]) @ p.rotation([c, 0, 0]))
+
+
+def typed(language, tool):
+    """--tool as a person of that language types it."""
+    turn = {"urscript": p.rotation_vector, "krl": p.zyx, "fanuc-ls": lambda r: p.zyx(r)[::-1]}.get(language, p.quaternion)
+    return ",".join(f"{v:.8f}" for v in [*tool[:3, 3], *turn(tool[:3, :3])])
+
+
+ENDINGS = {"rapid": "mod", "krl": "src", "urscript": "script", "fanuc-ls": "ls"}
+
+
+def tools(binary, before, count, folder):
+    nominal, real = p.six()
+    model = folder / "arm.model.json"
+    effects = "joint-zero-offset,link-length,joint-compliance"
+    assert run(binary, "identify", DATA / "arm.json", "--effects", effects, "--out", model)[0] == 0
+    old = folder / "arm.before.json"
+    if before:
+        assert run(before, "identify", DATA / "arm.json", "--effects", effects, "--out", old)[0] == 0
+    print("| language | programs | way | exit 0 / 1 / 2 | targets driven | RMS miss, mm | largest, mm | mrad |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    for language, ending in ENDINGS.items():
+        rng = np.random.default_rng(11)
+        ways = [("no option", binary, model, [])]
+        if language != "fanuc-ls":
+            ways += [("--as-programmed", binary, model, ["--as-programmed"])]
+        ways += [("--tool …", binary, model, None), ("--as-modelled", binary, model, ["--as-modelled"])]
+        if before:
+            ways.insert(0, ("before", before, old, []))
+        found = {way[0]: ([0, 0, 0], []) for way in ways}
+        for _ in range(count):
+            tool = pose_of(rng.uniform(-150, 150, 3), p.rotation(rng.uniform(-0.6, 0.6, 3)))
+            shown, behind = good_poses(rng, nominal, 4)
+            wanted = [nominal.pose(np.radians(q)) @ tool for q in shown]
+            source = folder / f"w.{ending}"
+            source.write_text(written(language, tool, wanted, shown, behind))
+            for way, which, by, options in ways:
+                options = ["--tool", typed(language, tool)] if options is None else options
+                out = folder / f"o.{ending}"
+                out.unlink(missing_ok=True)
+                status, said, *_ = run(which, "compensate", by, source, "--out", out, "--force", *options)
+                found[way][0][min(status, 2)] += 1
+                if not out.exists():
+                    assert status == 2 and ("tool" in said), said
+                    continue
+                for goal, pose, q in zip(wanted, poses_in(language, out.read_text(), 4), shown):
+                    u = solved(nominal, tool, pose, np.radians(q))
+                    found[way][1].append(apart(real.pose(u) @ tool, goal))
+        for way, (statuses, misses) in found.items():
+            cells = ["-"] * 3
+            if misses:
+                mm, mrad = np.array(misses).T
+                cells = [f"{np.sqrt(np.mean(mm**2)):.4f}", f"{mm.max():.4f}", f"{mrad.max():.4f}"]
+            print(f"| {language} | {count} | {way} | {' / '.join(map(str, statuses))} | {len(misses)} | {' | '.join(cells)} |", flush=True)
+
+
+# --- singular ------------------------------------------------------------------------------------------
+
+
+def kind(name):
+    """A kind of arms.py with hidden errors, as a robot of programs.py; its limits."""
+    rows, at = arm_kinds.ARMS[name]
+    joints = [(k, a, q) for k, a, q, _, _ in rows]
+    tool = pose_of(at, p.rotation([0.2, -0.3, 0.4]))
+    nominal, real = p.Robot(joints, tool), p.Robot(joints, tool)
+    rng = np.random.default_rng(5)
+    for i in range(1, len(joints)):
+        turn, shift = rng.normal(0, 0.6e-3, 3), rng.normal(0, 0.3, 3)
+        # Along its axis a turn is the zero's; what the first axis shares with the frame is the frame's.
+        a = np.asarray(joints[i][1], float)
+        turn -= a * (a @ turn)
+        if i == 1:
+            turn[2] = shift[2] = 0
+        real.links[i] = p.small(turn, shift, joints[i][2])
+        if joints[i][0] == "revolute":
+            real.zeros[i] = np.radians(rng.normal(0, 0.15))
+    real.tool = tool @ pose_of([0.8, -0.5, 0.6], np.eye(3))
+    return nominal, real, np.array([r[3:] for r in rows], float)
+
+
+# Where an arm is singular: a joint and the value at which it is, degrees.
+SINGULAR = {"six": (4, 0.0), "parallel": (4, 0.0), "seven": (5, 0.0), "scara": (1, 0.0)}
+
+
+def inner(nominal, shown):
+    return np.asarray(shown) * [1 if j[0] == "prismatic" else np.pi / 180 for j in nominal.joints]
+
+
+def table(nominal, rows):
+    units = ["mm" if j[0] == "prismatic" else "deg" for j in nominal.joints]
+    lines = [",".join(f"q{i + 1}_{u}" for i, u in enumerate(units))]
+    return "\n".join([*lines, *(",".join(f"{v:.5f}" for v in row) for row in rows)]) + "\n"
+
+
+def driven(binary, model, folder, nominal, real, rows):
+    """Statuses by target, errors before and after (mm, mrad), and the joint moves (rad or mm)."""
+    source, out = folder / "s.csv", folder / "s.out.csv"
+    source.write_text(table(nominal, rows))
+    status, said, *_ = run(binary, "compensate", model, source, "--out", out, "--force", "--load", "0")
+    assert status in (0, 1), said
+    meta = json.loads((folder / "s.out.csv.meta.json").read_text())
+    corrected = np.loadtxt(out, delimiter=",", skiprows=1, ndmin=2)
+    good = np.array([t["corrected"] for t in meta["targets"]])
+    reasons = sorted({f"{t['because']}: {t['says']}" for t in meta["targets"] if not t["corrected"]})
+    before, after, moves = [], [], []
+    for q, u in zip(inner(nominal, rows), inner(nominal, corrected)):
+        goal = nominal.pose(q)
+        before.append(apart(real.pose(q), goal))
+        after.append(apart(real.pose(u), goal))
+        moves.append(u - q)
+    return good, np.array(before), np.array(after), np.array(moves), reasons, meta
+
+
+def singular(binary, before, count, folder):
+    print("| arm | binary | left of 1000 | RMS mm before | after | largest mm | mrad before, largest | after, largest | largest joint move, ° | largest change between steps of a path, ° |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    for name, (joint, at) in SINGULAR.items():
+        nominal, real, limits = kind(name)
+        p.session(folder, name, nominal, real, limits, 150, [0.0], 9)
+        rng = np.random.default_rng(77)
+        rows = rng.uniform(limits[:, 0] + 1, limits[:, 1] - 1, (1000, len(limits)))
+        rows[::2, joint] = at + rng.uniform(-3, 3, 500)
+        path = np.repeat(rng.uniform(limits[:, 0] + 30, limits[:, 1] - 30, (1, len(limits))), 241, axis=0)
+        path[:, joint] = np.linspace(at - 6, at + 6, 241)
+        for which in [before, binary] if before else [binary]:
+            model = folder / f"{name}.model.json"
+            status, said, *_ = run(which, "identify", folder / f"{name}.json", "--no-prior", "--out", model, "--force")
+            assert status == 0, said
+            good, was, now, moves, reasons, _ = driven(which, model, folder, nominal, real, rows)
+            turning = [k for k, j in enumerate(nominal.joints) if j[0] == "revolute"]
+            ok, _, _, way, _, _ = driven(which, model, folder, nominal, real, path)
+            jump = np.abs(np.diff(way[:, turning], axis=0))[ok[1:] & ok[:-1]]
+            jump = f"{np.degrees(jump.max()):.3f}" if jump.size else "-"
+            if not ok.all():
+                jump += f" ({(~ok).sum()} of 241 left)"
+            mm = now[good, 0]
+            print(f"| {name} | {'before' if which == before else 'now'} | {(~good).sum()} | {np.sqrt(np.mean(was[good, 0] ** 2)):.3f} "
+                  f"| {np.sqrt(np.mean(mm**2)):.4f} | {mm.max():.4f} | {was[good, 1].max():.2f} | {now[good, 1].max():.2f} "
+                  f"| {np.degrees(np.abs(moves[good][:, turning]).max()):.2f} | {jump} |", flush=True)
+            for reason in reasons[:3]:
+                print(f"    {reason}", file=sys.stderr)
+
+
+# --- times ---------------------------------------------------------------------------------------------
+
+
+def times(binary, before, count, folder):
+    model = folder / "arm.model.json"
+    effects = "joint-zero-offset,link-length,joint-compliance"
+    print("| file | repeats | targets | MB | binary | s | peak MB | times the file |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    for which in [before, binary] if before else [binary]:
+        assert run(which, "identify", DATA / "arm.json", "--effects", effects, "--out", model, "--force")[0] == 0
+        base = run(which, "compensate", model, DATA / "cell.script", "--out", folder / "b.script", "--force", "--load", "0")
+        cases = [(n, e) for e in ("mod", "src", "script", "ls") for n in (100, 200, 400, 2000)]
+        rng = np.random.default_rng(3)
+        rows = rng.uniform([-100, -60, -60, -100, 20, -100], [100, 60, 30, 100, 80, 100], (200_000, 6))
+        (folder / "big.csv").write_text(table(p.six()[0], rows))
+        distinct = folder / "big.src"
+        nominal = p.six()[0]
+        lines = ["DEF m()"]
+        for k, q in enumerate(rows[:5000]):
+            m = nominal.pose(np.radians(q))
+            t = sum(1 << i for i, v in enumerate(q) if v < 0)
+            body = ",".join(f"{n} {v:.4f}" for n, v in zip("XYZABC", [*m[:3, 3], *p.zyx(m[:3, :3])]))
+            lines.append(f"LIN {{{body},S 0,T {t}}}")
+        distinct.write_text("\n".join([*lines, "END", ""]))
+        for repeats, ending in [*cases, (1, "big.csv"), (1, "big.src"), (10, "big.src"), (20, "big.src")]:
+            if which == before and (repeats > 400 or ending in ("big.csv",) or (ending == "big.src" and repeats > 1)):
+                continue
+            large = ending.startswith("big")
+            body = (folder / ending if large else DATA / f"cell.{ending}").read_bytes()
+            if ending == "ls":
+                body, repeats = positions(body.decode("latin-1"), repeats).encode("latin-1"), repeats
+                source = folder / "r.ls"
+                source.write_bytes(body)
+            else:
+                source = folder / f"r.{ending.split('.')[-1]}"
+                source.write_bytes(body * repeats)
+            size = source.stat().st_size / 1e6
+            out = folder / f"t.{source.suffix[1:]}"
+            status, said, seconds, peak = run(which, "compensate", model, source, "--out", out, "--force", "--load", "0")
+            count = said.split(" targets corrected")[0].split()[-1] if " targets corrected" in said else f"status {status}"
+            print(f"| {ending} | {repeats} | {count} | {size:.2f} | {'before' if which == before else 'now'} | {seconds:.2f} | {peak:.0f} "
+                  f"| {(peak - base[3]) / size:.1f} |", flush=True)
+
+
+def positions(text, repeats):
+    """A listing with its positions again and again, each with a number of its own."""
+    head, rest = text.split("/POS")
+    blocks = ["P[" + b for b in rest.split("/END")[0].split("P[")[1:]]
+    moves = [l for l in head.split("/MN")[1].splitlines() if ":J P[" in l]
+    lines, all_blocks, number = [], [], 0
+    for _ in range(repeats):
+        for block in blocks:
+            number += 1
+            all_blocks.append(f"P[{number}]" + block[block.index("{") :])
+            lines.append(f"{number}:J P[{number}] 100% FINE    ;")
+    assert moves
+    return "\n".join([head.split("/MN")[0] + "/MN", *lines, "/POS"]) + "\n" + "".join(all_blocks) + "/END\n"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("binary")
+    parser.add_argument("--before")
+    parser.add_argument("--only", choices=["tools", "singular", "times"])
+    parser.add_argument("--count", type=int, default=100)
+    options = parser.parse_args()
+    for name, part in (("tools", tools), ("singular", singular), ("times", times)):
+        if options.only in (None, name):
+            print(f"\n## {name}\n")
+            with tempfile.TemporaryDirectory() as folder:
+                part(options.binary, options.before, options.count, Path(folder))
+
+
+if __name__ == "__main__":
+    main()
