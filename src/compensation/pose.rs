@@ -160,7 +160,10 @@ fn commands_of_block(
                 continue;
             }
             so_far.clear();
-            so_far.extend(free.iter().map(|j| (trial.q[*j][i] - first[*j][i]) / scale.unit(*j)));
+            so_far.extend(
+                free.iter()
+                    .map(|j| (trial.q[*j][i] - first[*j][i]) / scale.unit(*j)),
+            );
             scale.step(&seen[i], &wanted[i], free, &so_far, state, &mut step);
             if state.singular {
                 state.done = true;
@@ -173,7 +176,11 @@ fn commands_of_block(
                     trial.q[follower].to_mut()[i] += ratio * by;
                 }
             }
-            let enough = if state.damped { SETTLED_DAMPED } else { SETTLED };
+            let enough = if state.damped {
+                SETTLED_DAMPED
+            } else {
+                SETTLED
+            };
             state.done = step.iter().all(|by| by.abs() <= enough);
         }
         if state.iter().all(|state| state.done) {
@@ -325,7 +332,8 @@ impl Seen {
 }
 
 /// How ways and turns are weighed against each other, and what the robot can do at all.
-struct Scale {
+struct Scale<'r> {
+    robot: &'r Robot,
     reach_mm: f64,
     kinds: Vec<JointKind>,
     /// Whether position and orientation can be met at once.
@@ -333,8 +341,7 @@ struct Scale {
     /// In how many directions the free joints move the tool's origin in a generic pose.
     directions: usize,
 }
-struct Scale<'r> {
-    robot: &'r Robot,
+
 impl<'r> Scale<'r> {
     fn of(robot: &'r Robot, free: &[usize]) -> Self {
         let mut scale = Self {
@@ -429,7 +436,9 @@ impl<'r> Scale<'r> {
             state.singular = true;
             return;
         }
-        let gram = columns.iter().fold(Matrix3::zeros(), |sum, (p, _)| sum + p * p.transpose());
+        let gram = columns
+            .iter()
+            .fold(Matrix3::zeros(), |sum, (p, _)| sum + p * p.transpose());
         let Some(inverse) = self.position_inverse(&gram) else {
             state.singular = true;
             return;
@@ -442,7 +451,9 @@ impl<'r> Scale<'r> {
             return;
         }
         // What the position leaves free turns the tool: Jr (1 − Jp⁺ Jp), column by column.
-        let across = columns.iter().fold(Matrix3::zeros(), |sum, (p, r)| sum + r * p.transpose());
+        let across = columns
+            .iter()
+            .fold(Matrix3::zeros(), |sum, (p, r)| sum + r * p.transpose());
         let taken = across * inverse;
         let spare = |(p, r): &(Vector3<f64>, Vector3<f64>)| r - taken * p;
         let (mut turned, mut moved) = (Vector3::zeros(), Vector3::zeros());

@@ -209,7 +209,11 @@ impl ClosedForm {
     /// The angle of a rotation about the axis of joint k.
     fn own_angle(&self, k: usize, rotation: &Rotation3<f64>) -> f64 {
         let axis = self.axes[k].into_inner();
-        let other = if axis.x.abs() < 0.6 { Vector3::x() } else { Vector3::y() };
+        let other = if axis.x.abs() < 0.6 {
+            Vector3::x()
+        } else {
+            Vector3::y()
+        };
         let from = axis.cross(&other).normalize();
         let to = rotation * from;
         axis.dot(&from.cross(&to)).atan2(from.dot(&to))
@@ -315,7 +319,10 @@ mod tests {
                     assert!(here.rotation.angle_to(&goal.rotation) < 1e-8, "{k}");
                 }
                 let same = |found: &&[f64; 6]| {
-                    let turns = found.iter().zip(&q).map(|(a, b)| (0.5 * (a - b)).sin().abs());
+                    let turns = found
+                        .iter()
+                        .zip(&q)
+                        .map(|(a, b)| (0.5 * (a - b)).sin().abs());
                     turns.fold(0.0, f64::max) < 1e-6
                 };
                 assert!(all.iter().any(|f| same(&f)), "{k}");

@@ -225,7 +225,11 @@ impl Corrector<'_> {
             let own: Vec<usize> = cases.iter().map(|(i, _)| indices[*i]).collect();
             let column = |j: usize| -> Vec<f64> {
                 let value = |(i, value): &(usize, f64)| {
-                    if j == joint { *value } else { resolved[*i].q[j] }
+                    if j == joint {
+                        *value
+                    } else {
+                        resolved[*i].q[j]
+                    }
                 };
                 cases.iter().map(value).collect()
             };
@@ -249,13 +253,16 @@ impl Corrector<'_> {
         if !leaves_its_sides(target, self.robot, from, to) {
             return None;
         }
-        target.configuration.iter().find_map(|statement| match statement {
-            Statement::WristNegative { joint, .. } => Some(*joint).filter(|_| {
-                statement.agrees(self.robot, from) == Some(true)
-                    && statement.agrees(self.robot, to) == Some(false)
-            }),
-            _ => None,
-        })
+        target
+            .configuration
+            .iter()
+            .find_map(|statement| match statement {
+                Statement::WristNegative { joint, .. } => Some(*joint).filter(|_| {
+                    statement.agrees(self.robot, from) == Some(true)
+                        && statement.agrees(self.robot, to) == Some(false)
+                }),
+                _ => None,
+            })
     }
 
     /// Whether corrected commands may be written.

@@ -300,7 +300,9 @@ pub(super) fn settled(
         Holds::Model => Some(identity),
         Holds::Program => None,
         Holds::Unsettled => {
-            let others = frames.iter().filter(|(_, (_, pose))| !same(pose, &identity));
+            let others = frames
+                .iter()
+                .filter(|(_, (_, pose))| !same(pose, &identity));
             differ.extend(others.map(|(name, found)| {
                 let own = format!("the robot's base, {}", in_words(&identity, turns));
                 says(Differing::Frame, name, found, own)
@@ -435,7 +437,9 @@ fn load(
         Vec::new()
     } else {
         let unknown = own.is_none() && matters;
-        let outside = stated.iter().filter(|(kg, _)| !inside(*kg) || (unknown && *kg > SAME_KG));
+        let outside = stated
+            .iter()
+            .filter(|(kg, _)| !inside(*kg) || (unknown && *kg > SAME_KG));
         outside.collect()
     };
     differ.extend(refused.into_iter().map(|(kg, load)| Difference {
@@ -533,7 +537,9 @@ fn in_words(pose: &Pose, orientation: Orientation) -> String {
     let at = pose.translation.vector;
     let at: Vec<String> = at.iter().map(|v| short(*v, 3)).collect();
     let (names, turn, unit) = orientation.numbers(pose);
-    let turn = turn.iter().map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
+    let turn = turn
+        .iter()
+        .map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
     let turn: Vec<String> = names
         .iter()
         .zip(turn)
