@@ -50,6 +50,8 @@ const LOWEST: f64 = 0.09;
 const HIGHEST: f64 = 1.48;
 /// Points of the grid in azimuth and in elevation.
 const GRID: [u32; 2] = [36, 12];
+/// Enough for the singular values of so small a matrix.
+const MOST_ROTATIONS: usize = 1000;
 /// An axis that is farther from where a mount has it is none.
 const SQUARE: f64 = 1e-6;
 
@@ -225,9 +227,11 @@ fn fitted(job: &Job, chain: &Chain, mount: &Mount) -> Fitted {
     }
     let matrix = DMatrix::from_fn(rows.len(), 6, |row, column| rows[row][column]);
     let wanted = DVector::from_vec(wanted);
-    let svd = matrix.clone().svd(true, true);
-    let solution = svd.solve(&wanted, 1e-9 * svd.singular_values.max());
-    let solution = solution.unwrap_or_else(|_| DVector::zeros(6));
+    let svd = matrix
+        .clone()
+        .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS);
+    let solution = svd.and_then(|svd| svd.solve(&wanted, 1e-9 * svd.singular_values.max()).ok());
+    let solution = solution.unwrap_or_else(|| DVector::zeros(TERMS.len()));
     let rms = |v: &DVector<f64>| {
         // Two rows a direction.
         let points = 0.5 * v.len() as f64;

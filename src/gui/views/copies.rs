@@ -11,6 +11,7 @@ use crate::gui::style::tokens::{size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
+use crate::present::limits::sight;
 use crate::present::names::{parameter, title};
 use crate::present::table::{Cell, Table};
 use crate::units::deg_from_rad;
@@ -138,9 +139,9 @@ pub(super) fn found(d: &Diagnosis) -> String {
 pub(super) fn limits(d: &Diagnosis) -> String {
     let mut table = Table::headed("effect | joint | parameter | detection limit (95 %) | unit");
     for limit in &d.not_found {
-        for (name, size) in &limit.sizes {
-            let (name, unit) = parameter(name);
-            let size = match Sight::of(*size) {
+        for (full, size) in &limit.sizes {
+            let (name, unit) = parameter(full);
+            let size = match sight(limit.effect, full, *size) {
                 Sight::Above(size) => Some(size),
                 Sight::AtAnySize => Some(0.0),
                 Sight::AtNoSize => None,
