@@ -210,7 +210,7 @@ impl Folds {
         let bases = (1 + scanned.len()) * 4 * more + 4 * settings;
         regression
             .work
-            .did((height * width) as f64 * (10 + bases) as f64);
+            .did((height * width) as f64 * (300 + bases) as f64);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());

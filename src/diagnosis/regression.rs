@@ -90,7 +90,7 @@ const UNSEEN_KEPT: usize = 256;
 const SURROUNDINGS_KEPT: usize = 2;
 
 /// Products for each number of a fit's columns beside those of making them orthonormal.
-const OF_A_FIT: f64 = 30.0;
+const OF_A_FIT: f64 = 150.0;
 
 /// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
 /// where it is.

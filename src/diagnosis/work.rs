@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 /// Products of numbers for a whole diagnosis, and so many more for each sample that is searched.
-const PRODUCTS: f64 = 5.0e9;
+const PRODUCTS: f64 = 6.0e9;
 const FOR_A_SAMPLE: f64 = 1.2e7;
 
 /// Shares of the whole.
