@@ -69,7 +69,11 @@ fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
             (fits && final_set::is_above(&said, &fit)).then_some(said)
         };
         let rivals = aliases::rivals(regression, &fit).into_iter();
-        let mut rivals = rivals.filter(above).take(MOST_HELD_AGAINST);
+        let goes_on = |_: &Rival| !regression.work.is_spent();
+        let mut rivals = rivals
+            .filter(above)
+            .take(MOST_HELD_AGAINST)
+            .take_while(goes_on);
         let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
             return fit;
         };

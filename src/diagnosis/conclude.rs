@@ -65,6 +65,8 @@ impl Proposal {
 /// Proposes poses.
 pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 
+/// So many rivals that are likelier, likeliest first, are held against what is said of them.
+const MOST_HELD_AGAINST: usize = 3;
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
 
@@ -123,8 +125,14 @@ pub(crate) fn answer(
     let steps = steps(prepared, &base, fit);
     let mut rivals = aliases::open_rivals(regression, with_shapes);
     // What is likelier and carries itself has taken the place already; what does not is no rival.
-    rivals
-        .retain(|r| !is_above(&r.fit, with_shapes) || stands_above(prepared, &r.fit, with_shapes));
+    let mut held = 0;
+    rivals.retain(|r| {
+        if !is_above(&r.fit, with_shapes) {
+            return true;
+        }
+        held += 1;
+        held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, with_shapes)
+    });
     let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
     rivals.extend(others);
     let equivalent: Vec<_> = rivals.iter().collect();

@@ -110,7 +110,9 @@ pub(crate) fn as_said(
         if !watch(&Progress::Comparing) {
             return Err(Cancelled);
         }
-        if let Some(likelier) = one_exchanged(prepared, &found.fit) {
+        if !regression.work.is_spent()
+            && let Some(likelier) = one_exchanged(prepared, &found.fit)
+        {
             found.fit = likelier;
             test(prepared, found, watch)?;
             continue;

@@ -213,17 +213,21 @@ impl Folds {
         }
         let all = Whitened::of(regression, fit);
         let scanned = scanned_terms(regression, fit);
-        let whole = Whole::new(&scanned, &all, |white| {
-            let of_base = regression.of_base();
-            let extended = of_base.extended(&regression.base, &fit.model, white);
+        let whole = Whole::new(&scanned, &all, |white, without| {
+            let rest = without.map(|term: &Term| fit.model.without(|t| t.same_column(term)));
+            let model = rest.as_ref().unwrap_or(&fit.model);
+            let extended = regression
+                .of_base()
+                .extended(&regression.base, model, white);
             extended.unwrap_or_else(|| Basis::new(white))
         });
         let (height, width) = all.white.shape();
         let settings: usize = scanned.iter().map(|s| 2 + s.candidates.len()).sum();
-        let bases = (1 + scanned.len()) * 3 * width + 4 * settings;
+        let more = width.saturating_sub(regression.base.coefficient_count()) + 1;
+        let bases = (1 + scanned.len()) * 4 * more + 4 * settings;
         regression
             .work
-            .did((height * width) as f64 * (10 + bases) as f64);
+            .did((height * width) as f64 * (300 + bases) as f64);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
@@ -312,6 +316,7 @@ impl Whitened {
 
 /// A term whose setting is scanned afresh in every fold.
 struct Scanned {
+    term: Term,
     first: usize,
     size: usize,
     coefficients: DVector<f64>,
@@ -396,6 +401,7 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
             let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
             let white = regression.white_columns(&of_table.collect::<Vec<_>>());
             all.push(Scanned {
+                term: term.clone(),
                 first,
                 size,
                 coefficients: DVector::from_column_slice(&term.coefficients),
@@ -430,11 +436,16 @@ const BETTER: f64 = 1e-9;
 
 impl Beside {
     /// Of these rows; `candidates` are the whitened columns of every setting in them.
-    fn new(term: &Scanned, rows: &Whitened, candidates: DMatrix<f64>) -> Self {
+    fn new(
+        term: &Scanned,
+        rows: &Whitened,
+        candidates: DMatrix<f64>,
+        basis: impl Fn(&DMatrix<f64>) -> Basis,
+    ) -> Self {
         let own = rows.white.columns(term.first, term.size);
         let others_at = |k: &usize| !(term.first..term.first + term.size).contains(k);
         let places: Vec<usize> = (0..rows.white.ncols()).filter(others_at).collect();
-        let others = Rc::new(Basis::new(&rows.white.select_columns(&places)));
+        let others = Rc::new(basis(&rows.white.select_columns(&places)));
         let without_term = &rows.residual + own * &term.coefficients;
         let width = candidates.ncols();
         let mut columns = candidates.resize_horizontally(width + term.size, 0.0);
@@ -477,7 +488,10 @@ impl Whole {
         let beside = |term: &Scanned| Beside::new(term, rows, term.white.clone());
         let terms: Vec<Beside> = scanned.iter().map(beside).collect();
         let last = terms.last();
-        let basis = last.map_or_else(|| basis(&rows.white), |term| term.with_term(&rows.white));
+        let basis = last.map_or_else(
+            || basis(&rows.white, None),
+            |term| term.with_term(&rows.white),
+        );
         Self { basis, terms }
     }
 
@@ -495,7 +509,7 @@ impl Whole {
 impl Scanned {
     /// Exchanges the term's columns for those of the setting that the seen rows like best.
     fn rescan(&self, regression: &Regression, seen: &[usize], rows: &mut Whitened) -> Beside {
-        let beside = Beside::new(self, rows, self.white.select_rows(seen));
+        let beside = Beside::new(self, rows, self.white.select_rows(seen), Basis::new);
         let Ok(Some(at)) = beside.better(&[]) else {
             return beside;
         };

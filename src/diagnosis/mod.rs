@@ -230,9 +230,6 @@ pub(crate) fn searched<'a>(
     let watch: Watch = &told;
     work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
-    if std::env::var_os("TP_WORK").is_some() {
-        eprintln!("WORK {:?} {}", work, line!());
-    }
     work.up_to(SECOND_SEARCH);
     let unfinished = work.ended().is_some();
     if prepared.reconsider(&found) || unfinished {
@@ -243,9 +240,6 @@ pub(crate) fn searched<'a>(
             prepared.search(watch)?
         };
     }
-    if std::env::var_os("TP_WORK").is_some() {
-        eprintln!("WORK {:?} {}", work, line!());
-    }
     work.up_to(RIVALS);
     // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
     // curve is held against those it has, and the verdict says that something is left.
@@ -253,9 +247,6 @@ pub(crate) fn searched<'a>(
         (prepared, found) = against_rivals(&prepared, found, watch)?;
         // What was held against the end was not left out of it.
         work.begin_again();
-    }
-    if std::env::var_os("TP_WORK").is_some() {
-        eprintln!("WORK {:?} {}", work, line!());
     }
     work.up_to(OTHER_SETS);
     final_set::test(&prepared, &mut found, watch)?;

@@ -116,10 +116,15 @@ impl<'a> Prepared<'a> {
         self.options.max_effects.map_or(cap, |most| most.min(cap))
     }
 
-    /// Whether a search ended because it may add no more.
+    /// Whether a search ended because it may add no more, or before it had looked for everything.
     pub(crate) fn is_capped(&self, found: &Found) -> bool {
+        self.is_full(found) || self.regression.work.ended().is_some()
+    }
+
+    /// Whether a search has added as much as it may.
+    pub(crate) fn is_full(&self, found: &Found) -> bool {
         let count = self.regression.added(&found.fit).len() + found.fit.shapes.len();
-        count >= self.cap() || self.regression.work.ended().is_some()
+        count >= self.cap()
     }
 
     /// Whether a search that is done again may begin where the last one ended: of several joints with so many

@@ -78,18 +78,19 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 }
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
-const SCORES_KEPT: usize = 64;
-/// Fits that are kept: so many numbers of their bases (16 MiB), and no more than scores, as to look for one is
+const SCORES_KEPT: usize = 16;
+/// Fits that are kept: so many numbers of their bases (16 MiB), and no more than these, as to look for one is
 /// not to take longer than a small fit.
 const FITS_KEPT: usize = 1 << 21;
-const RIVALS_KEPT: usize = 4;
+const MOST_FITS: usize = 64;
+const RIVALS_KEPT: usize = 2;
 /// Errors on unseen samples that are kept.
 const UNSEEN_KEPT: usize = 256;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
 const SURROUNDINGS_KEPT: usize = 2;
 
 /// Products for each number of a fit's columns beside those of making them orthonormal.
-const OF_A_FIT: f64 = 30.0;
+const OF_A_FIT: f64 = 150.0;
 
 /// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
 /// where it is.
@@ -114,7 +115,7 @@ impl<'a> Regression<'a> {
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
-        let fits_kept = (FITS_KEPT / numbers_of_a_basis.max(1)).min(SCORES_KEPT);
+        let fits_kept = (FITS_KEPT / numbers_of_a_basis.max(1)).min(MOST_FITS);
         let price = PRICE_OF_A_VARIANCE * numbers + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {

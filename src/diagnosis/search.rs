@@ -82,6 +82,8 @@ impl Search<'_, '_> {
         names_only = self.pairs(names_only)?;
         // Names first, then what they leave; and everything at once from the start.
         let extended = self.forward(names_only.clone(), Allow::Everything)?;
+        let work = &self.regression.work;
+        let complete = work.ended().is_none();
         let free = self.forward(base, Allow::Everything)?;
         let mut fit = names_only.clone();
         for other in [extended, free] {
@@ -89,6 +91,10 @@ impl Search<'_, '_> {
             if other.ln_evidence > fit.ln_evidence + 1e-6 {
                 fit = other;
             }
+        }
+        if complete {
+            // What the second way has left out the first one has looked for.
+            work.begin_again();
         }
         Ok(Found {
             fit,
@@ -263,6 +269,9 @@ impl Search<'_, '_> {
         let terms: Vec<Term> = self.regression.added(&fit).into_iter().cloned().collect();
         let mut around = None;
         for term in terms {
+            if self.regression.work.is_spent() {
+                return fit;
+            }
             let without = self.regression.without(&fit, &term);
             let is_own = |c: &Candidate| c.what.term().is_some_and(|t| t.same_column(&term));
             let scores = self.near(&fit, without, &mut around, allow, is_own);

@@ -72,7 +72,7 @@ pub(crate) fn judge(
         let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
         if unexplained.p <= structure {
             unexplained.present = true;
-            if capped {
+            if prepared.is_full(found) {
                 unexplained.says = format!(
                     "the search stopped at its limit of {} effects; {}",
                     prepared.cap(),

@@ -8,12 +8,12 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 /// Products of numbers for a whole diagnosis, and so many more for each sample that is searched.
-const PRODUCTS: f64 = 3.0e9;
-const FOR_A_SAMPLE: f64 = 8.0e6;
+const PRODUCTS: f64 = 6.0e9;
+const FOR_A_SAMPLE: f64 = 1.2e7;
 
 /// Shares of the whole.
-pub(crate) const FIRST_SEARCH: f64 = 0.4;
-pub(crate) const SECOND_SEARCH: f64 = 0.55;
+pub(crate) const FIRST_SEARCH: f64 = 0.45;
+pub(crate) const SECOND_SEARCH: f64 = 0.6;
 pub(crate) const RIVALS: f64 = 0.7;
 pub(crate) const OTHER_SETS: f64 = 0.85;
 

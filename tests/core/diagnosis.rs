@@ -316,6 +316,39 @@ fn a_watcher_can_stop_the_search() {
 }
 
 #[test]
+fn a_search_that_is_stopped_says_what_is_proven_until_then_where_that_is_wanted() {
+    let rig = measured(
+        &Design::default(),
+        &["backlash", "encoder-eccentricity"],
+        400.0,
+        9,
+    );
+    let options = Options {
+        keep_when_stopped: true,
+        ..Options::default()
+    };
+    let asked = std::cell::Cell::new(0);
+    let stopped = diagnose(&session(&rig), &options, &|progress| {
+        let found = matches!(progress, Progress::Searching { found } if !found.is_empty());
+        asked.set(asked.get() + usize::from(found));
+        !found
+    })
+    .expect("the answer until then");
+    assert_eq!(asked.get(), 1, "who said no is not asked again");
+    assert_eq!(stopped.found.len(), 1);
+    assert!(["backlash", "encoder-eccentricity"].contains(&stopped.found[0].effect));
+    assert!(stopped.unexplained.present);
+    assert!(
+        stopped
+            .unexplained
+            .says
+            .starts_with("the search was stopped")
+    );
+    assert_eq!(stopped.verdict, Verdict::PartlyExplained);
+    assert!(stopped.next_poses.is_empty());
+}
+
+#[test]
 fn lost_motion_beside_another_effect_is_proved_on_unseen_samples() {
     let design = Design {
         samples: 200,
