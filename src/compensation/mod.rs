@@ -27,6 +27,7 @@
 
 mod carried_over;
 pub(crate) mod conditions;
+mod conventions;
 pub mod decision;
 pub(crate) mod interpolation;
 pub(crate) mod inverse;
@@ -35,6 +36,7 @@ pub(crate) mod plan;
 pub(crate) mod pose;
 pub(crate) mod regional;
 pub(crate) mod remainder;
+mod set_aside;
 pub(crate) mod table;
 pub(crate) mod verification;
 
@@ -44,4 +46,6 @@ pub use plan::Compensation;
 pub use regional::Regional;
 pub use remainder::{Remainder, Share};
 pub use table::{JointTable, TableError};
-pub use verification::{Compensated, Verification, VerifyError, WithinTolerance, verify};
+pub use verification::{
+    Compensated, HeldOutErrors, Trimmed, Verification, VerifyError, WithinTolerance, verify,
+};

@@ -13,10 +13,12 @@ mod calibration;
 pub(crate) mod format_v1;
 pub(crate) mod names;
 pub(crate) mod rigid_motion;
+mod set_up;
 pub(crate) mod shapes;
 
-pub use calibration::{Calibration, GapStep, RegionalCorrection};
+pub use calibration::{Calibration, Conditions, GapStep, RegionalCorrection};
 pub use format_v1::{is_model, load_model, model_hash, read_model, write_model};
+pub use set_up::{RawJoint, SetUp};
 pub use shapes::{Direction, Profile, Shape, Variable, Where};
 
 use crate::effects::block::Block;

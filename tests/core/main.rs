@@ -33,6 +33,7 @@ mod exports;
 mod faults;
 mod fleet;
 mod fuzz_smoke;
+mod gate;
 mod hostile;
 mod house;
 mod imports;

@@ -64,6 +64,8 @@ pub fn calibration() -> Calibration {
         targets: Vec::new(),
         tolerance_mm: None,
         compensated_by: None,
+        set_up: Default::default(),
+        conditions: Default::default(),
         history: Vec::new(),
         samples_hash: String::new(),
         program_version: String::new(),

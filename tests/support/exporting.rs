@@ -65,6 +65,8 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
         measured: measured.collect(),
         tolerance_mm: session.tolerance_mm,
         compensated_by: None,
+        set_up: Default::default(),
+        conditions: Default::default(),
         history: Vec::new(),
         samples_hash: "0".repeat(64),
         program_version: "0".to_owned(),

@@ -13,6 +13,7 @@
 mod curve;
 mod exact;
 mod read;
+mod set_up;
 mod term;
 
 pub(crate) use term::term;
