@@ -37,7 +37,7 @@ use crate::sessions::division::RegionChoice;
 use crate::sessions::{Mend, Session};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 
-pub use crate::compensation::verify;
+pub use crate::compensation::{hand_out, verify};
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
 pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};

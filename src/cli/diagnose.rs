@@ -144,7 +144,7 @@ impl Diagnose {
         let session = &loaded.session;
         let (answer, start) = asked.of(session, &|_| true)?;
         if let Some(out) = &self.out {
-            let text = pipeline::write_model(&answer.calibration(session));
+            let text = pipeline::hand_out(&answer.calibration(session), session)?;
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {

@@ -29,6 +29,7 @@ mod carried_over;
 pub(crate) mod conditions;
 mod conventions;
 pub mod decision;
+mod hand_out;
 pub(crate) mod interpolation;
 pub(crate) mod inverse;
 mod observed;
@@ -41,6 +42,7 @@ pub(crate) mod table;
 pub(crate) mod verification;
 
 pub use conditions::{Conditions, Side};
+pub use hand_out::{NotHandedOut, hand_out};
 pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;

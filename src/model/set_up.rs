@@ -244,7 +244,9 @@ mod tests {
         let joint = r#"{"name":"j","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}"#;
         let tool = r#"{"position_mm":[1,0,0],"quaternion_wxyz":[1,0,0,0]}"#;
         let robot = format!(r#"{{"name":"r","joints":[{joint},{joint},{joint}],"tool":{tool}}}"#);
-        crate::sessions::parse_robot(robot.as_bytes()).unwrap().robot
+        crate::sessions::parse_robot(robot.as_bytes())
+            .unwrap()
+            .robot
     }
 
     #[test]

@@ -100,7 +100,12 @@ fn verify_of_a_model_on_its_own_session_gives_what_identify_said() {
             continue;
         };
         let said = found.identification.gap.after.rms_mm;
-        assert_as_said(&found.calibration, &session, said, &path.display().to_string());
+        assert_as_said(
+            &found.calibration,
+            &session,
+            said,
+            &path.display().to_string(),
+        );
     }
 }
 
@@ -145,7 +150,8 @@ fn one_axis(
     }
     let rows: Vec<Vec<serde_json::Value>> =
         serde_json::from_str(&format!("[{}]", rows.trim_end_matches(','))).unwrap();
-    let column = |k: usize| -> Vec<serde_json::Value> { rows.iter().map(|r| r[k].clone()).collect() };
+    let column =
+        |k: usize| -> Vec<serde_json::Value> { rows.iter().map(|r| r[k].clone()).collect() };
     let document = serde_json::json!({
         "format": "truepose-session/1", "name": "axis",
         "robot": { "name": "axis", "joints": [ { "name": "a", "kind": "revolute", "axis": [0, 0, 1],
@@ -182,10 +188,13 @@ fn a_model_beside_what_no_name_explains_is_no_worse_than_that_of_identify() {
             let calibration = found.calibration(&session);
             assert_as_said(&calibration, &session, found.gap.end_mm, &what);
             let method = Method::default();
-            let identified =
-                identify_checked(&session, &method, JointValues::Commanded).unwrap();
+            let identified = identify_checked(&session, &method, JointValues::Commanded).unwrap();
             let by = identified.identification.gap.after.rms_mm;
-            assert!(found.gap.end_mm <= 1.001 * by, "{what}: {:?}, {by}", found.gap);
+            assert!(
+                found.gap.end_mm <= 1.001 * by,
+                "{what}: {:?}, {by}",
+                found.gap
+            );
         }
     }
 }
@@ -205,7 +214,10 @@ fn the_headline_of_a_check_is_over_all_its_samples() {
         verified.model
     );
     let trimmed = verified.trimmed.unwrap();
-    assert!(trimmed.set_aside > 20 && trimmed.model_mm < 0.1, "{trimmed:?}");
+    assert!(
+        trimmed.set_aside > 20 && trimmed.model_mm < 0.1,
+        "{trimmed:?}"
+    );
     let what: Vec<&str> = verified.data_problems.iter().map(|p| &*p.what).collect();
     assert!(what[0].contains("in a row"), "{what:?}");
     // One that is far off is an outlier, and no finding.
@@ -213,7 +225,11 @@ fn the_headline_of_a_check_is_over_all_its_samples() {
     let check = one_axis(2, 100, NOTHING, one_off, |q| q);
     let verified = verify(&found.calibration, &check).unwrap();
     assert_eq!(verified.trimmed.unwrap().set_aside, 1);
-    assert!(verified.data_problems.is_empty(), "{:?}", verified.data_problems);
+    assert!(
+        verified.data_problems.is_empty(),
+        "{:?}",
+        verified.data_problems
+    );
 }
 
 /// What a table of csv adds to a command in degrees, both columns being the same.
@@ -257,14 +273,22 @@ fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error(
         let session = one_axis(3, 130, eccentric, as_it_is, raw);
         let found = diagnosed(&session);
         assert_no_worse(&found, what);
-        assert_eq!(found.set_up.is_empty(), what == "plain", "{:?}", found.data_problems);
+        assert_eq!(
+            found.set_up.is_empty(),
+            what == "plain",
+            "{:?}",
+            found.data_problems
+        );
         let calibration = found.calibration(&session);
         assert_as_said(&calibration, &session, found.gap.end_mm, what);
         let by = table(&calibration);
         let error = |sign: f64| driven(eccentric, raw, from_raw, &by, sign);
         let (before, after, turned) = (error(0.0), error(1.0), error(-1.0));
         assert!(after < 0.05 * before, "{what}: {before} → {after}");
-        assert!((turned / before - 2.0).abs() < 0.1, "{what}: {before} → {turned}");
+        assert!(
+            (turned / before - 2.0).abs() < 0.1,
+            "{what}: {before} → {turned}"
+        );
     }
 }
 
@@ -362,16 +386,28 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
         let found = identify_checked(&session, &method, JointValues::Commanded).unwrap();
         let calibration = &found.calibration;
         let corrected = calibration.set_up.moves_joints();
-        assert_eq!(corrected, name != "none", "{name}: {:?}", found.data_problems);
+        assert_eq!(
+            corrected,
+            name != "none",
+            "{name}: {:?}",
+            found.data_problems
+        );
         let said = found.identification.gap.after.rms_mm;
         assert_as_said(calibration, &session, said, name);
         let mut random = Random(9);
         let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
         let mut wanted = Vec::new();
         for _ in 0..12 {
-            let q: Vec<f64> = [[-60.0, 60.0], [-30.0, 40.0], [-40.0, 30.0], [-60.0, 60.0], [30.0, 80.0], [-60.0, 60.0]]
-                .map(|[a, b]| random.between(a, b) * DEG)
-                .to_vec();
+            let q: Vec<f64> = [
+                [-60.0, 60.0],
+                [-30.0, 40.0],
+                [-40.0, 30.0],
+                [-60.0, 60.0],
+                [30.0, 80.0],
+                [-60.0, 60.0],
+            ]
+            .map(|[a, b]| random.between(a, b) * DEG)
+            .to_vec();
             let mut raw = q.clone();
             to_raw(&mut raw);
             let cells: Vec<String> = raw.iter().map(|v| format!("{:.6}", v / DEG)).collect();
@@ -393,7 +429,10 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
         let written = String::from_utf8(answer.bytes).unwrap();
         let (mut before, mut after, mut doubled) = (0.0, 0.0, 0.0);
         for (line, q) in written.lines().skip(1).zip(&wanted) {
-            let mut told: Vec<f64> = line.split(',').map(|v| v.parse::<f64>().unwrap() * DEG).collect();
+            let mut told: Vec<f64> = line
+                .split(',')
+                .map(|v| v.parse::<f64>().unwrap() * DEG)
+                .collect();
             from_raw(&mut told);
             let turned: Vec<f64> = q.iter().zip(&told).map(|(q, u)| 2.0 * q - u).collect();
             let goal = robot.nominal(q);
@@ -403,6 +442,9 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
         }
         let [before, after, doubled] = [before, after, doubled].map(f64::sqrt);
         assert!(after < 0.1 * before, "{name}: {before} → {after}");
-        assert!((doubled / before - 2.0).abs() < 0.2, "{name}: {before} → {doubled}");
+        assert!(
+            (doubled / before - 2.0).abs() < 0.2,
+            "{name}: {before} → {doubled}"
+        );
     }
 }
