@@ -214,6 +214,13 @@ impl Identification {
         })
     }
 
+    /// Samples that were set aside as suspected outliers, in the order of the session.
+    fn set_aside(&self) -> Vec<usize> {
+        let mut samples: Vec<usize> = self.outliers.iter().map(|o| o.sample).collect();
+        samples.sort_unstable();
+        samples
+    }
+
     /// The calibration that goes with this answer, to be saved and exported.
     pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
         let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {
@@ -232,6 +239,7 @@ impl Identification {
             compensated_by: session.compensated_by.clone(),
             set_up: SetUp::new(session.samples.corrected.iter().flat_map(|c| c.by.clone())),
             conditions: conditions_of(session),
+            set_aside: Some(self.set_aside()),
             history: vec![
                 step("nominal robot", |g| g.before),
                 step(&self.identified_by(), |g| g.after),

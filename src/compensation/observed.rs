@@ -40,8 +40,11 @@ pub(super) fn verify(
     let before = deviations(&problem, &nominal);
     let after = deviations(&problem, &placed);
     let counts = |i: usize| problem.fit[i];
-    let suspected = problem.observed.as_ref().map_or_else(Vec::new, |layer| {
-        layer.samples_with(&apart_beside(layer, &placed))
+    let suspected = set_aside::of_its_own(calibration, own, problem.usable.len());
+    let suspected = suspected.unwrap_or_else(|| {
+        problem.observed.as_ref().map_or_else(Vec::new, |layer| {
+            layer.samples_with(&apart_beside(layer, &placed))
+        })
     });
     let spread = |lengths: &[f64]| Spread::of(lengths, counts, |_| false);
     let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);

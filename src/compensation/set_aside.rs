@@ -2,6 +2,7 @@
 //! together are evidence.
 
 use crate::answers::diagnosis::DataProblem;
+use crate::model::Calibration;
 use crate::sessions::Session;
 
 /// More than this share of the samples is more than accidents.
@@ -10,6 +11,20 @@ const MOST_SHARE: f64 = 0.02;
 const FEWEST_TOGETHER: usize = 3;
 /// … where at least so much of the group is among them.
 const SHARE_OF_A_GROUP: f64 = 0.5;
+
+/// The samples that the fit of a model set aside, marked among so many, where they are those of its own session.
+pub(super) fn of_its_own(
+    calibration: &Calibration,
+    own: bool,
+    samples: usize,
+) -> Option<Vec<bool>> {
+    let set_aside = calibration.set_aside.as_ref().filter(|_| own)?;
+    let mut marked = vec![false; samples];
+    for sample in set_aside {
+        *marked.get_mut(*sample)? = true;
+    }
+    Some(marked)
+}
 
 /// What there is to say of the suspected samples among those that count, from the lengths of what is left
 /// of every sample, mm.

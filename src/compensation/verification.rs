@@ -189,7 +189,8 @@ pub(super) fn verify_as_read(
     let model = where_the_model_is(&compensation, &full, inputs, applied.as_deref());
     let before = measured_minus(session, &problem, &compensation, |i| nominal.get(i));
     let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
-    let outlier = suspects(&problem, &after);
+    let outlier = set_aside::of_its_own(calibration, own, problem.usable.len())
+        .unwrap_or_else(|| suspects(&problem, &after));
     let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.fit[i], |_| false);
     let compensated = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error

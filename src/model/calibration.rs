@@ -80,6 +80,9 @@ pub struct Calibration {
     pub set_up: SetUp,
     /// Conditions of the measured samples.
     pub conditions: Conditions,
+    /// Samples of the session, counted from 0, that the fit set aside as suspected outliers; `None` where that
+    /// is not known.
+    pub set_aside: Option<Vec<usize>>,
     /// The gap, step by step; the first is the nominal robot's.
     pub history: Vec<GapStep>,
     /// Hash of the samples that it came from.

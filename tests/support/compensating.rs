@@ -66,6 +66,7 @@ pub fn calibration() -> Calibration {
         compensated_by: None,
         set_up: Default::default(),
         conditions: Default::default(),
+        set_aside: None,
         history: Vec::new(),
         samples_hash: String::new(),
         program_version: String::new(),

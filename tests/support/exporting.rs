@@ -67,6 +67,7 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
         compensated_by: None,
         set_up: Default::default(),
         conditions: Default::default(),
+        set_aside: None,
         history: Vec::new(),
         samples_hash: "0".repeat(64),
         program_version: "0".to_owned(),

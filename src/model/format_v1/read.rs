@@ -109,6 +109,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         compensated_by: None,
         set_up: SetUp::default(),
         conditions: Conditions::default(),
+        set_aside: None,
         history: Vec::new(),
         samples_hash: String::new(),
         program_version: String::new(),
@@ -185,6 +186,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.optional("compensated_by", &mut own.compensated_by, &TEXT);
     o.usual("set_up", &mut own.set_up, &SET_UP);
+    o.optional("set_aside", &mut own.set_aside, &SAMPLES);
     o.know("conditions");
     if o.is_given("conditions") {
         let expected = "an object with load_kg and temperature_c";
@@ -293,6 +295,33 @@ fn range(o: &mut Object<'_, '_>, own: &mut Range) {
         o.error(format!("a range from {from} to {to}"), expected);
     }
 }
+
+/// Samples, counted from 1 in the file.
+const SAMPLES: Kind<Vec<usize>> = Kind {
+    expected: "an array of numbers of samples, counted from 1",
+    read: |at| {
+        let all = match &at.node.value {
+            Value::Numbers(all) => all.clone(),
+            Value::List(all) if all.is_empty() => Vec::new(),
+            _ => return at.wrong(),
+        };
+        let whole = |v: &f64| v.fract() == 0.0 && (1.0..=1e15).contains(v);
+        if !all.iter().all(whole) {
+            return at.wrong();
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number in the range of the type"
+        )]
+        let samples = all.into_iter().map(|v| v as usize - 1);
+        Some(samples.collect())
+    },
+    write: |all| {
+        let all: Vec<f64> = all.iter().map(|sample| *sample as f64 + 1.0).collect();
+        all.as_slice().into()
+    },
+};
 
 fn conditions(o: &mut Object<'_, '_>, own: &mut Conditions) {
     o.usual_or_null("load_kg", &mut own.load_kg, &FROM_TO);

@@ -123,6 +123,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
             compensated_by: (number > 0.2).then(|| "0123".to_owned()),
             set_up: Default::default(),
             conditions: Default::default(),
+            set_aside: None,
             history: vec![GapStep {
                 what: "nominal robot".to_owned(),
                 gap_mm: number * 3.0,
