@@ -31,13 +31,13 @@ use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
 };
 use crate::fonts::Library;
-use crate::model::{Calibration, GapStep};
+use crate::model::{Calibration, GapStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
-use crate::sessions::{Session, hash_of_samples};
+use crate::sessions::{Mend, Session};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 
-pub use crate::compensation::verify;
+pub use crate::compensation::{hand_out, verify};
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
 pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
@@ -115,6 +115,10 @@ pub fn identify_unless(
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if values == JointValues::Read {
+        let made = calibration.set_up.corrections().to_vec().into_iter();
+        calibration.set_up = SetUp::new(made.chain([Mend::TakeReadBack]));
+    }
     if let Method::Exact {
         effects,
         with,
@@ -171,9 +175,7 @@ pub fn identify_checked(
             problems: Vec::new(),
         },
     };
-    let (identification, mut calibration) = identify(&checked.session, method, values)?;
-    // The model came from the file as it is.
-    calibration.samples_hash = hash_of_samples(session);
+    let (identification, calibration) = identify(&checked.session, method, values)?;
     Ok(Identified {
         identification,
         calibration,
@@ -202,6 +204,16 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
         let unknown = format!("no format is called '{format}'");
         return Err(ExportError::Refused(unknown));
     };
+    let set_up = &job.calibration.set_up;
+    if format.rules.is_none() && set_up.moves_joints() {
+        return Err(ExportError::Refused(format!(
+            "{} holds joint values as the robot's description has them, and the controller of the model's session \
+             has them otherwise ({}): correct the controller or the description, identify again and export \
+             that model",
+            format.title,
+            set_up.says().join(", ")
+        )));
+    }
     format.exporter.export(job)
 }
 
@@ -239,7 +251,7 @@ pub fn report_of_diagnosis(
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
     let mended = mend(session, options.joint_values).session;
-    let all_found = found.calibration(&mended);
+    let all_found = found.calibration(session);
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
         session: &mended,
@@ -247,7 +259,7 @@ pub fn report_of_diagnosis(
         found,
         all_found: &all_found,
         in_use,
-        verification: verify(calibration, &mended)?,
+        verification: verify(calibration, session)?,
         standards: standards(&mended, Some(calibration)),
     };
     Report::of_session(&evidence, extras)

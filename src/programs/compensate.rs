@@ -122,7 +122,7 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         name: target.name.clone(),
         place: text.place(target.at),
         is_pose: matches!(target.shape, Shape::Pose(_)),
-        result,
+        result: result.map(|written| as_in_the_file(calibration, written)),
     };
     let placed = |remarks: &[Remark]| {
         let mut remarks: Vec<_> = remarks
@@ -157,7 +157,12 @@ fn read(request: &Request, bytes: &[u8], axes: &Axes) -> Result<Program, Compens
 /// The joint values that every target means, in the order of the file.
 fn resolved(request: &Request, program: &Program, axes: &Axes) -> Vec<Result<Resolved, Left>> {
     let robot = &request.calibration.model.robot;
-    let mut resolver = Resolver::new(robot, axes, request.start.clone());
+    let mut resolver = Resolver::new(
+        robot,
+        &request.calibration.set_up,
+        axes,
+        request.start.clone(),
+    );
     let nothing = || Err(Left::new(Reason::Ambiguous, String::new()));
     let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
     for k in program.order() {
@@ -181,10 +186,33 @@ fn written(
     let mut edits = Vec::new();
     for (target, result) in program.targets.iter().zip(corrected) {
         if let Ok(written) = result {
-            edits.extend(rewrite::edits(target, robot, &written.corrected));
+            let corrected = &written.corrected;
+            match &target.shape {
+                Shape::Joints { .. } => {
+                    let raw = raw(request.calibration, corrected);
+                    edits.extend(rewrite::edits(target, robot, &raw));
+                }
+                Shape::Pose(_) => edits.extend(rewrite::edits(target, robot, corrected)),
+            }
         }
     }
     rewrite::applied(request.bytes, edits)
+}
+
+/// Joint values of the model as the controller takes them, rad or mm.
+fn raw(calibration: &Calibration, q: &[f64]) -> Vec<f64> {
+    let mut raw = q.to_vec();
+    calibration
+        .set_up
+        .to_raw(&calibration.model.robot, &mut raw);
+    raw
+}
+
+/// What is said of a target is in the values of the file.
+fn as_in_the_file(calibration: &Calibration, mut written: Written) -> Written {
+    written.commanded = raw(calibration, &written.commanded);
+    written.corrected = raw(calibration, &written.corrected);
+    written
 }
 
 /// Reads what was written, and compares it with what was meant.
@@ -214,7 +242,8 @@ fn read_back(
         };
         let off = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
-                let values = numbers.iter().zip(inner).zip(&written.corrected);
+                let meant = raw(request.calibration, &written.corrected);
+                let values = numbers.iter().zip(inner).zip(&meant);
                 let off = values.map(|((number, inner), q)| (number.value * inner - q).abs());
                 off.fold(0.0, f64::max)
             }
@@ -238,6 +267,13 @@ fn read_back(
 /// What was assumed, in words.
 fn notes(request: &Request, program: &Program) -> Vec<String> {
     let mut notes = Vec::new();
+    let set_up = &request.calibration.set_up;
+    if set_up.moves_joints() {
+        notes.push(format!(
+            "joint values are read and written as the model's session has them: {}",
+            set_up.says().join(", ")
+        ));
+    }
     let poses = program
         .targets
         .iter()

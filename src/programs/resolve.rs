@@ -6,6 +6,7 @@ use crate::compensation::pose::is_singular;
 use crate::kinematics::configuration::{Statement, turns_of};
 use crate::kinematics::inverse::{Goal, Inverse};
 use crate::kinematics::{JointKind, Pose, Robot};
+use crate::model::SetUp;
 
 use super::answer::{Left, Reason};
 use super::axes::Axes;
@@ -30,6 +31,8 @@ pub(super) struct Resolved {
 /// See the module. Targets have to come in the order in which they are gone to.
 pub(super) struct Resolver<'a> {
     robot: &'a Robot,
+    /// How the file's joint values become those of the model.
+    set_up: &'a SetUp,
     free: Vec<usize>,
     inverse: Inverse<'a>,
     /// Joint values of the target before.
@@ -39,9 +42,19 @@ pub(super) struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    pub(super) fn new(robot: &'a Robot, axes: &Axes, start: Option<Vec<f64>>) -> Self {
+    pub(super) fn new(
+        robot: &'a Robot,
+        set_up: &'a SetUp,
+        axes: &Axes,
+        start: Option<Vec<f64>>,
+    ) -> Self {
+        let start = start.map(|mut q| {
+            set_up.to_model(robot, &mut q);
+            q
+        });
         Self {
             robot,
+            set_up,
             free: axes.free(),
             inverse: Inverse::new(robot, axes.free()),
             before: start,
@@ -56,8 +69,9 @@ impl<'a> Resolver<'a> {
         let (q, pose) = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
                 let values = numbers.iter().zip(inner);
-                let q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
+                let mut q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
                 self.check_limits(&q)?;
+                self.set_up.to_model(self.robot, &mut q);
                 let pose = self.robot.base_from_tool(&q);
                 (q, pose)
             }

@@ -6,6 +6,15 @@
 use super::{Samples, Session, Setups};
 use crate::kinematics::JointKind;
 
+/// What was done to samples in memory since they were read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Corrected {
+    /// The corrections, in the order in which they were made.
+    pub by: Vec<Mend>,
+    /// Hash of the samples as they are in the file.
+    pub raw_hash: String,
+}
+
 /// A change that takes a mistake back.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mend {

@@ -7,6 +7,7 @@
 
 mod arm_hypotheses;
 mod arms;
+mod corrected;
 mod hypotheses;
 mod losses;
 mod read_back;
@@ -89,10 +90,7 @@ pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
         mended = Cow::Owned(brought_up);
     }
     mislocked(&mended, joint_values, &mut problems);
-    Mended {
-        session: mended,
-        problems,
-    }
+    Mended::new(session, mended, problems)
 }
 
 /// The gross mistakes alone, for an identification: a robot with several joints is identified without
@@ -101,10 +99,8 @@ pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_
     let mut problems = Vec::new();
     if base_model::is_arm(session) {
         let better = arms::corrected(session, joint_values, &mut problems);
-        return Mended {
-            session: better.map_or(Cow::Borrowed(session), Cow::Owned),
-            problems,
-        };
+        let better = better.map_or(Cow::Borrowed(session), Cow::Owned);
+        return Mended::new(session, better, problems);
     }
     problems.extend(gross_blunder(session, joint_values).map(|found| found.1));
     Mended {

@@ -14,6 +14,7 @@ mod curve;
 mod exact;
 mod read;
 mod rest;
+mod set_up;
 mod term;
 
 pub(crate) use term::term;
