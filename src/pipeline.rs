@@ -24,7 +24,7 @@ use std::borrow::Cow;
 
 use crate::answers::identification::FULL_MODEL;
 use crate::compensation::decision::{Fitted, Measured};
-use crate::compensation::{Verification, VerifyError};
+use crate::compensation::{NotHandedOut, Verification, VerifyError};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find};
@@ -32,10 +32,10 @@ use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
 };
 use crate::fonts::Library;
-use crate::model::{Calibration, GapStep};
+use crate::model::{Calibration, GapStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
-use crate::sessions::{Session, hash_of_samples};
+use crate::sessions::{Mend, Session};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 use crate::standards::Standards;
 
@@ -117,6 +117,11 @@ pub fn identify_unless(
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if values == JointValues::Read {
+        let made = calibration.set_up.of_samples().iter();
+        let made = made.chain(calibration.set_up.corrections()).cloned();
+        calibration.set_up = SetUp::new(made.chain([Mend::TakeReadBack]));
+    }
     if let Method::Exact {
         effects,
         with,
@@ -174,9 +179,7 @@ pub fn identify_checked(
             problems: Vec::new(),
         },
     };
-    let (identification, mut calibration) = identify(&checked.session, method, values)?;
-    // The model came from the file as it is.
-    calibration.samples_hash = hash_of_samples(session);
+    let (identification, calibration) = identify(&checked.session, method, values)?;
     Ok(Identified {
         identification,
         calibration,
@@ -205,6 +208,15 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     crate::compensation::verify(calibration, &*session.whole()?)
 }
 
+/// The document of a model, from the raw session that it came from: the one way in which a model leaves the program.
+///
+/// # Errors
+/// See [`NotHandedOut`].
+pub fn hand_out(calibration: &Calibration, session: &Session) -> Result<String, NotHandedOut> {
+    let session = session.whole().map_err(VerifyError::from)?;
+    crate::compensation::hand_out(calibration, &session)
+}
+
 /// Accuracy and repeatability as ISO 230-2 and ISO 9283 have them, as measured and with the model's
 /// corrections where there is one.
 ///
@@ -226,6 +238,16 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
         let unknown = format!("no format is called '{format}'");
         return Err(ExportError::Refused(unknown));
     };
+    let set_up = &job.calibration.set_up;
+    if format.rules.is_none() && set_up.moves_joints() {
+        return Err(ExportError::Refused(format!(
+            "{} holds joint values as the robot's description has them, and the controller of the model's session \
+             has them otherwise ({}): correct the controller or the description, identify again and export \
+             that model",
+            format.title,
+            set_up.says().join(", ")
+        )));
+    }
     format.exporter.export(job)
 }
 
@@ -263,7 +285,7 @@ pub fn report_of_diagnosis(
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
     let mended = mend(session, options.joint_values).session;
-    let all_found = found.calibration(&mended);
+    let all_found = found.calibration(session);
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
         session: &mended,
@@ -271,7 +293,7 @@ pub fn report_of_diagnosis(
         found,
         all_found: &all_found,
         in_use,
-        verification: verify(calibration, &mended)?,
+        verification: verify(calibration, session)?,
         standards: standards(&mended, Some(calibration)),
     };
     Report::of_session(&evidence, extras)

@@ -3,7 +3,7 @@
 use crate::effects::curve::Curve;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::model::shapes::{Shape, Where};
-use crate::model::{Calibration, GapStep, Model};
+use crate::model::{Calibration, GapStep, Model, SetUp};
 use crate::sessions::{Mend, Session};
 
 use super::identification::{Estimate, Identification, Outlier};
@@ -218,6 +218,9 @@ pub struct Diagnosis {
     pub identification: Identification,
     /// The gap step by step.
     pub history: Vec<GapStep>,
+    /// Corrections of the session's set-up, after which everything else here is; its poses to measure next
+    /// are as the controller takes them.
+    pub set_up: SetUp,
 }
 
 impl Diagnosis {
@@ -247,11 +250,13 @@ impl Diagnosis {
                 held_out_mm: Some(correction.held_out_mm[1]),
             });
         }
-        let inputs = Inputs::new(session, JointValues::Commanded);
+        let read = self.set_up.applied(session, true);
+        let inputs = Inputs::new(&read, JointValues::Commanded);
         Calibration {
             model,
             history,
-            ..self.identification.calibration(session, &inputs)
+            set_up: self.set_up.clone(),
+            ..self.identification.calibration(&read, &inputs)
         }
     }
 }

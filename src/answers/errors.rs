@@ -1,5 +1,8 @@
 //! Sizes of errors: over samples, levels of correction, and the range of a robot.
 
+pub use super::rms_error::Spread;
+use super::rms_error::rms_error;
+
 /// One level of correction and the errors that it leaves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
@@ -36,7 +39,7 @@ impl Errors {
         let count = n as f64;
         Some(Self {
             mean_mm: lengths_mm.iter().sum::<f64>() / count,
-            rms_mm: (lengths_mm.iter().map(|l| l * l).sum::<f64>() / count).sqrt(),
+            rms_mm: rms_error(lengths_mm.iter().copied())?,
             p95_mm: lengths_mm[(n * 95).div_ceil(100).clamp(1, n) - 1],
             max_mm,
         })
@@ -65,43 +68,6 @@ impl Expected {
 
 /// So many times the uncertainty at the measured poses is poor.
 const POORLY: f64 = 3.0;
-
-/// Root mean square and largest of some lengths; `None` where there is none.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Spread {
-    /// Root mean square, without suspected outliers, mm.
-    pub rms_mm: f64,
-    /// Largest, suspected outliers included, mm.
-    pub max_mm: f64,
-}
-
-impl Spread {
-    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only.
-    pub fn of(
-        lengths_mm: &[f64],
-        counts: impl Fn(usize) -> bool,
-        outlier: impl Fn(usize) -> bool,
-    ) -> Option<Self> {
-        let (mut sum, mut n, mut max_mm) = (0.0, 0_usize, None);
-        for (i, length) in lengths_mm.iter().enumerate() {
-            if length.is_nan() || !counts(i) {
-                continue;
-            }
-            max_mm = Some(length.max(max_mm.unwrap_or(0.0)));
-            if !outlier(i) {
-                sum += length * length;
-                n += 1;
-            }
-        }
-        let max_mm = max_mm?;
-        let rms_mm = if n > 0 {
-            (sum / n as f64).sqrt()
-        } else {
-            max_mm
-        };
-        Some(Self { rms_mm, max_mm })
-    }
-}
 
 named! {
     /// Why a sample cannot take part at all.

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use crate::effects::term::setting_quantity;
 use crate::effects::{Effect, Inputs, find, form_with};
 use crate::kinematics::Range;
-use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
+use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 
@@ -214,6 +214,13 @@ impl Identification {
         })
     }
 
+    /// Samples that were set aside as suspected outliers, in the order of the session.
+    fn set_aside(&self) -> Vec<usize> {
+        let mut samples: Vec<usize> = self.outliers.iter().map(|o| o.sample).collect();
+        samples.sort_unstable();
+        samples
+    }
+
     /// The calibration that goes with this answer, to be saved and exported.
     pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
         let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {
@@ -231,6 +238,9 @@ impl Identification {
             load_kg: inputs.load_kg.as_deref().map(extent),
             tolerance_mm: session.tolerance_mm,
             compensated_by: session.compensated_by.clone(),
+            set_up: SetUp::new(session.samples.corrected.iter().flat_map(|c| c.by.clone())),
+            conditions: conditions_of(session),
+            set_aside: Some(self.set_aside()),
             history: vec![
                 step("nominal robot", |g| g.before),
                 step(&self.identified_by(), |g| g.after),
@@ -238,6 +248,18 @@ impl Identification {
             samples_hash: crate::sessions::hash_of_samples(session),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
         }
+    }
+}
+
+/// The conditions that a session's samples cover.
+fn conditions_of(session: &Session) -> Conditions {
+    let range = |column: &Option<Vec<f64>>| {
+        let [from, to] = extent(column.iter().flatten());
+        (from <= to).then_some(Range { from, to })
+    };
+    Conditions {
+        load_kg: range(&session.samples.load_kg),
+        temperature_c: range(&session.samples.temperature_c),
     }
 }
 

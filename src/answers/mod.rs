@@ -8,3 +8,4 @@ pub(crate) mod identification;
 pub(crate) mod limits;
 pub(crate) mod noise;
 pub(crate) mod pose;
+pub(crate) mod rms_error;

@@ -1,5 +1,19 @@
 //! A pose that is worth measuring next, with its conditions.
 
+use crate::kinematics::Robot;
+use crate::model::SetUp;
+
+/// Brings poses from the convention of a model into that of the controller.
+pub(crate) fn to_raw(poses: &mut [NextPose], set_up: &SetUp, robot: &Robot) {
+    for pose in poses {
+        set_up.to_raw(robot, &mut pose.q);
+        set_up.signs_to_raw(&mut pose.dir);
+        if let Some(speed) = &mut pose.speed {
+            set_up.signs_to_raw(speed);
+        }
+    }
+}
+
 /// A pose to measure and its conditions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextPose {

@@ -155,7 +155,7 @@ impl Diagnose {
         let session = &loaded.session;
         let (answer, start) = asked.of(session, &|_| true)?;
         if let Some(out) = &self.out {
-            let text = pipeline::write_model(&answer.calibration(session));
+            let text = pipeline::hand_out(&answer.calibration(session), session)?;
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
@@ -418,6 +418,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
     if let Some(unnamed) = &d.unnamed {
         let _ = writeln!(text, "unnamed: {}", unnamed.says());
     }
+    text.push_str(&super::levels::expected_in_words(&d.identification));
     match &d.unexplained.correction {
         None => {}
         Some(Ok(correction)) => {

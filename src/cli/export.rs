@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use serde_json::json;
 
 use crate::export::{
-    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gap_after_export,
+    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gaps_of_export,
 };
 use crate::kinematics::DhConvention;
 use crate::pipeline;
@@ -33,7 +33,7 @@ pub(crate) struct Export {
     /// Step of the table in degrees or mm; without it the step is chosen
     #[arg(long, value_name = "DEG")]
     step: Option<f64>,
-    /// Also say what the written table leaves of this session's gap
+    /// Also say what the written table leaves of this session's RMS error, and refuse one that makes it worse
     #[arg(long, value_name = "SESSION")]
     session: Option<PathBuf>,
     /// Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the
@@ -108,8 +108,17 @@ impl Export {
             let loaded = output::session(path)?;
             inputs.extend(loaded.files);
             let session = loaded.session;
-            notes.push(match gap_after_export(&calibration, &session, &export) {
-                Some(gap) => format!(
+            notes.push(match gaps_of_export(&calibration, &session, &export) {
+                Some([before, after]) if after.rms_mm > before.rms_mm => {
+                    return Err(Failure::WrongInput(format!(
+                        "with this {} the RMS error of '{}' would rise from {:.6} to {:.6} mm: nothing is written",
+                        if export.reads_as.is_some() { "table" } else { "description of the robot" },
+                        session.name,
+                        before.rms_mm,
+                        after.rms_mm
+                    )));
+                }
+                Some([_, gap]) => format!(
                     "of '{}' it leaves an RMS error of {:.6} mm (largest {:.6})",
                     session.name, gap.rms_mm, gap.max_mm
                 ),

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use crate::atomic::WriteError;
+use crate::compensation::NotHandedOut;
 use crate::diagnostic::Rejected;
 use crate::fit::IdentifyError;
 
@@ -56,6 +57,12 @@ impl From<Rejected> for Failure {
 impl From<IdentifyError> for Failure {
     fn from(error: IdentifyError) -> Self {
         Self::WrongInput(error.to_string())
+    }
+}
+
+impl From<NotHandedOut> for Failure {
+    fn from(error: NotHandedOut) -> Self {
+        Self::Failed(error.into())
     }
 }
 

@@ -27,6 +27,13 @@ pub(super) fn in_words(answer: &Identification) -> String {
         }
         text += &format!("\n{}", table.aligned(0));
     }
+    text + &expected_in_words(answer)
+}
+
+/// The error that the model is expected to make over the joint ranges, where that is known; and where the
+/// measured poses show little.
+pub(super) fn expected_in_words(answer: &Identification) -> String {
+    let mut text = String::new();
     if let Some(e) = &answer.expected {
         let _ = writeln!(
             text,

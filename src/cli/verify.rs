@@ -43,6 +43,24 @@ fn in_words(v: &Verification) -> String {
         "RMS error, nominal robot  {:.6} mm (largest {:.6})\nRMS error, model          {:.6} mm (largest {:.6})\n",
         v.nominal.rms_mm, v.nominal.max_mm, v.model.rms_mm, v.model.max_mm
     );
+    if let Some(trimmed) = &v.trimmed {
+        text += &format!(
+            "without suspected ones    {:.6} mm with the model, {} of {} samples set aside\n",
+            trimmed.model_mm, trimmed.set_aside, v.samples
+        );
+    }
+    if let Some(unseen) = &v.held_out {
+        text += &format!(
+            "held-out samples          {:.6} mm nominal, {:.6} mm with the model, of {} samples apart\n",
+            unseen.nominal_mm, unseen.model_mm, unseen.samples
+        );
+    }
+    for problem in &v.data_problems {
+        text += &format!(
+            "data problem: {}\n  evidence: {}\n  proposal: {}\n",
+            problem.what, problem.evidence, problem.proposal
+        );
+    }
     if let Some(within) = &v.within_tolerance {
         text += &format!(
             "within the tolerance      {} of {} before, {} with the model\n",

@@ -21,6 +21,16 @@ pub enum Side {
 }
 
 impl Side {
+    /// The side from which a joint comes that counts the other way.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        match self {
+            Self::Forward => Self::Reverse,
+            Self::Reverse => Self::Forward,
+            Self::Unknown => Self::Unknown,
+        }
+    }
+
     /// +1, −1 or 0.
     pub fn sign(self) -> f64 {
         match self {

@@ -27,7 +27,9 @@
 
 mod carried_over;
 pub(crate) mod conditions;
+mod conventions;
 pub mod decision;
+mod hand_out;
 pub(crate) mod interpolation;
 pub(crate) mod inverse;
 mod observed;
@@ -35,13 +37,17 @@ pub(crate) mod plan;
 pub(crate) mod pose;
 pub(crate) mod regional;
 pub(crate) mod remainder;
+mod set_aside;
 pub(crate) mod table;
 pub(crate) mod verification;
 
 pub use conditions::{Conditions, Side};
+pub use hand_out::{NotHandedOut, hand_out};
 pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;
 pub use remainder::{Remainder, Share};
 pub use table::{JointTable, TableError};
-pub use verification::{Compensated, Verification, VerifyError, WithinTolerance, verify};
+pub use verification::{
+    Compensated, HeldOutErrors, Trimmed, Verification, VerifyError, WithinTolerance, verify,
+};

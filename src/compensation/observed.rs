@@ -9,10 +9,14 @@ use crate::fit::base_model;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
+use crate::observations::figures::apart_beside;
 use crate::observations::{Layer, start};
-use crate::sessions::Session;
+use crate::sessions::{Session, hash_of_samples};
 
-use super::verification::{Verification, VerifyError, WithinTolerance, model_for};
+use super::set_aside;
+use super::verification::{
+    Trimmed, Verification, VerifyError, WithinTolerance, counted, held_out, held_out_of, model_for,
+};
 
 /// Compares a session that has more than points with a calibration of the same robot.
 pub(super) fn verify(
@@ -21,7 +25,9 @@ pub(super) fn verify(
     mut notes: Vec<String>,
 ) -> Result<Verification, VerifyError> {
     let mut problem = Problem::observing(session, JointValues::Commanded);
-    problem.fit.clone_from(&problem.usable);
+    let own = hash_of_samples(session) == calibration.samples_hash;
+    let apart = held_out_of(&problem, own);
+    problem.fit = counted(&problem, &apart);
     let full = model_for(calibration, session, &problem, &mut notes);
     let bare = base_model::nominal(&calibration.model.robot, session, &problem);
     let Some(layer) = problem.observed.as_mut() else {
@@ -33,10 +39,20 @@ pub(super) fn verify(
     let nominal = self::placed(layer, &bare, session, None);
     let before = deviations(&problem, &nominal);
     let after = deviations(&problem, &placed);
-    let spread = |lengths: &[f64]| Spread::of(lengths, |i| problem.usable[i], |_| false);
+    let counts = |i: usize| problem.fit[i];
+    let suspected = set_aside::of_its_own(calibration, own, problem.usable.len());
+    let suspected = suspected.unwrap_or_else(|| {
+        problem.observed.as_ref().map_or_else(Vec::new, |layer| {
+            layer.samples_with(&apart_beside(layer, &placed))
+        })
+    });
+    let spread = |lengths: &[f64]| Spread::of(lengths, counts, |_| false);
     let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.usable.iter().filter(|u| **u).count();
-    let within = |lengths: &[f64], mm: f64| lengths.iter().filter(|l| **l <= mm).count();
+    let samples = problem.fit.iter().filter(|u| **u).count();
+    let within = |lengths: &[f64], mm: f64| {
+        let lengths = lengths.iter().zip(&problem.fit);
+        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
+    };
     Ok(Verification {
         session: session.name.clone(),
         samples,
@@ -48,9 +64,14 @@ pub(super) fn verify(
             of: samples,
         }),
         compensated: None,
+        held_out: held_out(&apart, &before, &after),
+        trimmed: Trimmed::of(&after.length_mm, counts, &suspected),
+        data_problems: set_aside::findings(session, &after.length_mm, counts, &suspected),
         before,
         after,
-        outliers: Vec::new(),
+        outliers: (0..suspected.len())
+            .filter(|i| counts(*i) && suspected[*i])
+            .collect(),
         notes,
     })
 }

@@ -15,7 +15,7 @@ use crate::effects::term::JointFrame;
 use crate::effects::{Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
-use crate::model::{Calibration, Model};
+use crate::model::{Calibration, Model, RawJoint};
 use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
@@ -37,6 +37,16 @@ pub enum TableError {
          what is left, and a table made from it would lack what that one does; measure without a table"
     )]
     AlreadyCompensated(String),
+    /// The controller counts the joint in a way that a table cannot.
+    #[error(
+        "no table for joint {joint}: in the session {why}, and the model corrected that; correct it in the          controller or in the session, identify again and make the table from that model"
+    )]
+    Conventions {
+        /// The joint, counted from 1.
+        joint: usize,
+        /// What was corrected.
+        why: String,
+    },
     /// A joint that the robot does not have.
     #[error("joint {joint}: the robot has {joints}")]
     NoSuchJoint {
@@ -113,7 +123,9 @@ impl JointTable {
             });
         };
         let mut notes = Vec::new();
+        let raw = raw_joint(calibration, joint)?;
         let measured = *calibration.measured.get(joint).ok_or(TableError::NoRange)?;
+        let measured = in_raw_values(measured, raw);
         let travel = axis.limits.unwrap_or(measured);
         if axis.limits.is_none() {
             notes.push("the joint has no limits: the table covers the measured range".to_owned());
@@ -123,15 +135,36 @@ impl JointTable {
         let held: Vec<f64> = grid
             .inner(axis.kind)
             .iter()
-            .map(|q| q.max(measured.from).min(measured.to))
+            .map(|q| raw.to_model(q.max(measured.from).min(measured.to)))
             .collect();
-        let column = |side| {
-            if joints == 1 {
+        let column = |side: Side| {
+            let side = if raw.sign < 0.0 {
+                side.reversed()
+            } else {
+                side
+            };
+            let of_model = if joints == 1 {
                 whole_correction(calibration, &held, side, &conditions)
             } else {
                 own_correction(calibration, joint, &held, side, &conditions)
-            }
+            };
+            let signed = of_model.into_iter().map(|by| raw.sign * by);
+            signed.collect::<Vec<f64>>()
         };
+        if !raw.is_plain() {
+            let outer = axis.kind.outer(raw.at_zero);
+            let sign = if raw.sign < 0.0 {
+                "the other way"
+            } else {
+                "the same way"
+            };
+            notes.push(format!(
+                "commands and corrections are the controller's: it counts joint {} {sign} as the model, whose \
+                 value is {outer:.3}{} where the controller's is 0",
+                joint + 1,
+                axis.kind.sign(),
+            ));
+        }
         let (forward, reverse) = (column(Side::Forward), column(Side::Reverse));
         let mut table = Self {
             joint,
@@ -210,6 +243,14 @@ impl JointTable {
             }
         }
         notes.extend(unexplained_part(calibration, self.joint));
+        let mut own = calibration.model.terms().iter();
+        if own.any(|t| t.rest().is_some()) {
+            notes.push(
+                "what the model predicts without a name follows several joints and is not in this \
+                 table"
+                    .to_owned(),
+            );
+        }
         if !calibration.regions.is_empty() {
             notes.push(
                 "the correction jumps at the boundaries of the regions; between two entries the \
@@ -218,6 +259,25 @@ impl JointTable {
             );
         }
         self.notes.extend(notes);
+    }
+}
+
+/// How the controller counts a joint.
+fn raw_joint(calibration: &Calibration, joint: usize) -> Result<RawJoint, TableError> {
+    let joint_number = joint + 1;
+    let why = |why| TableError::Conventions {
+        joint: joint_number,
+        why,
+    };
+    calibration.set_up.raw_joint(joint).map_err(why)
+}
+
+/// A range of the model's values as the controller counts them.
+fn in_raw_values(range: Range, raw: RawJoint) -> Range {
+    let (a, b) = (raw.to_raw(range.from), raw.to_raw(range.to));
+    Range {
+        from: a.min(b),
+        to: a.max(b),
     }
 }
 
@@ -359,7 +419,8 @@ fn own_correction(
     conditions: &Conditions,
 ) -> Vec<f64> {
     let robot = &calibration.model.robot;
-    let own = own_effects(&calibration.model, joint);
+    // A table over one joint does not hold what predicts without a name and follows several.
+    let own = own_effects(&calibration.model.with_geometry_alone(), joint);
     let frame = JointFrame::new(robot, joint);
     let columns = (0..robot.joints.len()).map(|j| {
         if j == joint {

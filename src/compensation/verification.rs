@@ -17,8 +17,10 @@
 //! knows by its name stands where the model says; for another one the frame is fitted, and that is said.
 //! So is the tool's position in a session with another tool or other targets: joints and links carry over.
 //!
-//! Suspected outliers count in the largest values and not in the root mean squares. For the
-//! paper's method everything is in the plane of motion; z is not used.
+//! Every RMS error is over all samples, suspected outliers among them; beside it stands what is left without
+//! those, with their number, and where they are many or belong together that is a problem of the data. Of the
+//! session that the model came from the held-out samples are apart. For the paper's method everything is in
+//! the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term};
 use crate::fit::base_model;
@@ -31,10 +33,13 @@ use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
 
+use crate::answers::diagnosis::DataProblem;
+
 use super::carried_over::carried_over;
 use super::conditions::Conditions;
 use super::plan::Compensation;
 use super::remainder::left_over;
+use super::set_aside;
 
 /// Numbers of poses within the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +61,43 @@ pub struct Compensated {
     pub cannot_be_removed_by_joints_mm: f64,
 }
 
+/// The error that is left without the samples that are suspected outliers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trimmed {
+    /// RMS error of the model, mm.
+    pub model_mm: f64,
+    /// So many samples were set aside.
+    pub set_aside: usize,
+}
+
+impl Trimmed {
+    /// Of the lengths that count, mm; `None` where nothing is suspected.
+    pub(super) fn of(
+        lengths_mm: &[f64],
+        counts: impl Fn(usize) -> bool,
+        suspected: &[bool],
+    ) -> Option<Self> {
+        let is_set_aside = |i: &usize| counts(*i) && suspected[*i];
+        let set_aside = (0..lengths_mm.len()).filter(is_set_aside).count();
+        let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+        (set_aside > 0).then(|| Self {
+            model_mm: left.map_or(f64::NAN, |left| left.rms_mm),
+            set_aside,
+        })
+    }
+}
+
+/// RMS errors of samples that no fit has seen, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeldOutErrors {
+    /// How many there are.
+    pub samples: usize,
+    /// Nominal robot.
+    pub nominal_mm: f64,
+    /// Model.
+    pub model_mm: f64,
+}
+
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
@@ -75,6 +117,13 @@ pub struct Verification {
     pub before: Deviations,
     /// Measured − model, sample by sample.
     pub after: Deviations,
+    /// RMS errors of the held-out samples of the session that the model came from, which are in none of the
+    /// above; `None` of any other session, all of whose samples are unseen.
+    pub held_out: Option<HeldOutErrors>,
+    /// The same without suspected outliers; `None` where there are none.
+    pub trimmed: Option<Trimmed>,
+    /// Suspected outliers that are too many to be set aside, or that belong together.
+    pub data_problems: Vec<DataProblem>,
     /// Suspected outliers, counted from 0.
     pub outliers: Vec<usize>,
     /// What else there is to say.
@@ -107,12 +156,24 @@ pub enum VerifyError {
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    let mut notes = same_robot(calibration, session)?;
-    if !session.samples.observed.is_empty() {
+    let notes = same_robot(calibration, session)?;
+    super::conventions::verified(calibration, session, &notes)
+}
+
+/// The same of a session whose raw values are the model's.
+pub(super) fn verify_as_read(
+    calibration: &Calibration,
+    session: &Session,
+    mut notes: Vec<String>,
+) -> Result<Verification, VerifyError> {
+    let samples = &session.samples;
+    if !samples.observed.is_empty() || !samples.partly_measured().is_empty() {
         return super::observed::verify(calibration, session, notes);
     }
     let mut problem = Problem::new(session, JointValues::Commanded);
-    problem.fit.clone_from(&problem.usable);
+    let own = hash_of_samples(session) == calibration.samples_hash;
+    let apart = held_out_of(&problem, own);
+    problem.fit = counted(&problem, &apart);
     let by = model_hash(calibration);
     let carried = carried_over(calibration, session, &problem, |carried| {
         model_for(carried, session, &problem, &mut Vec::new())
@@ -131,8 +192,9 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     let model = where_the_model_is(&compensation, &full, inputs, applied.as_deref());
     let before = measured_minus(session, &problem, &compensation, |i| nominal.get(i));
     let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
-    let outlier = suspects(&problem, &after);
-    let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.usable[i], |i| outlier[i]);
+    let outlier = set_aside::of_its_own(calibration, own, problem.usable.len())
+        .unwrap_or_else(|| suspects(&problem, &after));
+    let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.fit[i], |_| false);
     let compensated = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
         let moved = moved(&compensation, inputs, &model);
@@ -143,15 +205,19 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
             .iter()
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
             .collect();
-        let stays = Spread::of(&left, |i| problem.usable[i], |_| false);
+        let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
         spread(&with_table).map(|gap| Compensated {
             gap,
             cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
         })
     });
     let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.usable.iter().filter(|u| **u).count();
-    let within = |d: &Deviations, mm: f64| d.length_mm.iter().filter(|l| **l <= mm).count();
+    let samples = problem.fit.iter().filter(|u| **u).count();
+    let within = |d: &Deviations, mm: f64| {
+        let lengths = d.length_mm.iter().zip(&problem.fit);
+        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
+    };
+    let counts = |i: usize| problem.fit[i];
     Ok(Verification {
         session: session.name.clone(),
         samples,
@@ -163,10 +229,48 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
             of: samples,
         }),
         compensated: compensated.flatten(),
+        held_out: held_out(&apart, &before, &after),
+        trimmed: Trimmed::of(&after.length_mm, counts, &outlier),
+        data_problems: set_aside::findings(session, &after.length_mm, counts, &outlier),
         before,
         after,
-        outliers: (0..outlier.len()).filter(|i| outlier[*i]).collect(),
+        outliers: (0..outlier.len())
+            .filter(|i| counts(*i) && outlier[*i])
+            .collect(),
         notes,
+    })
+}
+
+/// Samples that the session that a model came from holds out.
+pub(super) fn held_out_of(problem: &Problem, own: bool) -> Vec<bool> {
+    let held_out = problem.session.samples.held_out.as_deref();
+    let is_apart = |i: usize| own && problem.usable[i] && held_out.is_some_and(|h| h[i]);
+    (0..problem.usable.len()).map(is_apart).collect()
+}
+
+/// Samples that the figures are taken over: every one that can be used, of the session that a model came from
+/// those that may be fitted. Where that leaves none, all.
+pub(super) fn counted(problem: &Problem, apart: &[bool]) -> Vec<bool> {
+    let pairs = problem.usable.iter().zip(apart);
+    let counted: Vec<bool> = pairs.map(|(usable, apart)| *usable && !apart).collect();
+    if counted.contains(&true) {
+        counted
+    } else {
+        problem.usable.clone()
+    }
+}
+
+/// Errors of the samples that are held out.
+pub(super) fn held_out(
+    apart: &[bool],
+    before: &Deviations,
+    after: &Deviations,
+) -> Option<HeldOutErrors> {
+    let rms = |d: &Deviations| Spread::of(&d.length_mm, |i| apart[i], |_| false);
+    Some(HeldOutErrors {
+        samples: apart.iter().filter(|apart| **apart).count(),
+        nominal_mm: rms(before)?.rms_mm,
+        model_mm: rms(after)?.rms_mm,
     })
 }
 
@@ -208,14 +312,24 @@ fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Pos
     reached
 }
 
-/// The gap that a table leaves on a session, `correction` being what the controller adds for a
-/// sample of this command (rad or mm) and side of one joint. The other joints go uncorrected.
+/// Samples that a question about a whole session is asked of: without excluded ones.
+fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
+    let usable = problem.usable.clone();
+    move |i| usable[i]
+}
+
+/// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
+/// sample of this command and side of one joint, all as the controller counts them (rad or mm). The other
+/// joints go uncorrected.
 pub(crate) fn gap_with_table(
     calibration: &Calibration,
     session: &Session,
     joint: usize,
     correction: impl Fn(f64, f64) -> f64,
 ) -> Option<Spread> {
+    let set_up = &calibration.set_up;
+    let session = &*set_up.applied(session, is_own(calibration, session));
+    let robot = &calibration.model.robot;
     let problem = Problem::new(session, JointValues::Commanded);
     let inputs = &problem.inputs;
     let compensation = Compensation::new(calibration);
@@ -223,17 +337,31 @@ pub(crate) fn gap_with_table(
     let mut ignored = Vec::new();
     let full = model_for(calibration, session, &problem, &mut ignored);
     let model = where_the_model_is(&compensation, &full, inputs, None);
-    let side = |i: usize| inputs.dir[joint].as_ref().map_or(0.0, |dir| dir[i]);
     let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
-    for (i, c) in corrections[joint].iter_mut().enumerate() {
-        *c = correction(inputs.q[joint][i], side(i));
+    let mut sides = vec![0.0; inputs.q.len()];
+    for i in 0..inputs.len() {
+        let of_model: Vec<f64> = inputs.q.iter().map(|q| q[i]).collect();
+        let mut told = of_model.clone();
+        set_up.to_raw(robot, &mut told);
+        for (side, dir) in sides.iter_mut().zip(&inputs.dir) {
+            *side = dir.as_ref().map_or(0.0, |dir| dir[i]);
+        }
+        set_up.signs_to_raw(&mut sides);
+        told[joint] += correction(told[joint], sides[joint]);
+        set_up.to_model(robot, &mut told);
+        for ((all, told), was) in corrections.iter_mut().zip(told).zip(of_model) {
+            all[i] = told - was;
+        }
     }
     let reached = compensation.reached(inputs, &corrections);
     let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
     let left = measured_minus(session, &problem, &compensation, expected);
-    let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
-    let outlier = suspects(&problem, &after);
-    Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
+
+/// The RMS error of the same session without a table.
+pub(crate) fn gap_without_table(calibration: &Calibration, session: &Session) -> Option<Spread> {
+    gap_with_table(calibration, session, 0, |_, _| 0.0)
 }
 
 /// The gap to another description of the robot, the instrument's own effects being left to it.
@@ -242,6 +370,9 @@ pub(crate) fn gap_to_robot(
     session: &Session,
     robot: &crate::kinematics::Robot,
 ) -> Option<Spread> {
+    let session = &*calibration
+        .set_up
+        .applied(session, is_own(calibration, session));
     let problem = Problem::new(session, JointValues::Commanded);
     let inputs = &problem.inputs;
     let compensation = Compensation::new(calibration);
@@ -258,9 +389,12 @@ pub(crate) fn gap_to_robot(
     let there = Model::nominal(robot.clone()).predict(&inputs_there);
     let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
     let left = measured_minus(session, &problem, &compensation, expected);
-    let after = measured_minus(session, &problem, &compensation, |i| full.get(i));
-    let outlier = suspects(&problem, &after);
-    Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
+
+/// Whether the model came from these samples.
+pub(super) fn is_own(calibration: &Calibration, session: &Session) -> bool {
+    hash_of_samples(session) == calibration.samples_hash
 }
 
 fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String>, VerifyError> {

@@ -11,6 +11,7 @@
 //! What the plan claims is checked on the session as it would be with the poses measured
 //! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
 
+use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::NotTestable;
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
@@ -20,7 +21,7 @@ use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
 use crate::effects::Inputs;
 use crate::effects::find;
 use crate::kinematics::Robot;
-use crate::model::Model;
+use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
 use crate::sessions::{Session, Target};
 
@@ -70,6 +71,7 @@ pub fn plan_session(
         let sigma_mm = sigma_mm.unwrap_or(KINDS[0].about().usual_sigma);
         let mut plan = empty(sigma_mm);
         add_geometry(&mut plan, session, options)?;
+        poses_to_raw(&mut plan, session);
         return Ok(plan);
     }
     let (prepared, found) = searched(session, &options.diagnosis, watch)?;
@@ -113,7 +115,18 @@ pub fn plan_session(
     let (cannot, enables): (Vec<Untestable>, Vec<Untestable>) =
         untestable_now.into_iter().partition(still);
     (plan.cannot, plan.enables) = (cannot, enables);
+    poses_to_raw(&mut plan, session);
     Ok(plan)
+}
+
+/// Brings the poses of a plan into the controller's convention, where the session's set-up was corrected.
+fn poses_to_raw(plan: &mut Plan, session: &Session) {
+    let made = session.samples.corrected.iter();
+    let set_up = SetUp::new(made.flat_map(|corrected| corrected.by.clone()));
+    to_raw(&mut plan.poses, &set_up, &session.robot);
+    if let Some(separation) = &mut plan.separation {
+        to_raw(&mut separation.poses, &set_up, &session.robot);
+    }
 }
 
 /// Whether there are several joints; options that others have no use for are refused.

@@ -3,38 +3,39 @@
 
 use std::borrow::Cow;
 
-use crate::effects::Term;
+use crate::effects::{JointValues, Term};
+use crate::fit::base_model;
+use crate::fit::expected::expected_error;
 use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
-use crate::model::GapStep;
+use crate::model::{GapStep, SetUp};
 use crate::observations::KINDS;
 use crate::observations::figures::{KindFigures, apart_beside};
-use crate::sessions::Session;
+use crate::sessions::{Mend, Session};
 
 use super::aliases;
 use super::candidates::NotTestable;
-use super::final_set::{is_above, stands_above, worth};
+use super::final_set::{is_above, stands_above};
 use super::floor::floor;
+use super::handed_out;
 use super::limits;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::remainder::unexplained;
 use super::search::CHANCE;
 use super::search::Found as SearchEnd;
-use super::selection::Selection;
-use super::significance::Significance;
 use super::smooth;
 use super::steps::{Step, found, steps};
 use super::testable::not_testable;
 use super::unnamed;
 use super::unseen::held_out;
-use super::values::Values;
+use super::values::{Values, corrected_for_selection};
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
-use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Verdict};
-use crate::answers::pose::NextPose;
+use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained, Verdict};
+use crate::answers::pose::{NextPose, to_raw};
 use crate::set_up_errors::Mended;
 
 /// What stays undecided, for whoever proposes poses.
@@ -100,17 +101,21 @@ pub(crate) fn answer(
         &names
     };
     let nominal = deviations(problem, &prepared.nominal);
-    let mut held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    let mut values = values(
+    let capped = prepared.is_capped(end);
+    let values = values(prepared, problem, [fit, with_shapes], capped);
+    let found_steps = steps(prepared, &base, fit);
+    let order: Vec<Term> = found_steps.iter().map(|step| step.term.clone()).collect();
+    let mut handed_out = handed_out::choose(
         prepared,
         problem,
         [fit, with_shapes],
-        prepared.is_capped(end),
+        &values,
+        &order,
+        capped,
     );
-    let identified = deviations(problem, &prepared.base);
-    let after = deviations(problem, &values.model);
+    let mut held_out = held_out(prepared, &nominal, handed_out.held_out_mm);
     let counts = |i: usize| problem.fit[i];
     let rms = |d: &Deviations| {
         let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
@@ -118,11 +123,13 @@ pub(crate) fn answer(
     };
     let mut gap = Gaps {
         start_mm: rms(&nominal),
-        identified_mm: rms(&identified),
-        end_mm: rms(&after),
+        identified_mm: handed_out.identified_mm,
+        end_mm: handed_out.end_mm,
     };
     let floor = floor(prepared, fit);
-    let steps = steps(prepared, &base, fit);
+    let is_dropped = |term: &Term| handed_out.dropped.iter().any(|d| d.same_column(term));
+    let mut steps = found_steps;
+    steps.retain(|step| !is_dropped(&step.term));
     let mut rivals = aliases::open_rivals(regression, with_shapes);
     // What is likelier and carries itself has taken the place already; what does not is no rival.
     let mut held = 0;
@@ -149,27 +156,45 @@ pub(crate) fn answer(
     } else {
         planner(&undecided)
     };
-    let found = found(prepared, with_shapes, &steps, &floor, &values);
+    let own = &handed_out.values;
+    let set_up = set_up(session, prepared.options().joint_values);
+    let mut next_poses = proposal.poses.clone();
+    to_raw(&mut next_poses, &set_up, &session.robot);
+    let found = found(prepared, with_shapes, &steps, &floor, own);
     let mut unexplained = unexplained(prepared, end, session);
     let mut verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
+    if !handed_out.dropped.is_empty() {
+        tell_dropped(&mut unexplained, &handed_out.dropped, session);
+        verdict = verdict::of(found.is_empty(), unexplained.present);
+    }
     if let Some(why) = regression.work.ended() {
         unexplained.present = true;
         let before = std::mem::take(&mut unexplained.says);
         let apart = if before.is_empty() { "" } else { "; " };
         unexplained.says = format!("{why}{apart}{before}");
-        verdict = match verdict {
-            Verdict::Noise => Verdict::Unexplained,
-            Verdict::Explained => Verdict::PartlyExplained,
-            same => same,
-        };
+        verdict = verdict::of(found.is_empty(), unexplained.present);
     }
     // What predicts without a name joins the model once everything is said of the names.
-    let unnamed = unnamed::add(prepared, fit, &mut values, &mut gap, &mut held_out);
-    unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
-    let history = history(session, &gap, &held_out, &steps);
+    let (names_gap, names_held_out) = (gap, held_out.clone());
+    let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
+    let own = &handed_out.values;
+    unexplained.correction = smooth::asked(prepared, &unexplained, &own.model.settled());
+    let mut history = history(session, &names_gap, &names_held_out, &steps);
+    if unnamed.is_some() {
+        history.push(GapStep {
+            what: "with what predicts without a name".to_owned(),
+            gap_mm: gap.end_mm,
+            held_out_mm: held_out.gaps.map(|g| g.end_mm),
+        });
+    }
     let held = prepared.not_identifiable.clone();
-    let mut identification = values.identification(&prepared.nominal, held);
+    let mut identification = own.identification(&prepared.nominal, held);
     tell_unseen(prepared, fit, &mut identification.kinds);
+    if base_model::is_arm(session) {
+        let covariance = own.covariance.as_ref();
+        identification.expected =
+            covariance.and_then(|c| expected_error(&own.problem, &own.model, c));
+    }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -178,23 +203,24 @@ pub(crate) fn answer(
         floor,
         gap,
         held_out,
-        identified: values.identified(),
+        identified: own.identified(),
         found,
-        equivalent: equivalents(&equivalent, with_shapes, &proposal),
+        equivalent: equivalents(&equivalent, with_shapes, &proposal, is_dropped),
         unexplained,
         unnamed,
         not_testable,
         not_found: limits::limits(regression, with_shapes),
         outliers: identification.outliers.clone(),
         identification,
-        next_poses: proposal.poses,
+        next_poses,
         noise: values
             .problem
             .noise
             .clone()
             .unwrap_or_else(|| regression.noise.clone()),
-        model: values.model.settled(),
+        model: own.model.settled(),
         history,
+        set_up,
     })
 }
 
@@ -213,9 +239,8 @@ fn values<'a>(
     let of_kinds = problem.observed.is_some();
     let without = corrected || (several || of_kinds) && !with_shapes.shapes.is_empty();
     let own = if without { alone } else { with_shapes };
-    let mut values = Values::of(prepared, problem, own, capped || without);
-    correct_for_selection(prepared, with_shapes, &mut values);
-    values
+    let values = Values::of(prepared, problem, own, capped || without);
+    corrected_for_selection(prepared, with_shapes, values)
 }
 
 fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
@@ -234,6 +259,11 @@ fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) ->
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
+    if let (Some(last), false) = (history.last_mut(), steps.is_empty()) {
+        // The steps are those of the search; the last is what is handed out.
+        last.gap_mm = gap.end_mm;
+        last.held_out_mm = held_out.gaps.map(|g| g.end_mm);
+    }
     history
 }
 
@@ -279,11 +309,49 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
     Cow::Owned(all)
 }
 
-fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Vec<Equivalent> {
+/// The set-up corrections that a session had in memory; where its fit starts from the values read back, they
+/// take the place of the commanded ones.
+fn set_up(session: &Session, joint_values: JointValues) -> SetUp {
+    let made = session.samples.corrected.iter();
+    let made = made.flat_map(|corrected| corrected.by.clone());
+    let read = (joint_values == JointValues::Read).then_some(Mend::TakeReadBack);
+    SetUp::new(made.chain(read))
+}
+
+/// Says which names were found and are not handed out.
+fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
+    let names: Vec<String> = dropped
+        .iter()
+        .map(|term| term.name_on(&session.robot))
+        .collect();
+    let says = format!(
+        "the RMS error of the samples, or that of unseen ones, is no smaller with {}, or what it does runs away \
+         over the joint ranges: not handed out",
+        names.join(", ")
+    );
+    unexplained.says = [says, std::mem::take(&mut unexplained.says)]
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join("; ");
+    unexplained.present = true;
+    unexplained.p = unexplained.p.min(CHANCE);
+    unexplained.resembles.extend(names);
+}
+
+fn equivalents(
+    rivals: &[&aliases::Rival],
+    fit: &Fit,
+    proposal: &Proposal,
+    is_dropped: impl Fn(&Term) -> bool,
+) -> Vec<Equivalent> {
     let robot = &fit.model.robot;
     let ids = |terms: &[Term]| -> Vec<String> { terms.iter().map(|t| t.name_on(robot)).collect() };
     let mut all: Vec<Equivalent> = Vec::new();
     for (rival, separate_by) in rivals.iter().zip(&proposal.separate_by) {
+        if rival.removed.iter().any(&is_dropped) {
+            continue;
+        }
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
         let known = all
             .iter()
@@ -300,26 +368,4 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
         });
     }
     all
-}
-
-/// Takes out of every size what its selection adds; see [`super::selection`].
-fn correct_for_selection(prepared: &Prepared, fit: &Fit, values: &mut Values) {
-    let regression = &prepared.regression;
-    let threshold = regression.minus_ln_p_for(CHANCE, fit);
-    let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
-    for term in regression.added(fit) {
-        let rest = worth(prepared, fit, term).rest;
-        let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
-        let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
-        let tried = 0.5 * regression.price_of_term(term);
-        let share = Significance::new(columns, freedom).share_for(threshold + tried);
-        let least = freedom * share / (1.0 - share).max(1e-12);
-        let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
-        if let Some(selection) = Selection::of(gain, least, columns) {
-            values.correct(term, &selection);
-        }
-    }
-    if let Some(before) = before {
-        values.fit_the_geometry_beside(&before);
-    }
 }

@@ -200,8 +200,19 @@ impl Folds {
         .collect()
     }
 
+    /// The same of the fit's model alone, whose shapes are fitted beside it and predict nothing.
+    pub(crate) fn rms_mm_of_the_model(&self, regression: &Regression, fit: &Fit) -> f64 {
+        let columns = fit.model.coefficient_count();
+        self.predicted_by(regression, fit, columns).rms_mm
+    }
+
     /// What is left of samples that the fit has not seen.
     pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
+        self.predicted_by(regression, fit, usize::MAX)
+    }
+
+    /// The same where the first so many columns of the fit predict.
+    fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> Unseen {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
@@ -232,6 +243,7 @@ impl Folds {
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
+        let width = columns.min(all.raw.ncols());
         for fold in 0..self.count {
             let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
             let anew;
@@ -245,7 +257,9 @@ impl Folds {
                 (&anew, step)
             };
             for row in unseen {
-                let e = of_fold.raw_residual[row] - of_fold.raw.row(row).tr_dot(&step);
+                let own = of_fold.raw.row(row);
+                let predicted = own.columns(0, width).tr_dot(&step.rows(0, width));
+                let e = of_fold.raw_residual[row] - predicted;
                 let mm = regression.rows.mm(row) * e;
                 left[row] = e;
                 sum += e * e;

@@ -1,23 +1,96 @@
-//! The gap on samples that no fit has seen: those that the session or an option marks, else
+//! The RMS error on samples that no fit has seen: those that the session or an option marks, else
 //! cross-fitted.
 
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
+use crate::model::Model;
 
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
 
+/// How a fit becomes the model that predicts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Procedure {
+    /// As `identify` does it.
+    Identify,
+    /// Its names alone.
+    Names,
+    /// Its names, with its shapes fitted beside them; the shapes predict nothing.
+    BesideShapes,
+}
+
+/// RMS error of a fit on unseen samples, mm; `None` with too few of them.
+pub(crate) fn of(prepared: &Prepared, fit: &Fit, procedure: Procedure) -> Option<f64> {
+    let regression = &prepared.regression;
+    let problem = &prepared.problem;
+    if apart(prepared).contains(&true) {
+        let model = match procedure {
+            Procedure::Identify => prepared.base.clone(),
+            Procedure::Names | Procedure::BesideShapes => {
+                Values::of(prepared, problem, fit, false).model
+            }
+        };
+        return Some(rms_apart_mm(prepared, &deviations(problem, &model)));
+    }
+    prepared.folds.say_something().then(|| match procedure {
+        Procedure::BesideShapes => prepared.folds.rms_mm_of_the_model(regression, fit),
+        Procedure::Identify | Procedure::Names => prepared.folds.rms_mm(regression, fit),
+    })
+}
+
+/// The same of a finished model, where the session holds samples out that no fit has seen.
+pub(crate) fn of_model(prepared: &Prepared, model: &Model) -> Option<f64> {
+    let only_by_file = !prepared.locked.contains(&true) && apart(prepared).contains(&true);
+    only_by_file.then(|| rms_apart_mm(prepared, &deviations(&prepared.problem, model)))
+}
+
+/// Samples that a session or an option holds out.
+pub(super) fn apart(prepared: &Prepared) -> Vec<bool> {
+    let problem = &prepared.problem;
+    let by_file = problem.session.samples.held_out.as_deref();
+    let is_apart =
+        |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
+    (0..problem.usable.len()).map(is_apart).collect()
+}
+
+/// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
+/// elsewhere.
+pub(super) fn rms_apart_mm(prepared: &Prepared, left: &Deviations) -> f64 {
+    let apart = apart(prepared);
+    let mut lengths: Vec<f64> = (0..apart.len())
+        .filter(|i| apart[*i])
+        .map(|i| left.length_mm[i])
+        .collect();
+    lengths.sort_by(f64::total_cmp);
+    let count = lengths.len();
+    let limit = 5.0 * lengths.get(count / 2).copied().unwrap_or(f64::NAN);
+    let spread = Spread::of(
+        &left.length_mm,
+        |i| apart[i],
+        |i| count >= 8 && left.length_mm[i] > limit,
+    );
+    spread.map_or(0.0, |s| s.rms_mm)
+}
+
+/// What is said of unseen samples; `found_mm` are the errors after identification and with what was found.
 pub(crate) fn held_out(
     prepared: &Prepared,
-    base: &Fit,
-    fit: &Fit,
     nominal: &Deviations,
+    found_mm: Option<[f64; 2]>,
 ) -> HeldOut {
     let regression = &prepared.regression;
     let problem = &prepared.problem;
-    if let Some(apart) = apart(prepared) {
+    let gaps = |start_mm: f64| {
+        found_mm.map(|[identified_mm, end_mm]| Gaps {
+            start_mm,
+            identified_mm,
+            end_mm,
+        })
+    };
+    let count = apart(prepared).into_iter().filter(|apart| *apart).count();
+    if count > 0 {
         let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
             "cells of the workspace that were locked away from everything"
         } else if prepared.locked.contains(&true) {
@@ -25,16 +98,10 @@ pub(crate) fn held_out(
         } else {
             "the samples that the session marks as held out; no fit touched them"
         };
-        let rms = |d: &Deviations| rms_apart(d, &apart);
-        let seen = |fit: &Fit| Values::of(prepared, problem, fit, false).model;
         return HeldOut {
             how: how.to_owned(),
-            samples: apart.iter().filter(|a| **a).count(),
-            gaps: Some(Gaps {
-                start_mm: rms(nominal),
-                identified_mm: rms(&deviations(problem, &prepared.base)),
-                end_mm: rms(&deviations(problem, &seen(fit))),
-            }),
+            samples: count,
+            gaps: gaps(rms_apart_mm(prepared, nominal)),
         };
     }
     if !prepared.folds.say_something() {
@@ -46,38 +113,9 @@ pub(crate) fn held_out(
     }
     let rows = &regression.rows;
     let (raw, _) = rows.extract(&prepared.nominal);
-    // What a fit of names alone predicts; a shape beside them is not part of the model.
     HeldOut {
         how: prepared.folds.how.clone(),
         samples: rows.lengths(),
-        gaps: Some(Gaps {
-            start_mm: rows.rms_mm(&raw),
-            identified_mm: prepared.folds.rms_mm(regression, base),
-            end_mm: prepared.folds.rms_mm(regression, fit),
-        }),
+        gaps: gaps(rows.rms_mm(&raw)),
     }
-}
-
-/// The samples that no fit has seen, as the session or an option marks them; `None` where none is.
-pub(super) fn apart(prepared: &Prepared) -> Option<Vec<bool>> {
-    let problem = &prepared.problem;
-    let by_file = problem.session.samples.held_out.as_deref();
-    let apart =
-        |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
-    let all: Vec<bool> = (0..problem.usable.len()).map(apart).collect();
-    all.contains(&true).then_some(all)
-}
-
-/// Root mean square length of these samples' deviations, mm; samples far off are suspected here as they are
-/// elsewhere.
-pub(super) fn rms_apart(d: &Deviations, apart: &[bool]) -> f64 {
-    let own = d.length_mm.iter().zip(apart);
-    let mut lengths: Vec<f64> = own.filter(|(_, a)| **a).map(|(l, _)| *l).collect();
-    let Some(middle) = lengths.len().checked_sub(1).map(|last| last.div_ceil(2)) else {
-        return 0.0;
-    };
-    lengths.sort_by(f64::total_cmp);
-    let limit = 5.0 * lengths[middle];
-    let far = |i: usize| lengths.len() >= 8 && d.length_mm[i] > limit;
-    Spread::of(&d.length_mm, |i| apart[i], far).map_or(0.0, |s| s.rms_mm)
 }

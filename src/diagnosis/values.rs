@@ -20,9 +20,12 @@ use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::whitened;
 
+use super::final_set::worth;
 use super::prepare::{Prepared, thinned};
 use super::regression::Fit;
+use super::search::CHANCE;
 use super::selection::Selection;
+use super::significance::Significance;
 
 /// A correction for the selection makes the fit worse by no more than this.
 const MOST_WORSE: f64 = 1.02;
@@ -42,6 +45,8 @@ pub(crate) struct Values<'a> {
     estimates: Vec<Vec<Estimate>>,
     /// Kurtosis of what is left, and the size of its bulk in units of the noise.
     tails: (f64, f64),
+    /// Whether a size was corrected for the selection.
+    corrected: bool,
 }
 
 impl<'a> Values<'a> {
@@ -89,6 +94,7 @@ impl<'a> Values<'a> {
             estimates,
             solution,
             problem,
+            corrected: false,
         }
     }
 
@@ -136,8 +142,80 @@ impl<'a> Values<'a> {
         spread.map_or(0.0, |s| s.rms_mm)
     }
 
+    /// Root mean square length of what is left beside the model and the columns that were fitted with it, of
+    /// the samples that count, mm.
+    pub(crate) fn rms_with_beside_mm(&self) -> f64 {
+        let mut left = deviations(&self.problem, &self.model).axes_mm;
+        for (column, coefficient) in self.problem.beside.iter().zip(&self.solution.beside) {
+            for (left, values) in left.iter_mut().zip(column) {
+                for (e, value) in left.iter_mut().zip(values) {
+                    *e -= coefficient * value;
+                }
+            }
+        }
+        let length = |i: usize| left.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+        let lengths: Vec<f64> = (0..self.problem.used.len()).map(length).collect();
+        let spread = Spread::of(&lengths, |i| self.problem.used[i], |_| false);
+        spread.map_or(0.0, |s| s.rms_mm)
+    }
+
+    /// Whether shapes were fitted beside the model.
+    pub(crate) fn is_beside_shapes(&self) -> bool {
+        !self.problem.beside.is_empty()
+    }
+
+    /// Whether a size was corrected for the selection.
+    pub(crate) fn is_corrected(&self) -> bool {
+        self.corrected
+    }
+
+    /// The same values with the intervals of another fit, where it has them, extended to hold the value.
+    #[must_use]
+    pub(crate) fn sure_as(mut self, other: &Self) -> Self {
+        for (term, own) in self.model.terms().iter().zip(&mut self.estimates) {
+            let theirs = other.parameters_of(term);
+            for estimate in own {
+                let same = theirs.iter().find(|t| t.name == estimate.name);
+                let interval = same.and_then(|same| same.ci95).or(estimate.ci95);
+                estimate.ci95 = interval.map(|interval| holding(estimate, interval));
+            }
+        }
+        let same_terms = self.model.coefficient_count() == other.model.coefficient_count();
+        if same_terms && other.covariance.is_some() {
+            self.covariance.clone_from(&other.covariance);
+        }
+        self
+    }
+
+    /// This fit with the coefficients of a model of the same terms, and its intervals extended to hold them;
+    /// `None` where the terms are others.
+    pub(crate) fn at(&self, model: &Model) -> Option<Self> {
+        let pairs = || self.model.terms().iter().zip(model.terms());
+        let count = |model: &Model| model.terms().len();
+        if count(&self.model) != count(model) || !pairs().all(|(a, b)| a.same_column(b)) {
+            return None;
+        }
+        let mut there = self.clone();
+        for (term, own) in model.terms().iter().zip(&mut there.estimates) {
+            let kind = model.robot.joints[term.joint].kind;
+            let parameters = term.parameters_on(kind);
+            for estimate in own {
+                let Some(value) = parameters.iter().find(|p| p.name == estimate.name) else {
+                    continue;
+                };
+                estimate.value = value.value;
+                let interval = estimate.ci95;
+                estimate.ci95 = interval.map(|interval| holding(estimate, interval));
+            }
+        }
+        there.model = model.clone();
+        there.solution.model = model.clone();
+        Some(there)
+    }
+
     /// Takes what the selection adds out of the size of a term.
     pub(crate) fn correct(&mut self, term: &Term, selection: &Selection) {
+        self.corrected = true;
         let mut terms = self.model.terms().iter();
         let Some(at) = terms.position(|t| t.same_column(term)) else {
             return;
@@ -191,9 +269,21 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// Takes what predicts without a name into the model and fits the geometry again beside it; the names keep
+    /// The same values on other samples of the session.
+    pub(crate) fn on(&self, problem: &Problem<'a>) -> Self {
+        let mut now = self.clone();
+        now.problem = problem.clone();
+        if let (Some(noise), None) = (&self.problem.noise, &problem.observed) {
+            now.problem.set_noise(noise);
+        }
+        now
+    }
+
+    /// With what predicts without a name in the model, and the geometry fitted again beside it; the names keep
     /// their values. What the geometry moves by moves its intervals.
-    pub(crate) fn take_unnamed(&mut self, unnamed: &[Term]) {
+    pub(crate) fn with_unnamed(&self, unnamed: &[Term]) -> Self {
+        let mut now = self.clone();
+        now.problem.beside.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let held = self.model.terms().iter().map(|term| {
             let mut term = term.clone();
@@ -203,29 +293,32 @@ impl<'a> Values<'a> {
             }
             term
         });
+        let alone = self.model.coefficients();
+        let unnamed = unnamed.iter().map(|term| term.beside_geometry(&alone));
+        let unnamed: Vec<Term> = unnamed.collect();
         let all = held.chain(unnamed.iter().cloned()).collect();
-        let fitted = solve(&self.problem, &Model::new(self.model.robot.clone(), all)).model;
-        // Without coefficients, and last of all.
+        let fitted = solve(&now.problem, &Model::new(self.model.robot.clone(), all)).model;
+        // They have no coefficients and are the last of all.
         let with = unnamed
             .iter()
             .fold(self.model.clone(), |m, t| m.with_term(t.clone()));
-        let with = with.with_coefficients(&fitted.coefficients());
-        for (term, own) in self.model.terms().iter().zip(&mut self.estimates) {
+        now.model = with.with_coefficients(&fitted.coefficients());
+        for (term, own) in self.model.terms().iter().zip(&mut now.estimates) {
             let kind = self.model.robot.joints[term.joint].kind;
-            let now = with.terms().iter().find(|t| t.same_column(term));
-            let (Some(now), true) = (now, is_base(term)) else {
+            let moved = now.model.terms().iter().find(|t| t.same_column(term));
+            let Some(moved) = moved.filter(|t| is_base(t)) else {
                 continue;
             };
-            let (before, after) = (term.parameters_on(kind), now.parameters_on(kind));
+            let (before, after) = (term.parameters_on(kind), moved.parameters_on(kind));
             for ((estimate, before), after) in own.iter_mut().zip(before).zip(after) {
                 let by = after.value - before.value;
                 estimate.value += by;
                 estimate.ci95 = estimate.ci95.map(|interval| interval.map(|v| v + by));
             }
         }
-        self.estimates.resize(with.terms().len(), Vec::new());
-        self.model = with;
-        self.solution.model = self.model.clone();
+        now.estimates.resize(now.model.terms().len(), Vec::new());
+        now.solution.model = now.model.clone();
+        now
     }
 
     /// This fit as `identify` would answer it. The samples that are suspected are those that it left
@@ -282,6 +375,45 @@ impl<'a> Values<'a> {
         });
         base.flat_map(|(_, own)| own.clone()).collect()
     }
+}
+
+/// An interval that holds the value of an estimate as well; a phase comes round after 360°.
+fn holding(estimate: &Estimate, [low, high]: [f64; 2]) -> [f64; 2] {
+    let value = estimate.value;
+    let turns = if estimate.name.starts_with("phase") {
+        360.0 * ((value - 0.5 * (low + high)) / 360.0).round()
+    } else {
+        0.0
+    };
+    [(low + turns).min(value), (high + turns).max(value)]
+}
+
+/// Takes out of every size what its selection adds; see [`super::selection`]. `fit` is that which the names
+/// were selected in.
+pub(crate) fn corrected_for_selection<'a>(
+    prepared: &Prepared,
+    fit: &Fit,
+    mut values: Values<'a>,
+) -> Values<'a> {
+    let regression = &prepared.regression;
+    let threshold = regression.minus_ln_p_for(CHANCE, fit);
+    let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
+    for term in regression.added(fit) {
+        let rest = worth(prepared, fit, term).rest;
+        let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+        let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
+        let tried = 0.5 * regression.price_of_term(term);
+        let share = Significance::new(columns, freedom).share_for(threshold + tried);
+        let least = freedom * share / (1.0 - share).max(1e-12);
+        let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
+        if let Some(selection) = Selection::of(gain, least, columns) {
+            values.correct(term, &selection);
+        }
+    }
+    if let Some(before) = before {
+        values.fit_the_geometry_beside(&before);
+    }
+    values
 }
 
 /// Fourth moment of the coordinates that are left over the square of the second, each axis in units

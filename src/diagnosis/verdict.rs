@@ -99,7 +99,12 @@ pub(crate) fn judge(
     if unexplained.noise.is_none() {
         unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
     }
-    match (names == 0, unexplained.present) {
+    of(names == 0, unexplained.present)
+}
+
+/// The short answer: whether no name is found, and whether something is left.
+pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
+    match (nothing_found, something_left) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
         (false, true) => Verdict::PartlyExplained,

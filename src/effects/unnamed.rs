@@ -97,6 +97,20 @@ impl Term {
         }
     }
 
+    /// The same with the coefficients that the rest of the model has without it.
+    pub(crate) fn beside_geometry(&self, alone: &[f64]) -> Self {
+        let rest = self.rest.as_deref().map(|rest| {
+            Arc::new(Rest {
+                geometry_alone: alone.to_vec(),
+                ..rest.clone()
+            })
+        });
+        Self {
+            rest,
+            ..self.clone()
+        }
+    }
+
     /// What predicts without a name, of such a term.
     pub fn rest(&self) -> Option<&Rest> {
         self.rest.as_deref()

@@ -46,14 +46,9 @@ impl Corrected {
     pub(super) fn new(job: &Job) -> Self {
         let nominal = &job.calibration.model.robot;
         let of_the_robot = |term: &&Term| !is_of_the_measurement(term);
-        let terms: Vec<Term> = job
-            .calibration
-            .model
-            .terms()
-            .iter()
-            .filter(of_the_robot)
-            .cloned()
-            .collect();
+        // No chain holds what predicts without a name; the geometry is then the one without it.
+        let alone = job.calibration.model.with_geometry_alone();
+        let terms: Vec<Term> = alone.terms().iter().filter(of_the_robot).cloned().collect();
         let (mut carried, mut left_out) = (Vec::new(), Vec::new());
         for term in terms {
             let alone = Model::new(nominal.clone(), vec![term.clone()]);

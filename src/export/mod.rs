@@ -34,7 +34,7 @@ mod table_file;
 pub use left::{Allowance, Left};
 pub use lerobot::lerobot_calibration;
 pub use options::{Motors, Options, Reference, Zeros};
-pub use read_back::{ReadBack, gap_left, gap_to};
+pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
 pub use rules::{Directions, Rules, Says, Spacing};
 pub use sheet::Sheet;
 
@@ -189,6 +189,20 @@ pub struct Export {
     pub left: Option<Left>,
     /// What the user should know.
     pub notes: Vec<String>,
+}
+
+/// The RMS errors of a session as it stands and under an export, mm, where both can be said.
+pub fn gaps_of_export(
+    calibration: &Calibration,
+    session: &Session,
+    export: &Export,
+) -> Option<[Spread; 2]> {
+    let after = gap_after_export(calibration, session, export)?;
+    let before = match (&export.reads_as, &export.robot) {
+        (None, Some(_)) => gap_to(calibration, session, &calibration.model.robot),
+        _ => gap_without(calibration, session),
+    };
+    Some([before?, after])
 }
 
 /// Why there is no export.

@@ -2,7 +2,7 @@
 
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
-use crate::compensation::verification::{gap_to_robot, gap_with_table};
+use crate::compensation::verification::{gap_to_robot, gap_with_table, gap_without_table};
 use crate::fit::gap::Spread;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Calibration;
@@ -93,6 +93,15 @@ pub fn gap_left(calibration: &Calibration, session: &Session, table: &ReadBack) 
     }
     let correction = |q: f64, side: f64| table.correction(q, side);
     gap_with_table(calibration, session, table.joint, correction)
+}
+
+/// The RMS error of a session without any table, mm; `None` as for [`gap_left`].
+pub fn gap_without(calibration: &Calibration, session: &Session) -> Option<Spread> {
+    let same = session.robot.joints.len() == calibration.model.robot.joints.len();
+    if !same || session.compensated_by.is_some() {
+        return None;
+    }
+    gap_without_table(calibration, session)
 }
 
 /// The gap between a session and another description of the robot, mm: what a simulation or a

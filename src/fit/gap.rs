@@ -1,7 +1,6 @@
-//! The gap between a model and the measurement: root mean square of the length of the deviation,
-//! e = measured − predicted, in mm, over three coordinates (two in a planar session).
-//!
-//! Suspected outliers count in the largest deviation and not in the root mean square.
+//! What a model leaves of the samples: the deviations e = measured − predicted, in mm, over three coordinates
+//! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
+//! `answers::rms_error`.
 
 pub(crate) use crate::answers::errors::Spread;
 use crate::model::Model;

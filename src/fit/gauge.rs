@@ -228,7 +228,7 @@ fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
 
 /// At most so many of those that count, in order: a step of the golden ratio inside each stretch, so
 /// that no rhythm of the poses is hit.
-pub(super) fn spread(used: &[bool], most: usize) -> Vec<usize> {
+pub(crate) fn spread(used: &[bool], most: usize) -> Vec<usize> {
     let used: Vec<usize> = (0..used.len()).filter(|i| used[*i]).collect();
     if used.len() <= most {
         return used;

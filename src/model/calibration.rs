@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use crate::kinematics::Range;
 use crate::sessions::{Region, Target};
 
-use super::Model;
+use super::{Model, SetUp};
 
 /// The paper's correction for one region: what to add, not what the robot does.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,6 +46,15 @@ pub struct GapStep {
     pub held_out_mm: Option<f64>,
 }
 
+/// The conditions that a session covered; `None` where it says nothing of them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Conditions {
+    /// Loads at the tool's origin, kg.
+    pub load_kg: Option<Range>,
+    /// Temperatures, °C.
+    pub temperature_c: Option<Range>,
+}
+
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
@@ -68,6 +77,14 @@ pub struct Calibration {
     /// Hash of the model whose table was active while the session was measured. Such a calibration
     /// says what is left, and no table is made from it: it would lack what the active one does.
     pub compensated_by: Option<String>,
+    /// Corrections of the session's set-up: the conventions of the controller and the instrument. Everything
+    /// else here is as it is after them.
+    pub set_up: SetUp,
+    /// Conditions of the measured samples.
+    pub conditions: Conditions,
+    /// Samples of the session, counted from 0, that the fit set aside as suspected outliers; `None` where that
+    /// is not known.
+    pub set_aside: Option<Vec<usize>>,
     /// The gap, step by step; the first is the nominal robot's.
     pub history: Vec<GapStep>,
     /// Hash of the samples that it came from.

@@ -13,10 +13,12 @@ mod calibration;
 pub(crate) mod format_v1;
 pub(crate) mod names;
 pub(crate) mod rigid_motion;
+mod set_up;
 pub(crate) mod shapes;
 
-pub use calibration::{Calibration, GapStep, RegionalCorrection};
+pub use calibration::{Calibration, Conditions, GapStep, RegionalCorrection};
 pub use format_v1::{is_model, load_model, model_hash, read_model, write_model};
+pub use set_up::{RawJoint, SetUp};
 pub use shapes::{Direction, Profile, Shape, Variable, Where};
 
 use crate::effects::block::Block;
@@ -151,6 +153,19 @@ impl Model {
     pub fn without(&self, drop: impl Fn(&Term) -> bool) -> Self {
         let kept = self.terms.iter().filter(|t| !drop(t)).cloned().collect();
         Self::new(self.robot.clone(), kept)
+    }
+
+    /// The same model with its other effects as they are best where nothing that predicts without a name is
+    /// beside them: for what cannot hold that.
+    #[must_use]
+    pub fn with_geometry_alone(&self) -> Self {
+        let rest = self.terms.iter().find_map(Term::rest);
+        match rest {
+            Some(rest) if rest.geometry_alone.len() == self.coefficient_count() => {
+                self.with_coefficients(&rest.geometry_alone)
+            }
+            _ => self.clone(),
+        }
     }
 
     /// Sends the samples through the model, block by block; `see` gets the number of a block's

@@ -51,6 +51,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             "over": &u.over,
             "says": u.says(),
         }),
+        "expected_error": super::identification_v1::expected(&d.identification),
         "not_testable": list(&d.not_testable, |n| object! {
             "effect": n.effect,
             "joint": given(n.joint.map(|j| j + 1)),

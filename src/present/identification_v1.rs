@@ -34,13 +34,7 @@ pub fn document(answer: &Identification, data_problems: &[DataProblem]) -> Json 
         // What each level of correction would bring, and the error to be expected over the joint ranges;
         // of several joints.
         "levels": given(list(&answer.levels, level)),
-        "expected_error": given(answer.expected.as_ref().map(|e| object! {
-            "rms_mm": e.rms_mm,
-            "max_mm": e.max_mm,
-            "worst_q_deg": worst_pose(e, &answer.model.robot),
-            "at_measured_poses_mm": e.measured_rms_mm,
-            "poorly_observed": e.extrapolates(),
-        })),
+        "expected_error": expected(answer),
         "outliers": outliers(&answer.outliers),
         "left_out": list(&answer.left_out, |l| {
             object! { "sample": l.sample + 1, "because": l.because.says() }
@@ -98,6 +92,19 @@ fn level(level: &Level) -> Json {
             "max_mm": e.max_mm,
         }),
     }
+}
+
+/// The error to be expected over the joint ranges; nothing where it is not known.
+pub(super) fn expected(answer: &Identification) -> Json {
+    given(answer.expected.as_ref().map(|e| {
+        object! {
+            "rms_mm": e.rms_mm,
+            "max_mm": e.max_mm,
+            "worst_q_deg": worst_pose(e, &answer.model.robot),
+            "at_measured_poses_mm": e.measured_rms_mm,
+            "poorly_observed": e.extrapolates(),
+        }
+    }))
 }
 
 /// The joint values where the largest error is expected, as a session's file has them.

@@ -181,6 +181,15 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         (&targets, &left),
         &bytes,
     )?;
+    let targets = targets.into_iter().map(|mut target| {
+        if let Ok(written) = &mut target.result {
+            // What is said of a target is in the values of the file.
+            convention.to_raw(&mut written.commanded);
+            convention.to_raw(&mut written.corrected);
+        }
+        target
+    });
+    let targets = targets.collect();
     Ok(Answer {
         bytes,
         at_run_time,
@@ -195,7 +204,7 @@ fn resolved(
     request: &Request,
     program: &Program,
     axes: &Axes,
-    convention: Convention,
+    convention: Convention<'_>,
 ) -> Vec<Result<Resolved, Left>> {
     let robot = &request.calibration.model.robot;
     let mut resolver = Resolver::new(robot, axes, convention, request.start.clone());
@@ -217,7 +226,7 @@ fn written(
     request: &Request,
     program: &Program,
     robot: &Robot,
-    convention: Convention,
+    convention: Convention<'_>,
     corrected: &[Result<Written, Left>],
 ) -> Vec<u8> {
     let mut order: Vec<usize> = (0..corrected.len()).collect();
@@ -240,7 +249,7 @@ fn read_back(
     request: &Request,
     reading: &Reading,
     axes: &Axes,
-    convention: Convention,
+    convention: Convention<'_>,
     (targets, left): (&[Outcome], &[Option<Vec<f64>>]),
     bytes: &[u8],
 ) -> Result<(), CompensateError> {
@@ -289,6 +298,13 @@ fn read_back(
 /// What was assumed, in words.
 fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String> {
     let mut notes = reading.notes.clone();
+    let set_up = &request.calibration.set_up;
+    if set_up.moves_joints() {
+        notes.push(format!(
+            "joint values are read and written as the model's session has them: {}",
+            set_up.says().join(", ")
+        ));
+    }
     let poses = program
         .targets
         .iter()

@@ -6,37 +6,45 @@
 //! the one place where the two meet: everything in front of it is raw, everything behind it the model's.
 //! Positions and orientations are the same in both.
 
-use crate::model::Calibration;
+use crate::kinematics::Robot;
+use crate::model::{Calibration, SetUp};
 
 /// How raw joint values become those of the model. Without corrections of the set-up they are the same.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Convention;
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Convention<'m> {
+    robot: &'m Robot,
+    set_up: &'m SetUp,
+}
 
-impl Convention {
+impl<'m> Convention<'m> {
     /// That of a model's session.
-    pub(super) fn of(_calibration: &Calibration) -> Self {
-        Self
+    pub(super) fn of(calibration: &'m Calibration) -> Self {
+        Self {
+            robot: &calibration.model.robot,
+            set_up: &calibration.set_up,
+        }
     }
 
     /// Raw joint values (rad or mm, one for each joint) become the model's.
-    #[allow(
-        clippy::unused_self,
-        reason = "a convention without corrections has nothing to do"
-    )]
-    pub(super) fn to_model(self, _q: &mut [f64]) {}
+    pub(super) fn to_model(self, q: &mut [f64]) {
+        self.set_up.to_model(self.robot, q);
+    }
 
     /// The model's joint values (rad or mm, one for each joint) become raw ones.
-    #[allow(
-        clippy::unused_self,
-        reason = "a convention without corrections has nothing to do"
-    )]
-    pub(super) fn to_raw(self, _q: &mut [f64]) {}
+    pub(super) fn to_raw(self, q: &mut [f64]) {
+        self.set_up.to_raw(self.robot, q);
+    }
 
     /// Sides from which joints come (+1, −1, 0; raw) become the model's: a reversed joint comes from the
     /// other one.
-    #[allow(
-        clippy::unused_self,
-        reason = "a convention without corrections has nothing to do"
-    )]
-    pub(super) fn sides_to_model(self, _sides: &mut [Option<f64>]) {}
+    pub(super) fn sides_to_model(self, sides: &mut [Option<f64>]) {
+        if !self.set_up.moves_joints() {
+            return;
+        }
+        let mut signs: Vec<f64> = sides.iter().map(|side| side.unwrap_or(0.0)).collect();
+        self.set_up.signs_to_model(&mut signs);
+        for (side, sign) in sides.iter_mut().zip(signs) {
+            *side = (sign != 0.0).then_some(sign);
+        }
+    }
 }

@@ -31,7 +31,7 @@ pub(super) struct Resolved {
 /// See the module. Targets have to come in the order in which they are gone to.
 pub(super) struct Resolver<'a> {
     robot: &'a Robot,
-    convention: Convention,
+    convention: Convention<'a>,
     free: Vec<usize>,
     inverse: Inverse<'a>,
     /// Joint values of the target before.
@@ -45,7 +45,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn new(
         robot: &'a Robot,
         axes: &Axes,
-        convention: Convention,
+        convention: Convention<'a>,
         mut start: Option<Vec<f64>>,
     ) -> Self {
         if let Some(start) = &mut start {

@@ -25,7 +25,7 @@ impl Edit {
 pub(super) fn edits(
     target: &Target,
     robot: &Robot,
-    convention: Convention,
+    convention: Convention<'_>,
     q: &[f64],
 ) -> Vec<Edit> {
     let mut raw = q.to_vec();

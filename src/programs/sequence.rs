@@ -20,9 +20,9 @@ const STANDS: f64 = 1e-9;
 
 /// See the module. Joint by joint for each target, one target after the other.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Sequence {
+pub(super) struct Sequence<'m> {
     joints: usize,
-    convention: Convention,
+    convention: Convention<'m>,
     /// +1, −1, 0 unknown.
     dir: Vec<i8>,
     /// Since the last reversal, rad or mm.
@@ -40,13 +40,13 @@ struct Visit {
     travel: Vec<f64>,
 }
 
-impl Sequence {
+impl<'m> Sequence<'m> {
     /// The circumstances of a program's targets; `load_kg` where the file says none.
     pub(super) fn new(
         program: &Program,
         resolved: &[Result<Resolved, Left>],
         joints: usize,
-        convention: Convention,
+        convention: Convention<'m>,
         load_kg: f64,
     ) -> Self {
         let targets = &program.targets;

@@ -80,6 +80,10 @@ impl Told<'_> {
             }
             blocks.push(Block::Facts(facts));
         }
+        if let Some(unnamed) = &d.unnamed {
+            blocks.push(Block::Heading("Predicts without a name".to_owned()));
+            blocks.push(Block::Facts(vec![fact("In the model", unnamed.says())]));
+        }
         if !d.equivalent.is_empty() {
             blocks.push(Block::Heading(
                 "Names that the samples cannot tell apart".to_owned(),

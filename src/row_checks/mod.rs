@@ -18,7 +18,7 @@ use std::borrow::Cow;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::{Mend, Session};
+use crate::sessions::Session;
 
 /// A session without the mistakes of its rows, and what they were.
 #[derive(Debug, Clone)]
@@ -51,30 +51,12 @@ pub fn check(session: &Session, values: JointValues) -> Checked<'_> {
     for check in CHECKS {
         for problem in check(&checked.session, values) {
             if let Some(mend) = &problem.mend {
-                correct(mend, checked.session.to_mut());
+                mend.apply_keeping_rows(checked.session.to_mut());
             }
             checked.problems.push(problem);
         }
     }
     checked
-}
-
-/// Makes a correction; rows that it removes are left out of every fit instead, so that the others keep
-/// their numbers.
-fn correct(mend: &Mend, session: &mut Session) {
-    let Mend::Remove(rows) = mend else {
-        return mend.apply(session);
-    };
-    let n = session.samples.len();
-    let out = session
-        .samples
-        .excluded
-        .get_or_insert_with(|| vec![false; n]);
-    for row in rows {
-        if let Some(out) = out.get_mut(*row) {
-            *out = true;
-        }
-    }
 }
 
 /// A problem that is about all samples and is said only.

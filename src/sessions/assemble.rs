@@ -120,8 +120,10 @@ pub(crate) fn samples(
         locate,
         findings,
     );
-    if samples.x_mm.is_empty() && samples.y_mm.is_empty() && samples.z_mm.is_none() {
-        // Not planar: no point was measured at all.
+    let in_plane = [&samples.x_mm, &samples.y_mm];
+    let planar = in_plane.iter().all(|column| !column.is_empty());
+    if !planar && samples.z_mm.is_none() {
+        // Not planar: no point was measured at all, or one coordinate.
         samples.z_mm = Some(missing());
     }
     // Columns that are missing although they are required were reported with the headings.

@@ -511,7 +511,10 @@ fn require_columns(
         Quantity::Socket,
         Quantity::Orientation(0),
     ];
-    let has_other = other.into_iter().any(has);
+    let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
+    // A gauge that sees one direction needs no empty columns for the others.
+    let one_coordinate = coordinates.into_iter().filter(|q| has(*q)).count() == 1;
+    let has_other = one_coordinate || other.into_iter().any(has);
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
         if !has(quantity) && !has_other {
             missing(

@@ -9,6 +9,7 @@ use nalgebra::Point3;
 
 use crate::kinematics::Robot;
 use crate::sessions::lines::Lines;
+use crate::sessions::mend::Corrected;
 use crate::sessions::references::{ObservedColumns, References};
 
 /// A reflector that the instrument sees, fixed in the tool frame.
@@ -172,6 +173,8 @@ pub struct Samples {
     /// True where the file says `excluded`: a person took the sample out, and it counts in no fit and
     /// no figure; `None` where none is.
     pub excluded: Option<Vec<bool>>,
+    /// Set-up corrections that were made in memory; `None` where the samples are as they were read.
+    pub corrected: Option<Corrected>,
     /// Columns that are kept but not understood.
     pub unknown: Vec<UnknownColumn>,
     /// Line in the samples file of each sample, so that a finding can name its place;

@@ -13,7 +13,12 @@ use crate::sessions::domain::{Samples, Session};
 use crate::sessions::references::ObservedColumns;
 
 /// The hash of a session's robot, targets and samples: 64 hexadecimal digits.
+///
+/// Samples that were corrected in memory keep the hash of what was read.
 pub fn hash_of_samples(session: &Session) -> String {
+    if let Some(corrected) = &session.samples.corrected {
+        return corrected.raw_hash.clone();
+    }
     let mut canonical = Canonical(Sha256::new());
     canonical.label("truepose-samples/1");
     robot(&mut canonical, session);

@@ -6,6 +6,15 @@
 use super::{Samples, Session, Setups};
 use crate::kinematics::JointKind;
 
+/// What was done to samples in memory since they were read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Corrected {
+    /// The corrections, in the order in which they were made.
+    pub by: Vec<Mend>,
+    /// Hash of the samples as they are in the file.
+    pub raw_hash: String,
+}
+
 /// A change that takes a mistake back.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mend {
@@ -97,6 +106,24 @@ pub enum Mend {
 }
 
 impl Mend {
+    /// Makes the correction; rows that it removes are left out of every fit and figure instead, so that the others
+    /// keep their numbers.
+    pub fn apply_keeping_rows(&self, session: &mut Session) {
+        let Self::Remove(rows) = self else {
+            return self.apply(session);
+        };
+        let n = session.samples.len();
+        let out = session
+            .samples
+            .excluded
+            .get_or_insert_with(|| vec![false; n]);
+        for row in rows {
+            if let Some(out) = out.get_mut(*row) {
+                *out = true;
+            }
+        }
+    }
+
     /// What it does, as a button says it.
     pub fn says(&self) -> String {
         match self {

@@ -52,7 +52,7 @@ pub use lines::Lines;
 pub use load::{
     Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
 };
-pub use mend::Mend;
+pub use mend::{Corrected, Mend};
 pub use references::{
     Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };

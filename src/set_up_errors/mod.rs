@@ -8,6 +8,7 @@
 mod arm_hypotheses;
 mod arms;
 mod as_it_stands;
+mod corrected;
 mod groups;
 mod hypotheses;
 mod losses;
@@ -30,6 +31,7 @@ use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Mend;
 
+use corrected::made_for;
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
 
@@ -64,62 +66,66 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 }
 
 /// Checks the rows, tries the set-up errors and corrects what it finds.
-pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
-    let checked = row_checks::check(session, joint_values);
-    let (mut mended, mut problems) = (checked.session, checked.problems);
-    if !has_enough_points(session, joint_values) {
-        if let Some(freed) = groups::freed(&mended, joint_values, &mut problems) {
-            mended = Cow::Owned(freed);
-        }
-        return Mended {
-            session: mended,
-            problems,
-        };
-    }
-    losses(session, &mut problems);
-    if base_model::is_arm(session) {
-        if let Some(better) = arms::corrected(&mended, joint_values, &mut problems) {
-            mended = Cow::Owned(better);
-        }
-    } else {
-        // One blunder may hide another: at most two in a row.
-        for _ in 0..2 {
-            let Some((better, problem)) = gross_blunder(&mended, joint_values) else {
-                break;
-            };
-            problems.push(problem);
-            mended = Cow::Owned(better);
-        }
-    }
-    if let Some(freed) = groups::freed(&mended, joint_values, &mut problems) {
-        mended = Cow::Owned(freed);
-    }
-    if let Some(brought_up) = read_back::lagging(&mended, joint_values, &mut problems) {
-        mended = Cow::Owned(brought_up);
-    }
-    mislocked(&mended, joint_values, &mut problems);
-    Mended {
-        session: mended,
-        problems,
-    }
-}
-
-/// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
-/// joints is identified without set-up errors, one joint as it is.
-pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_> {
-    let checked = row_checks::check(session, joint_values);
+pub fn mend<'a>(raw: &'a Session, joint_values: JointValues) -> Mended<'a> {
+    let checked = row_checks::check(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
-    if base_model::is_arm(&session) {
-        if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
-            session = Cow::Owned(better);
+    let mut made: Vec<Mend> = made_for(&problems).collect();
+    // What is only said from here on was not made.
+    let mut known = problems.len();
+    let whole_points = has_enough_points(raw, joint_values);
+    if whole_points {
+        losses(raw, &mut problems);
+        known = problems.len();
+        if base_model::is_arm(raw) {
+            if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
+                session = Cow::Owned(better);
+            }
+        } else {
+            // One error may hide another: at most two in a row.
+            for _ in 0..2 {
+                let Some((better, problem)) = gross_blunder(&session, joint_values) else {
+                    break;
+                };
+                problems.push(problem);
+                session = Cow::Owned(better);
+            }
         }
-    } else {
-        problems.extend(gross_blunder(&session, joint_values).map(|found| found.1));
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
     }
-    Mended { session, problems }
+    if whole_points
+        && let Some(brought_up) = read_back::lagging(&session, joint_values, &mut problems)
+    {
+        session = Cow::Owned(brought_up);
+    }
+    made.extend(made_for(&problems[known..]));
+    if whole_points {
+        mislocked(&session, joint_values, &mut problems);
+    }
+    Mended::new(raw, session, problems, made)
+}
+
+/// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
+/// joints is identified without set-up errors, one joint as it is.
+pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
+    let checked = row_checks::check(raw, joint_values);
+    let (mut session, mut problems) = (checked.session, checked.problems);
+    let of_one_joint = if base_model::is_arm(&session) {
+        if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
+        }
+        None
+    } else {
+        gross_blunder(&session, joint_values)
+    };
+    if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
+        session = Cow::Owned(freed);
+    }
+    let made = made_for(&problems).collect();
+    let mut mended = Mended::new(raw, session, problems, made);
+    mended.problems.extend(of_one_joint.map(|found| found.1));
+    mended
 }
 
 fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {

@@ -92,6 +92,7 @@ pub(crate) fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8R
         setups: None,
         held_out: None,
         excluded: None,
+        corrected: None,
         unknown: Vec::new(),
         line: Lines::default(),
     }

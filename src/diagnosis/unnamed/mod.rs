@@ -18,8 +18,9 @@ use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
+use super::handed_out::HandedOut;
 use super::prepare::Prepared;
-use super::regression::Fit;
+use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut, Unnamed};
 use design::Design;
@@ -33,60 +34,57 @@ const WORTH: f64 = 0.005;
 /// No family: the samples have to be so much likelier with all of them, as a logarithm.
 const LIKELIER: f64 = 6.0;
 
-/// Adds what predicts without a name to the values of a fit; the gaps with it take the place of those of the
+/// Adds what predicts without a name to what is handed out; the gaps with it take the place of those of the
 /// names alone.
 pub(super) fn add(
     prepared: &Prepared,
-    fit: &Fit,
-    values: &mut Values,
+    handed_out: &mut HandedOut,
     gap: &mut Gaps,
     held_out: &mut HeldOut,
 ) -> Option<Unnamed> {
-    let wanted = !prepared.options().without_unnamed && base_model::is_arm(values.problem.session);
-    let found = wanted.then(|| fitted(prepared, &values.problem, &values.model))??;
-    let held = unseen(prepared, fit, held_out, &found)?;
-    let rms_before = values.rms_mm();
-    let before = values.clone();
-    values.take_unnamed(&found.terms);
-    let after = values.rms_mm();
-    let left = (rms_before * rms_before - after * after).max(0.0).sqrt();
-    let end = gap.end_mm - rms_before + after;
-    if after >= rms_before || end > gap.identified_mm {
-        *values = before;
+    let values = &handed_out.values;
+    let arm = base_model::is_arm(values.problem.session);
+    if prepared.options().without_unnamed || !arm {
         return None;
     }
-    gap.end_mm = end;
-    if let Some(gaps) = &mut held_out.gaps {
-        gaps.end_mm = held[1];
+    let gaps = held_out.gaps.as_mut()?;
+    let found = fitted(prepared, &values.problem, &values.model)?;
+    let share = share_unseen(prepared, values, &found)?;
+    let held_out_mm = [gaps.end_mm, gaps.end_mm * share];
+    let with = values.with_unnamed(&found.terms);
+    let [before, after] = [values.rms_mm(), with.rms_mm()];
+    let end_mm = gap.end_mm - before + after;
+    let better = after < before && end_mm <= gap.identified_mm;
+    if !better || share >= 1.0 || held_out_mm[1] > gaps.identified_mm {
+        return None;
     }
+    handed_out.values = with;
+    gap.end_mm = end_mm;
+    gaps.end_mm = held_out_mm[1];
     Some(Unnamed {
-        rms_mm: left,
-        held_out_mm: held,
+        rms_mm: (before * before - after * after).max(0.0).sqrt(),
+        held_out_mm,
         over: found.over,
     })
 }
 
-/// Errors on unseen samples without and with it, mm; `None` where it does not help there.
-fn unseen(prepared: &Prepared, fit: &Fit, held_out: &HeldOut, found: &Fitted) -> Option<[f64; 2]> {
-    let gaps = held_out.gaps?;
-    let problem = &prepared.problem;
-    let Some(apart) = super::unseen::apart(prepared) else {
-        // The folds of the search, where it looked at all samples, else those of more of them.
-        let end = gaps.end_mm * found.held_out_mm[1] / found.held_out_mm[0];
-        return (end <= gaps.identified_mm).then_some([gaps.end_mm, end]);
-    };
-    let seen = |model: &Model| super::unseen::rms_apart(&deviations(problem, model), &apart);
-    let mut values = Values::of(prepared, problem, fit, false);
-    let before = seen(&values.model);
+/// The error on unseen samples with it as a share of that without it; `None` where there is none to add
+/// without samples that are locked away.
+fn share_unseen(prepared: &Prepared, values: &Values, found: &Fitted) -> Option<f64> {
+    if !unseen::apart(prepared).contains(&true) {
+        return Some(found.held_out_mm[1] / found.held_out_mm[0]);
+    }
+    let seen = values.on(&prepared.problem);
     let terms = if prepared.locked.contains(&true) {
-        fitted(prepared, problem, &values.model)?.terms
+        fitted(prepared, &seen.problem, &seen.model)?.terms
     } else {
         found.terms.clone()
     };
-    values.take_unnamed(&terms);
-    let after = seen(&values.model);
-    let end = gaps.end_mm * after / before.max(f64::MIN_POSITIVE);
-    (after < before && end <= gaps.identified_mm).then_some([gaps.end_mm, end])
+    let rms = |terms: &[Term]| {
+        let model = seen.with_unnamed(terms).model;
+        unseen::rms_apart_mm(prepared, &deviations(&prepared.problem, &model))
+    };
+    Some(rms(&terms) / rms(&[]).max(f64::MIN_POSITIVE))
 }
 
 /// What predicts, fitted to some samples.

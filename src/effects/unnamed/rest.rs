@@ -49,6 +49,9 @@ pub struct Rest {
     pub ranges: Vec<[f64; 2]>,
     /// The correction in each direction.
     pub along: [Along; 3],
+    /// Coefficients of everything else in the model, inner units, where nothing without a name is beside it:
+    /// for what cannot hold such a correction. Empty: not known.
+    pub geometry_alone: Vec<f64>,
 }
 
 /// Why there is no such correction.
@@ -101,6 +104,9 @@ impl Rest {
     /// See [`RestError`].
     pub fn check(&self, joints: usize) -> Result<(), RestError> {
         let good = |r: &[f64; 2]| r[0].is_finite() && r[1].is_finite() && r[0] <= r[1];
+        if !self.geometry_alone.iter().all(|v| v.is_finite()) {
+            return Err(RestError::Waves);
+        }
         if self.ranges.len() != joints || !self.ranges.iter().all(good) {
             return Err(RestError::Ranges(self.ranges.len()));
         }
@@ -160,25 +166,6 @@ impl Rest {
             }
             weight * sum
         })
-    }
-
-    /// What follows the value of its own joint alone, along its motion.
-    #[must_use]
-    pub(crate) fn of_its_own_joint(&self, own: usize) -> Self {
-        let alone = |wave: &&Wave| {
-            let mut others = wave.orders.iter().enumerate();
-            others.all(|(joint, order)| joint == own || *order == 0.0)
-        };
-        let waves = self.along[0].waves.iter().filter(alone).cloned();
-        let motion = Along {
-            moments: Vec::new(),
-            conditions: self.along[0].conditions,
-            waves: waves.collect(),
-        };
-        Self {
-            ranges: self.ranges.clone(),
-            along: [motion, Along::default(), Along::default()],
-        }
     }
 }
 

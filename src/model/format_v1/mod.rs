@@ -12,8 +12,10 @@
 
 mod curve;
 mod exact;
+mod of_samples;
 mod read;
 mod rest;
+mod set_up;
 mod term;
 
 pub(crate) use term::term;

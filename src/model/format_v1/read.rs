@@ -10,6 +10,7 @@ use sha2::{Digest, Sha256};
 
 use super::FORMAT;
 use super::exact::{exact, exact_robot, robot_of};
+use super::set_up::SET_UP;
 use super::term::{term, term_written};
 use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
@@ -19,7 +20,7 @@ use crate::document::ranges;
 use crate::document::{Fields, Node, Path, Value, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
-use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
+use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
 use crate::sessions::files;
 use crate::sessions::format_v1::head::{TARGETS, TOLERANCE_MM, default_targets};
 use crate::sessions::format_v1::robot::{ROBOT, blank};
@@ -108,6 +109,9 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         load_kg: None,
         tolerance_mm: None,
         compensated_by: None,
+        set_up: SetUp::default(),
+        conditions: Conditions::default(),
+        set_aside: None,
         history: Vec::new(),
         samples_hash: String::new(),
         program_version: String::new(),
@@ -191,6 +195,13 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.optional("load_kg", &mut own.load_kg, &LOADS);
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.optional("compensated_by", &mut own.compensated_by, &TEXT);
+    o.usual("set_up", &mut own.set_up, &SET_UP);
+    o.optional("set_aside", &mut own.set_aside, &SAMPLES);
+    o.know("conditions");
+    if o.is_given("conditions") {
+        let expected = "an object with load_kg and temperature_c";
+        o.part("conditions", &mut own.conditions, expected, conditions);
+    }
     if o.needs("history", "an array") {
         o.field("history", &mut own.history, &STEPS);
     }
@@ -308,6 +319,48 @@ fn range(o: &mut Object<'_, '_>, own: &mut Range) {
         o.error(format!("a range from {from} to {to}"), expected);
     }
 }
+
+/// Samples, counted from 1 in the file.
+const SAMPLES: Kind<Vec<usize>> = Kind {
+    expected: "an array of numbers of samples, counted from 1",
+    read: |at| {
+        let all = match &at.node.value {
+            Value::Numbers(all) => all.clone(),
+            Value::List(all) if all.is_empty() => Vec::new(),
+            _ => return at.wrong(),
+        };
+        let whole = |v: &f64| v.fract() == 0.0 && (1.0..=1e15).contains(v);
+        if !all.iter().all(whole) {
+            return at.wrong();
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number in the range of the type"
+        )]
+        let samples = all.into_iter().map(|v| v as usize - 1);
+        Some(samples.collect())
+    },
+    write: |all| {
+        let all: Vec<f64> = all.iter().map(|sample| *sample as f64 + 1.0).collect();
+        all.as_slice().into()
+    },
+};
+
+fn conditions(o: &mut Object<'_, '_>, own: &mut Conditions) {
+    o.usual_or_null("load_kg", &mut own.load_kg, &FROM_TO);
+    o.usual_or_null("temperature_c", &mut own.temperature_c, &FROM_TO);
+}
+
+/// From the smaller to the larger value.
+const FROM_TO: Kind<Range> = Kind {
+    expected: "2 numbers, the smaller first",
+    read: |at| match at.numbers::<2>()? {
+        [from, to] if from <= to => Some(Range { from, to }),
+        _ => at.wrong(),
+    },
+    write: |range| [range.from, range.to].into(),
+};
 
 const STEPS: Kind<Vec<GapStep>> = Kind {
     expected: "an array of objects",

@@ -40,6 +40,7 @@ const KEYS: [[&str; 5]; 3] = [
 #[derive(Clone, Default)]
 struct Lists {
     ranges: Vec<f64>,
+    geometry_alone: Vec<f64>,
     along: [[Vec<f64>; 5]; 3],
 }
 
@@ -62,6 +63,7 @@ impl Lists {
         });
         Self {
             ranges: rest.ranges.as_flattened().to_vec(),
+            geometry_alone: rest.geometry_alone.clone(),
             along,
         }
     }
@@ -91,6 +93,7 @@ impl Lists {
         odd.is_empty().then(|| Rest {
             ranges: ranges.to_vec(),
             along,
+            geometry_alone: self.geometry_alone.clone(),
         })
     }
 }
@@ -101,6 +104,10 @@ pub(super) fn written_rest(rest: &Rest) -> Value {
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
     o.required("ranges_inner", &mut own.ranges, &LIST);
+    let key = "others_without_it_inner";
+    if o.is_read() || !own.geometry_alone.is_empty() {
+        o.usual(key, &mut own.geometry_alone, &LIST);
+    }
     for (keys, lists) in KEYS.iter().zip(&mut own.along) {
         for (key, list) in keys.iter().zip(lists) {
             if o.is_read() || !list.is_empty() {

@@ -122,6 +122,9 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
             ],
             tolerance_mm: (number > 0.5).then_some(number),
             compensated_by: (number > 0.2).then(|| "0123".to_owned()),
+            set_up: Default::default(),
+            conditions: Default::default(),
+            set_aside: None,
             history: vec![GapStep {
                 what: "nominal robot".to_owned(),
                 gap_mm: number * 3.0,

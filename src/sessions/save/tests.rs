@@ -83,6 +83,7 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                     .filter(|held_out: &&Vec<bool>| rows > 1 && held_out.contains(&true))
                     .map(|_| (0..rows).map(|row| row % 3 == 1).collect()),
                 held_out,
+                corrected: None,
                 unknown: vec![UnknownColumn {
                     name: "remark".to_owned(),
                     cells: remarks,

@@ -1,0 +1,81 @@
+//! A session beside a model whose own session had set-up errors: its raw values are read by the corrections
+//! that the model carries.
+//!
+//! A session of the same controller has the same conventions. Another one may have been corrected since, or
+//! measured from another place: where the model's corrections leave far more than what is left without them,
+//! or with the frame of the instrument fitted anew, it is read that way, and that is said.
+
+use std::borrow::Cow;
+
+use crate::model::{Calibration, SetUp};
+use crate::sessions::{Mend, Session, Setups};
+
+use super::verification::{Verification, VerifyError, is_own, verify_as_read};
+
+/// An error that is so many times as large is another reading's.
+const FAR_WORSE: f64 = 5.0;
+/// What the program calls a frame that it fits to samples which name none.
+const NEW_FRAME: &str = "fitted here";
+
+/// Compares a raw session with a calibration, by the corrections that it carries.
+pub(super) fn verified(
+    calibration: &Calibration,
+    session: &Session,
+    notes: &[String],
+) -> Result<Verification, VerifyError> {
+    let set_up = &calibration.set_up;
+    let by = |read: &Session, says: Option<String>| {
+        let notes = notes.iter().cloned().chain(says).collect();
+        verify_as_read(calibration, read, notes)
+    };
+    let own = is_own(calibration, session);
+    let reads_plain = if own {
+        set_up.leaves_own_samples()
+    } else {
+        set_up.is_empty()
+    };
+    if reads_plain || session.samples.corrected.is_some() {
+        return by(session, None);
+    }
+    let says = format!(
+        "read as the model's own session was: {}",
+        set_up.says().join(", ")
+    );
+    let says = (!set_up.is_empty()).then_some(says);
+    let first = by(&set_up.applied(session, own), says)?;
+    if own {
+        return Ok(first);
+    }
+    let mut best = first;
+    let mut others: Vec<(Cow<Session>, &str)> = Vec::new();
+    if let Some(elsewhere) = with_a_new_frame(set_up, session) {
+        let says =
+            "the instrument does not stand where it stood: its frame is fitted to these samples";
+        others.push((Cow::Owned(elsewhere), says));
+    }
+    let says =
+        "the set-up errors of the model's session are not in this one: it is read as it stands";
+    others.push((Cow::Borrowed(session), says));
+    for (read, says) in others {
+        if let Ok(other) = by(&read, Some(says.to_owned()))
+            && FAR_WORSE * other.model.rms_mm < best.model.rms_mm
+        {
+            best = other;
+        }
+    }
+    Ok(best)
+}
+
+/// The session as the model reads it, seen from a frame that the model does not know; `None` where it was
+/// no correction that set the frame free.
+fn with_a_new_frame(set_up: &SetUp, session: &Session) -> Option<Session> {
+    let free = set_up.corrections().contains(&Mend::FreeFrame) && session.samples.setups.is_none();
+    free.then(|| {
+        let mut read = set_up.applied(session, false).into_owned();
+        read.samples.setups = Some(Setups {
+            names: vec![NEW_FRAME.to_owned()],
+            index: vec![0; read.samples.len()],
+        });
+        read
+    })
+}

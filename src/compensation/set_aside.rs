@@ -1,0 +1,167 @@
+//! Samples of a check that are suspected outliers: single ones are outliers, many of them or some that belong
+//! together are evidence.
+
+use crate::answers::diagnosis::DataProblem;
+use crate::model::Calibration;
+use crate::sessions::Session;
+
+/// More than this share of the samples is more than accidents.
+const MOST_SHARE: f64 = 0.02;
+/// So many samples in a row, or of one group, do not fall together by accident …
+const FEWEST_TOGETHER: usize = 3;
+/// … where at least so much of the group is among them.
+const SHARE_OF_A_GROUP: f64 = 0.5;
+
+/// The samples that the fit of a model set aside, marked among so many, where they are those of its own session.
+pub(super) fn of_its_own(
+    calibration: &Calibration,
+    own: bool,
+    samples: usize,
+) -> Option<Vec<bool>> {
+    let set_aside = calibration.set_aside.as_ref().filter(|_| own)?;
+    let mut marked = vec![false; samples];
+    for sample in set_aside {
+        *marked.get_mut(*sample)? = true;
+    }
+    Some(marked)
+}
+
+/// What there is to say of the suspected samples among those that count, from the lengths of what is left
+/// of every sample, mm.
+pub(super) fn findings(
+    session: &Session,
+    lengths_mm: &[f64],
+    counts: impl Fn(usize) -> bool,
+    suspected: &[bool],
+) -> Vec<DataProblem> {
+    let all: Vec<usize> = (0..suspected.len()).filter(|i| counts(*i)).collect();
+    let set_aside: Vec<usize> = all.iter().copied().filter(|i| suspected[*i]).collect();
+    let mut problems = Vec::new();
+    if set_aside.is_empty() {
+        return problems;
+    }
+    let far = |samples: &[usize]| {
+        let square: f64 = samples.iter().map(|i| lengths_mm[*i].powi(2)).sum();
+        (square / samples.len().max(1) as f64).sqrt()
+    };
+    let mut problem = |what: String, evidence: String, samples: Vec<usize>| {
+        problems.push(DataProblem {
+            what,
+            evidence,
+            proposal: "look at them before the model is used: the RMS error over all samples is the one that \
+                       counts"
+                .to_owned(),
+            mend: None,
+            samples,
+        });
+    };
+    let groups = groups(session, &all);
+    let mut told = false;
+    for (name, members) in &groups {
+        let inside: Vec<usize> = members.iter().copied().filter(|i| suspected[*i]).collect();
+        let whole = members.len() < all.len();
+        let share = inside.len() as f64 / members.len().max(1) as f64;
+        if whole && inside.len() >= FEWEST_TOGETHER && share >= SHARE_OF_A_GROUP {
+            told = true;
+            problem(
+                format!("{name} is elsewhere than the model has it"),
+                format!(
+                    "{} of its {} samples are suspected, with an RMS error of {:.3} mm",
+                    inside.len(),
+                    members.len(),
+                    far(&inside)
+                ),
+                inside,
+            );
+        }
+    }
+    if let Some(run) = longest_run(&in_order(session, &all), suspected)
+        && run.len() >= FEWEST_TOGETHER
+        && (!told || run.len() * 2 > set_aside.len())
+    {
+        told = true;
+        let (first, last) = (run[0] + 1, run[run.len() - 1] + 1);
+        problem(
+            format!(
+                "samples {first} to {last} do not follow the model, {} in a row",
+                run.len()
+            ),
+            format!("their RMS error is {:.3} mm", far(&run)),
+            run,
+        );
+    }
+    if !told && set_aside.len() as f64 > MOST_SHARE * all.len() as f64 {
+        let evidence = format!(
+            "their RMS error is {:.3} mm, more than {:.0} % of the samples are among them",
+            far(&set_aside),
+            100.0 * MOST_SHARE
+        );
+        let what = format!(
+            "{} of {} samples do not follow the model",
+            set_aside.len(),
+            all.len()
+        );
+        problem(what, evidence, set_aside);
+    }
+    problems
+}
+
+/// Samples by target and by setup, where there are several.
+fn groups(session: &Session, all: &[usize]) -> Vec<(String, Vec<usize>)> {
+    let samples = &session.samples;
+    let mut groups = Vec::new();
+    let mut add = |what: &str, name: &str, index: &[u32], of: usize| {
+        let members: Vec<usize> = all
+            .iter()
+            .copied()
+            .filter(|i| index[*i] as usize == of)
+            .collect();
+        if !members.is_empty() {
+            groups.push((format!("{what} {name}"), members));
+        }
+    };
+    if let Some(index) = &samples.target {
+        for (k, target) in session.targets.iter().enumerate() {
+            add("target", &target.name, index, k);
+        }
+    }
+    if let Some(setups) = &samples.setups {
+        for (k, name) in setups.names.iter().enumerate() {
+            add("setup", name, &setups.index, k);
+        }
+    }
+    groups
+}
+
+/// The samples in the order in which they were measured.
+fn in_order(session: &Session, all: &[usize]) -> Vec<usize> {
+    let mut order = all.to_vec();
+    if let Some(time) = &session.samples.time_s
+        && all.iter().all(|i| time[*i].is_finite())
+    {
+        order.sort_by(|a, b| time[*a].total_cmp(&time[*b]).then(a.cmp(b)));
+    }
+    order
+}
+
+/// The longest stretch of suspected samples in this order; a single one that is not suspected does
+/// not end it, and is not in it.
+fn longest_run(order: &[usize], suspected: &[bool]) -> Option<Vec<usize>> {
+    const MOST_BETWEEN: usize = 1;
+    let (mut best, mut run, mut between) = (Vec::new(), Vec::new(), 0);
+    for sample in order {
+        if suspected[*sample] {
+            run.push(*sample);
+            between = 0;
+        } else {
+            between += 1;
+        }
+        if between > MOST_BETWEEN {
+            run.clear();
+        }
+        if run.len() > best.len() {
+            best.clone_from(&run);
+        }
+    }
+    (!best.is_empty()).then_some(best)
+}

@@ -1,0 +1,125 @@
+//! The corrections of the samples of a model's own session: a name and numbers. Rows, joints, targets and sockets
+//! count from 1.
+
+use crate::sessions::Mend;
+
+/// Whole numbers up to here are exact.
+const MOST: f64 = 9e15;
+
+/// A correction as its name and its numbers; `None` where it is a convention of every session.
+pub(super) fn numbers_of(correction: &Mend) -> Option<(&'static str, Vec<f64>)> {
+    let place = |index: usize| index as f64 + 1.0;
+    Some(match correction {
+        Mend::Remove(rows) => ("leave-out", rows.iter().map(|row| place(*row)).collect()),
+        Mend::PairRows(shifts) => {
+            let pairs = shifts
+                .iter()
+                .flat_map(|(row, by)| [place(*row), *by as f64]);
+            ("pair-rows", pairs.collect())
+        }
+        Mend::ScaleSpeed { joint, factor } => ("scale-speed", vec![place(*joint), *factor]),
+        Mend::ScaleLoad(factor) => ("scale-load", vec![*factor]),
+        Mend::ConvertTemperature { factor, offset } => {
+            ("convert-temperature", vec![*factor, *offset])
+        }
+        Mend::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
+        Mend::MoveTarget { target, by_mm } => {
+            let numbers = [place(*target)].into_iter().chain(*by_mm);
+            ("move-target", numbers.collect())
+        }
+        Mend::FreeTargets => ("free-targets", Vec::new()),
+        Mend::SplitSocket { socket, from } => ("split-socket", vec![place(*socket), place(*from)]),
+        _ => return None,
+    })
+}
+
+/// The correction of this name with these numbers; `None` where there is none.
+pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<Mend> {
+    Some(match (name, numbers) {
+        ("leave-out", rows) => {
+            Mend::Remove(rows.iter().map(|row| index(*row)).collect::<Option<_>>()?)
+        }
+        ("pair-rows", pairs) if pairs.len() % 2 == 0 => {
+            let pair = |pair: &[f64]| Some((index(pair[0])?, shift(pair[1])?));
+            Mend::PairRows(pairs.chunks_exact(2).map(pair).collect::<Option<_>>()?)
+        }
+        ("scale-speed", [joint, factor]) => Mend::ScaleSpeed {
+            joint: index(*joint)?,
+            factor: *factor,
+        },
+        ("scale-load", [factor]) => Mend::ScaleLoad(*factor),
+        ("convert-temperature", [factor, offset]) => Mend::ConvertTemperature {
+            factor: *factor,
+            offset: *offset,
+        },
+        ("widen-noise", [x, y, z]) => Mend::WidenNoise([*x, *y, *z]),
+        ("move-target", [target, x, y, z]) => Mend::MoveTarget {
+            target: index(*target)?,
+            by_mm: [*x, *y, *z],
+        },
+        ("free-targets", []) => Mend::FreeTargets,
+        ("split-socket", [socket, from]) => Mend::SplitSocket {
+            socket: index(*socket)?,
+            from: index(*from)?,
+        },
+        _ => return None,
+    })
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a whole number from 1 to MOST"
+)]
+fn index(place: f64) -> Option<usize> {
+    let sound = place.fract() == 0.0 && (1.0..=MOST).contains(&place);
+    sound.then(|| place as usize - 1)
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a whole number within ±MOST"
+)]
+fn shift(by: f64) -> Option<isize> {
+    (by.fract() == 0.0 && by.abs() <= MOST).then_some(by as isize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_correction_of_samples_is_read_back() {
+        let all = [
+            Mend::Remove(vec![0, 7]),
+            Mend::PairRows(vec![(3, 1), (9, -2)]),
+            Mend::ScaleSpeed {
+                joint: 1,
+                factor: -1.0,
+            },
+            Mend::ScaleLoad(0.001),
+            Mend::ConvertTemperature {
+                factor: 1.0,
+                offset: -273.15,
+            },
+            Mend::WidenNoise([0.01, 0.02, 0.0]),
+            Mend::MoveTarget {
+                target: 2,
+                by_mm: [1.0, -2.0, 0.5],
+            },
+            Mend::FreeTargets,
+            Mend::SplitSocket {
+                socket: 1,
+                from: 40,
+            },
+        ];
+        for correction in all {
+            let (name, numbers) = numbers_of(&correction).unwrap();
+            assert_eq!(of_numbers(name, &numbers), Some(correction));
+        }
+        assert_eq!(numbers_of(&Mend::FreeFrame), None);
+        assert_eq!(of_numbers("leave-out", &[0.0]), None);
+        assert_eq!(of_numbers("pair-rows", &[1.0]), None);
+        assert_eq!(of_numbers("scale-load", &[]), None);
+    }
+}

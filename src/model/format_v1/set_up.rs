@@ -1,0 +1,165 @@
+//! The corrections of the set-up that a model carries; joints count from 1.
+
+use crate::document::kinds::{NUMBER, TEXT, count};
+use crate::document::object::{At, Kind, written};
+use crate::document::{Member, Value};
+use crate::model::SetUp;
+use crate::sessions::Mend;
+
+use super::of_samples::{numbers_of, of_numbers};
+
+const EXPECTED: &str = "an object with the key correction: scale-joint, scale-joints, exchange-joints, \
+                        couple-joint, take-read-back, turn-home, scale-lengths, reorder or free-frame, or a \
+                        correction of samples with its values";
+
+pub(super) const SET_UP: Kind<SetUp> = Kind {
+    expected: "an array of objects",
+    read: |at| at.list_by(correction).map(SetUp::new),
+    write: |set_up| {
+        let all = set_up.of_samples().iter().chain(set_up.corrections());
+        all.map(correction_written).collect()
+    },
+};
+
+const JOINT: Kind<usize> = count("a joint, counted from 1");
+
+/// Everything that any of them may have.
+struct Parts {
+    correction: String,
+    joint: usize,
+    other: usize,
+    factor: f64,
+    by_rad: f64,
+    order: [f64; 3],
+    values: Vec<f64>,
+}
+
+fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
+    at.expected = EXPECTED;
+    let blank = Parts {
+        correction: String::new(),
+        joint: 1,
+        other: 1,
+        factor: 1.0,
+        by_rad: 0.0,
+        order: [1.0, 2.0, 3.0],
+        values: Vec::new(),
+    };
+    let parts = at.object(blank, |o, own| {
+        o.required("correction", &mut own.correction, &TEXT);
+        o.usual("joint", &mut own.joint, &JOINT);
+        o.usual("other_joint", &mut own.other, &JOINT);
+        o.usual("factor", &mut own.factor, &NUMBER);
+        o.usual("by_rad", &mut own.by_rad, &NUMBER);
+        o.usual("order", &mut own.order, &THREE);
+        o.usual("values", &mut own.values, &VALUES);
+    })?;
+    let (Some(joint), Some(other)) = (parts.joint.checked_sub(1), parts.other.checked_sub(1))
+    else {
+        return at.wrong();
+    };
+    let factor = parts.factor;
+    let needs_a_factor = matches!(
+        parts.correction.as_str(),
+        "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths"
+    );
+    if needs_a_factor && factor == 0.0 {
+        return at.wrong();
+    }
+    Some(match parts.correction.as_str() {
+        "scale-joint" => Mend::ScaleJoint { joint, factor },
+        "scale-joints" => Mend::ScaleJoints { factor },
+        "exchange-joints" => Mend::ExchangeJoints {
+            first: joint,
+            second: other,
+        },
+        "couple-joint" => Mend::CoupleJoint {
+            joint,
+            from: other,
+            factor,
+        },
+        "take-read-back" => Mend::TakeReadBack,
+        "turn-home" => Mend::TurnHome {
+            joint,
+            by_rad: parts.by_rad,
+        },
+        "scale-lengths" => Mend::ScaleLengths(factor),
+        "reorder" => {
+            let mut order = [0; 3];
+            for (to, from) in order.iter_mut().zip(parts.order) {
+                let Some(k) = [1.0, 2.0, 3.0].iter().position(|k| *k == from) else {
+                    return at.wrong();
+                };
+                *to = k;
+            }
+            Mend::Reorder(order)
+        }
+        "free-frame" => Mend::FreeFrame,
+        name => match of_numbers(name, &parts.values) {
+            Some(correction) => correction,
+            None => return at.wrong(),
+        },
+    })
+}
+
+const VALUES: Kind<Vec<f64>> = Kind {
+    expected: "an array of numbers",
+    read: |at| at.list(&NUMBER),
+    write: |values| values.iter().copied().collect(),
+};
+
+const THREE: Kind<[f64; 3]> = Kind {
+    expected: "the places of x, y and z among 1, 2, 3",
+    read: |at| at.numbers(),
+    write: |three| (*three).into(),
+};
+
+fn correction_written(correction: &Mend) -> Value {
+    let object = |name: &str, members: Vec<Member>| {
+        let first = Member::new("correction", name);
+        Value::Object([first].into_iter().chain(members).collect())
+    };
+    let joint = |key: &'static str, joint: usize| Member::new(key, joint + 1);
+    let number = |key: &'static str, value: f64| Member::new(key, value);
+    match correction {
+        Mend::ScaleJoint { joint: of, factor } => object(
+            "scale-joint",
+            vec![joint("joint", *of), number("factor", *factor)],
+        ),
+        Mend::ScaleJoints { factor } => object("scale-joints", vec![number("factor", *factor)]),
+        Mend::ExchangeJoints { first, second } => object(
+            "exchange-joints",
+            vec![joint("joint", *first), joint("other_joint", *second)],
+        ),
+        Mend::CoupleJoint {
+            joint: of,
+            from,
+            factor,
+        } => object(
+            "couple-joint",
+            vec![
+                joint("joint", *of),
+                joint("other_joint", *from),
+                number("factor", *factor),
+            ],
+        ),
+        Mend::TakeReadBack => object("take-read-back", Vec::new()),
+        Mend::TurnHome { joint: of, by_rad } => object(
+            "turn-home",
+            vec![joint("joint", *of), number("by_rad", *by_rad)],
+        ),
+        Mend::ScaleLengths(factor) => object("scale-lengths", vec![number("factor", *factor)]),
+        Mend::Reorder(order) => {
+            let places = order.map(|k| k as f64 + 1.0);
+            object("reorder", vec![Member::new("order", places)])
+        }
+        Mend::FreeFrame => object("free-frame", Vec::new()),
+        of_samples => match numbers_of(of_samples) {
+            Some((name, values)) => object(
+                name,
+                vec![Member::new("values", values.into_iter().collect::<Value>())],
+            ),
+            None => written((), |_, ()| {}),
+        },
+    }
+}

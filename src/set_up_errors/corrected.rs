@@ -1,0 +1,33 @@
+//! What was corrected in memory goes with the samples: a model that is fitted to them carries it.
+
+use std::borrow::Cow;
+
+use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
+
+use super::{DataProblem, Mended};
+
+impl<'a> Mended<'a> {
+    /// A session as it is, or with the corrections that were `made`; `raw` is what was read.
+    pub(super) fn new(
+        raw: &Session,
+        mut session: Cow<'a, Session>,
+        problems: Vec<DataProblem>,
+        made: Vec<Mend>,
+    ) -> Self {
+        if let Cow::Owned(better) = &mut session
+            && raw.samples.corrected.is_none()
+            && !made.is_empty()
+        {
+            better.samples.corrected = Some(Corrected {
+                by: made,
+                raw_hash: hash_of_samples(raw),
+            });
+        }
+        Self { session, problems }
+    }
+}
+
+/// The corrections of these problems, which were made.
+pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = Mend> + '_ {
+    problems.iter().filter_map(|problem| problem.mend.clone())
+}

@@ -1,0 +1,450 @@
+//! What leaves the program: no model is worse than that of `identify`, `verify` on a model's own session gives
+//! what was said, set-up errors or not, and what is made from a model makes the robot better. The robots are
+//! plain trigonometry and `hidden_robot`, which share no code with the program.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use std::path::{Path, PathBuf};
+
+use crate::hidden_robot::{Hidden, apart};
+use crate::rig::Random;
+use truepose::compensation::verify;
+use truepose::diagnosis::{Diagnosis, Options};
+use truepose::effects::JointValues;
+use truepose::export::Job;
+use truepose::model::{Calibration, read_model, write_model};
+use truepose::pipeline::{self, Method, identify_checked};
+use truepose::programs::{Request, find};
+use truepose::sessions::{Session, load, parse};
+
+const DEG: f64 = std::f64::consts::PI / 180.0;
+
+/// Every session of the repository, in a fixed order.
+fn sessions() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders = vec![root.join("sessions")];
+    for name in ["arms", "arm_verdicts", "observations", "programs"] {
+        folders.push(root.join("tests/data").join(name));
+    }
+    let mut all = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap_or_default();
+            let head = &text[..text.len().min(200)];
+            if path.extension().is_some_and(|e| e == "json") && head.contains("truepose-session/1")
+            {
+                all.push(path);
+            }
+        }
+    }
+    all.sort();
+    assert!(all.len() > 30, "{all:?}");
+    all
+}
+
+/// That `verify` on the raw session gives what was said, by the model as it is written.
+fn assert_as_said(calibration: &Calibration, session: &Session, said_mm: f64, what: &str) {
+    let read = read_model(&write_model(calibration)).unwrap();
+    assert_eq!(read.set_up, calibration.set_up, "{what}");
+    let verified = verify(&read, session).unwrap();
+    let (found, within) = match verified.trimmed {
+        Some(trimmed) => (trimmed.model_mm, 0.05),
+        None => (verified.model.rms_mm, 0.01),
+    };
+    assert!(
+        (found - said_mm).abs() <= within * said_mm.max(1e-6),
+        "{what}: {found} mm, and {said_mm} was said; {:?}",
+        calibration.set_up
+    );
+}
+
+fn assert_no_worse(found: &Diagnosis, what: &str) {
+    assert!(
+        found.gap.end_mm <= found.gap.identified_mm,
+        "{what}: {:?}",
+        found.gap
+    );
+    if let Some(gaps) = found.held_out.gaps {
+        assert!(gaps.end_mm <= gaps.identified_mm, "{what}: {gaps:?}");
+    }
+    let last = found.history.last().unwrap();
+    assert_eq!(last.gap_mm, found.gap.end_mm, "{what}");
+    let values: Vec<f64> = found.identified.iter().map(|p| p.value).collect();
+    let all = &found.identification.parameters;
+    for value in values {
+        assert!(all.iter().any(|p| p.value == value), "{what}");
+    }
+    for parameter in all {
+        if let Some([low, high]) = parameter.ci95 {
+            let held = low <= parameter.value && parameter.value <= high;
+            assert!(held, "{what}: {parameter:?}");
+        }
+    }
+}
+
+fn diagnosed(session: &Session) -> Diagnosis {
+    pipeline::diagnose(session, &Options::default(), &|_| true).unwrap()
+}
+
+#[test]
+fn verify_of_a_model_on_its_own_session_gives_what_identify_said() {
+    for path in sessions() {
+        let session = load(&path).unwrap().session;
+        let method = Method::default();
+        let Ok(found) = identify_checked(&session, &method, JointValues::Commanded) else {
+            continue;
+        };
+        let said = found.identification.gap.after.rms_mm;
+        assert_as_said(
+            &found.calibration,
+            &session,
+            said,
+            &path.display().to_string(),
+        );
+    }
+}
+
+#[test]
+fn no_diagnosis_of_the_repository_is_worse_than_its_identification() {
+    for path in sessions() {
+        let session = load(&path).unwrap().session;
+        // Long ones are diagnosed elsewhere.
+        if session.samples.len() > 150 {
+            continue;
+        }
+        let found = diagnosed(&session);
+        let what = path.display().to_string();
+        assert_no_worse(&found, &what);
+        let calibration = found.calibration(&session);
+        assert_as_said(&calibration, &session, found.gap.end_mm, &what);
+    }
+}
+
+/// One axis of 320 mm with two reflectors; `turned` is added to the true angle and `by` to the points.
+fn one_axis(
+    seed: u64,
+    count: usize,
+    turned: impl Fn(f64) -> f64,
+    seen: impl Fn(usize, [f64; 3]) -> [f64; 3],
+    raw: impl Fn(f64) -> f64,
+) -> Session {
+    let mut random = Random(seed);
+    let mut rows = String::new();
+    for i in 0..count {
+        let q = random.between(-170.0, 170.0);
+        let (name, local) = match random.below(2) {
+            0 => ("A", [0.0, 0.0, 0.0]),
+            _ => ("B", [90.0, 30.0, 50.0]),
+        };
+        let (s, c) = ((q + 0.3 + turned(q)) * DEG).sin_cos();
+        let (x, y) = (321.2 + local[0], local[1]);
+        let point = [c * x - s * y, s * x + c * y, 210.0 + local[2]];
+        let noisy = point.map(|v| v + 0.02 * random.normal());
+        let [x, y, z] = seen(i, noisy);
+        rows += &format!("[{},{x},{y},{z},\"{name}\"],", raw(q));
+    }
+    let rows: Vec<Vec<serde_json::Value>> =
+        serde_json::from_str(&format!("[{}]", rows.trim_end_matches(','))).unwrap();
+    let column =
+        |k: usize| -> Vec<serde_json::Value> { rows.iter().map(|r| r[k].clone()).collect() };
+    let document = serde_json::json!({
+        "format": "truepose-session/1", "name": "axis",
+        "robot": { "name": "axis", "joints": [ { "name": "a", "kind": "revolute", "axis": [0, 0, 1],
+            "point_mm": [0, 0, 0], "limits": [-180, 180] } ],
+            "tool": { "position_mm": [320, 0, 210], "quaternion_wxyz": [1, 0, 0, 0] } },
+        "targets": { "A": [0, 0, 0], "B": [90, 30, 50] },
+        "instrument": { "name": "t", "sigma_mm": 0.02 },
+        "samples": { "columns": { "q1_deg": column(0), "x_mm": column(1), "y_mm": column(2),
+            "z_mm": column(3), "target": column(4) } } });
+    parse(document.to_string().as_bytes()).unwrap().session
+}
+
+const NOTHING: fn(f64) -> f64 = |_| 0.0;
+
+fn as_it_is(_: usize, point: [f64; 3]) -> [f64; 3] {
+    point
+}
+
+#[test]
+fn a_model_beside_what_no_name_explains_is_no_worse_than_that_of_identify() {
+    let bump = |q: f64| 0.04 * (-0.5 * ((q - 40.0) / 9.0).powi(2)).exp();
+    let wave = |q: f64| 0.006 * ((3.0 * q * DEG).sin() + (q * DEG).cos().powi(5));
+    let rounded = |_: usize, p: [f64; 3]| p.map(|v| (v * 10.0).round() / 10.0);
+    for seed in 1..=6 {
+        let all = [
+            ("bump", one_axis(seed, 130, bump, as_it_is, |q| q)),
+            ("wave", one_axis(seed, 130, wave, as_it_is, |q| q)),
+            ("rounded", one_axis(seed, 130, NOTHING, rounded, |q| q)),
+        ];
+        for (what, session) in all {
+            let found = diagnosed(&session);
+            let what = format!("{what} {seed}");
+            assert_no_worse(&found, &what);
+            let calibration = found.calibration(&session);
+            assert_as_said(&calibration, &session, found.gap.end_mm, &what);
+            let method = Method::default();
+            let identified = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+            let by = identified.identification.gap.after.rms_mm;
+            assert!(
+                found.gap.end_mm <= 1.001 * by,
+                "{what}: {:?}, {by}",
+                found.gap
+            );
+        }
+    }
+}
+
+#[test]
+fn the_headline_of_a_check_is_over_all_its_samples() {
+    let session = one_axis(1, 60, NOTHING, as_it_is, |q| q);
+    let method = Method::default();
+    let found = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+    let moved = |i: usize, [x, y, z]: [f64; 3]| if i < 66 { [x, y, z] } else { [x, y + 0.5, z] };
+    let check = one_axis(2, 100, NOTHING, moved, |q| q);
+    let verified = verify(&found.calibration, &check).unwrap();
+    let true_mm = (0.34 * 0.25_f64 + 3.0 * 0.02_f64.powi(2)).sqrt();
+    assert!(
+        (verified.model.rms_mm / true_mm - 1.0).abs() < 0.05,
+        "{:?}, true {true_mm}",
+        verified.model
+    );
+    let trimmed = verified.trimmed.unwrap();
+    assert!(
+        trimmed.set_aside > 20 && trimmed.model_mm < 0.1,
+        "{trimmed:?}"
+    );
+    let what: Vec<&str> = verified.data_problems.iter().map(|p| &*p.what).collect();
+    assert!(what[0].contains("in a row"), "{what:?}");
+    // One that is far off is an outlier, and no finding.
+    let one_off = |i: usize, [x, y, z]: [f64; 3]| [x, y, if i == 7 { z + 1.0 } else { z }];
+    let check = one_axis(2, 100, NOTHING, one_off, |q| q);
+    let verified = verify(&found.calibration, &check).unwrap();
+    assert_eq!(verified.trimmed.unwrap().set_aside, 1);
+    assert!(
+        verified.data_problems.is_empty(),
+        "{:?}",
+        verified.data_problems
+    );
+}
+
+/// What a table of csv adds to a command in degrees, both columns being the same.
+fn table(calibration: &Calibration) -> impl Fn(f64) -> f64 {
+    let export = pipeline::export("csv", &Job::new(calibration, "table.csv")).unwrap();
+    let read = export.reads_as.unwrap();
+    move |q| read.correction_outer(q, 0.0)
+}
+
+/// RMS error of the angle of one axis, degrees, with a table's corrections times `sign`.
+fn driven(
+    turned: impl Fn(f64) -> f64,
+    raw: impl Fn(f64) -> f64,
+    from_raw: impl Fn(f64) -> f64,
+    by: impl Fn(f64) -> f64,
+    sign: f64,
+) -> f64 {
+    let mut square = 0.0;
+    let count = 300;
+    for k in 0..count {
+        let wanted = -160.0 + 320.0 * f64::from(k) / f64::from(count);
+        let told = raw(wanted) + sign * by(raw(wanted));
+        let q = from_raw(told);
+        square += (q + 0.3 + turned(q) - wanted).powi(2);
+    }
+    (square / f64::from(count)).sqrt()
+}
+
+#[test]
+fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error() {
+    let eccentric = |q: f64| 0.06 * ((q - 30.0) * DEG).sin();
+    let same: fn(f64) -> f64 = |q| q;
+    let reversed: fn(f64) -> f64 = |q| -q;
+    let quarter: fn(f64) -> f64 = |q| q - 90.0;
+    let back: fn(f64) -> f64 = |q| q + 90.0;
+    for (what, raw, from_raw) in [
+        ("plain", same, same),
+        ("reversed", reversed, reversed),
+        ("home", quarter, back),
+    ] {
+        let session = one_axis(3, 130, eccentric, as_it_is, raw);
+        let found = diagnosed(&session);
+        assert_no_worse(&found, what);
+        assert_eq!(
+            found.set_up.is_empty(),
+            what == "plain",
+            "{:?}",
+            found.data_problems
+        );
+        let calibration = found.calibration(&session);
+        assert_as_said(&calibration, &session, found.gap.end_mm, what);
+        let by = table(&calibration);
+        let error = |sign: f64| driven(eccentric, raw, from_raw, &by, sign);
+        let (before, after, turned) = (error(0.0), error(1.0), error(-1.0));
+        assert!(after < 0.05 * before, "{what}: {before} → {after}");
+        assert!(
+            (turned / before - 2.0).abs() < 0.1,
+            "{what}: {before} → {turned}"
+        );
+    }
+}
+
+#[test]
+fn one_coordinate_is_enough_for_every_command() {
+    for (k, name) in ["x_mm", "y_mm"].into_iter().enumerate() {
+        let mut text = format!("q1_deg,{name}\n");
+        let mut random = Random(5);
+        for i in 0..60 {
+            let q = -170.0 + 340.0 * f64::from(i) / 59.0;
+            let (s, c) = ((q + 0.2) * DEG).sin_cos();
+            let value = 321.0 * [c, s][k] + 0.02 * random.normal();
+            text += &format!("{q},{value}\n");
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("one.json");
+        let document = r#"{"format":"truepose-session/1","name":"one","robot":{"name":"r","joints":[{"name":"a",
+            "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[320,0,210],
+            "quaternion_wxyz":[1,0,0,0]}},"instrument":{"name":"t","sigma_mm":0.02},"samples":{"file":"one.csv"}}"#;
+        std::fs::write(&path, document).unwrap();
+        std::fs::write(folder.path().join("one.csv"), text).unwrap();
+        let session = load(&path).unwrap().session;
+        let method = Method::default();
+        let found = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+        let said = found.identification.gap.after.rms_mm;
+        assert!((0.01..0.03).contains(&said), "{name}: {said}");
+        assert_as_said(&found.calibration, &session, said, name);
+        let found = diagnosed(&session);
+        assert_no_worse(&found, name);
+        let calibration = found.calibration(&session);
+        assert_as_said(&calibration, &session, found.gap.end_mm, name);
+    }
+}
+
+/// A set-up error: what it makes of true joint values, rad, and what they are again.
+struct Mistake {
+    name: &'static str,
+    to_raw: fn(&mut [f64]),
+    from_raw: fn(&mut [f64]),
+}
+
+const MISTAKES: [Mistake; 5] = [
+    Mistake {
+        name: "none",
+        to_raw: |_| {},
+        from_raw: |_| {},
+    },
+    Mistake {
+        name: "joint 3 reversed",
+        to_raw: |q| q[2] = -q[2],
+        from_raw: |q| q[2] = -q[2],
+    },
+    Mistake {
+        name: "home of joint 3",
+        to_raw: |q| q[2] -= 90.0 * DEG,
+        from_raw: |q| q[2] += 90.0 * DEG,
+    },
+    Mistake {
+        name: "joints 2 and 3 coupled",
+        to_raw: |q| q[2] += q[1],
+        from_raw: |q| q[2] -= q[1],
+    },
+    Mistake {
+        name: "joints 1 and 2 exchanged",
+        to_raw: |q| q.swap(0, 1),
+        from_raw: |q| q.swap(0, 1),
+    },
+];
+
+#[test]
+fn raw_targets_are_read_and_written_as_the_controller_has_them() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/programs");
+    let hidden: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.join("hidden.json")).unwrap()).unwrap();
+    let robot = Hidden::new(&hidden["arm"]);
+    let sound = load(folder.join("arm.json")).unwrap().session;
+    for Mistake {
+        name,
+        to_raw,
+        from_raw,
+    } in MISTAKES
+    {
+        let mut session = sound.clone();
+        for joint in &mut session.robot.joints {
+            joint.limits = None;
+        }
+        for i in 0..session.samples.len() {
+            let mut q: Vec<f64> = session.samples.q.iter().map(|q| q[i]).collect();
+            to_raw(&mut q);
+            for (column, q) in session.samples.q.iter_mut().zip(q) {
+                column[i] = q;
+            }
+        }
+        let method = Method::default();
+        let found = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+        let calibration = &found.calibration;
+        let corrected = calibration.set_up.moves_joints();
+        assert_eq!(
+            corrected,
+            name != "none",
+            "{name}: {:?}",
+            found.data_problems
+        );
+        let said = found.identification.gap.after.rms_mm;
+        assert_as_said(calibration, &session, said, name);
+        let mut random = Random(9);
+        let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
+        let mut wanted = Vec::new();
+        for _ in 0..12 {
+            let q: Vec<f64> = [
+                [-60.0, 60.0],
+                [-30.0, 40.0],
+                [-40.0, 30.0],
+                [-60.0, 60.0],
+                [30.0, 80.0],
+                [-60.0, 60.0],
+            ]
+            .map(|[a, b]| random.between(a, b) * DEG)
+            .to_vec();
+            let mut raw = q.clone();
+            to_raw(&mut raw);
+            let cells: Vec<String> = raw.iter().map(|v| format!("{:.6}", v / DEG)).collect();
+            text += &(cells.join(",") + "\n");
+            wanted.push(q);
+        }
+        let request = Request {
+            calibration,
+            bytes: text.as_bytes(),
+            language: find("csv").unwrap(),
+            file: None,
+            load_kg: 0.0,
+            start: None,
+            frame: None,
+            tool: None,
+            measured_frame: false,
+        };
+        let answer = pipeline::compensate(&request).unwrap();
+        let written = String::from_utf8(answer.bytes).unwrap();
+        let (mut before, mut after, mut doubled) = (0.0, 0.0, 0.0);
+        for (line, q) in written.lines().skip(1).zip(&wanted) {
+            let mut told: Vec<f64> = line
+                .split(',')
+                .map(|v| v.parse::<f64>().unwrap() * DEG)
+                .collect();
+            from_raw(&mut told);
+            let turned: Vec<f64> = q.iter().zip(&told).map(|(q, u)| 2.0 * q - u).collect();
+            let goal = robot.nominal(q);
+            before += apart(&robot.real(q, 0.0), &goal).0.powi(2);
+            after += apart(&robot.real(&told, 0.0), &goal).0.powi(2);
+            doubled += apart(&robot.real(&turned, 0.0), &goal).0.powi(2);
+        }
+        let [before, after, doubled] = [before, after, doubled].map(f64::sqrt);
+        assert!(after < 0.1 * before, "{name}: {before} → {after}");
+        assert!(
+            (doubled / before - 2.0).abs() < 0.2,
+            "{name}: {before} → {doubled}"
+        );
+    }
+}
