@@ -1,7 +1,6 @@
 //! `truepose compensate`: the targets of a table or a robot program, corrected in place.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;

@@ -34,7 +34,7 @@ use super::unseen::held_out;
 use super::values::{Values, corrected_for_selection};
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
-use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained, Verdict};
+use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
 use crate::answers::pose::{NextPose, to_raw};
 use crate::set_up_errors::Mended;
 
@@ -127,7 +127,8 @@ pub(crate) fn answer(
         end_mm: handed_out.end_mm,
     };
     let floor = floor(prepared, fit);
-    let is_dropped = |term: &Term| handed_out.dropped.iter().any(|d| d.same_column(term));
+    let dropped = handed_out.dropped.clone();
+    let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let mut steps = found_steps;
     steps.retain(|step| !is_dropped(&step.term));
     let mut rivals = aliases::open_rivals(regression, with_shapes);

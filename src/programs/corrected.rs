@@ -33,7 +33,7 @@ pub(super) struct Corrector<'a> {
     robot: &'a Robot,
     compensation: Compensation,
     free: Vec<usize>,
-    conditions: &'a Sequence,
+    conditions: &'a Sequence<'a>,
     targets: &'a [Target],
     tools: Vec<Pose>,
     tool_of: Vec<u32>,
