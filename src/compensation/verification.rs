@@ -166,8 +166,8 @@ pub(super) fn verify_as_read(
     let samples = &session.samples;
     let own = hash_of_samples(session) == calibration.samples_hash;
     // Single coordinates were fitted with the rest; of another session whole points are enough to judge by.
-    let whole = Problem::new(session, JointValues::Commanded).samples() > 0;
-    let in_parts = !samples.partly_measured().is_empty() && (own || !whole);
+    let none_is_whole = || Problem::new(session, JointValues::Commanded).samples() == 0;
+    let in_parts = !samples.partly_measured().is_empty() && (own || none_is_whole());
     if !samples.observed.is_empty() || in_parts {
         return super::observed::verify(calibration, session, notes);
     }
