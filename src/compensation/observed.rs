@@ -48,7 +48,7 @@ pub(super) fn verify(
     });
     let spread = |lengths: &[f64]| Spread::of(lengths, counts, |_| false);
     let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.fit.iter().filter(|u| **u).count();
+    let samples = problem.usable.iter().filter(|u| **u).count();
     let within = |lengths: &[f64], mm: f64| {
         let lengths = lengths.iter().zip(&problem.fit);
         lengths.filter(|(l, counts)| **counts && **l <= mm).count()
@@ -61,7 +61,7 @@ pub(super) fn verify(
         within_tolerance: tolerance.map(|mm| WithinTolerance {
             before: within(&before.length_mm, mm),
             after: within(&after.length_mm, mm),
-            of: samples,
+            of: problem.fit.iter().filter(|f| **f).count(),
         }),
         compensated: None,
         held_out: held_out(&apart, &before, &after),

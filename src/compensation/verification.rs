@@ -167,11 +167,14 @@ pub(super) fn verify_as_read(
     mut notes: Vec<String>,
 ) -> Result<Verification, VerifyError> {
     let samples = &session.samples;
-    if !samples.observed.is_empty() || !samples.partly_measured().is_empty() {
+    let own = hash_of_samples(session) == calibration.samples_hash;
+    // Single coordinates were fitted with the rest; of another session whole points are enough to judge by.
+    let none_is_whole = || Problem::new(session, JointValues::Commanded).samples() == 0;
+    let in_parts = !samples.partly_measured().is_empty() && (own || none_is_whole());
+    if !samples.observed.is_empty() || in_parts {
         return super::observed::verify(calibration, session, notes);
     }
     let mut problem = Problem::new(session, JointValues::Commanded);
-    let own = hash_of_samples(session) == calibration.samples_hash;
     let apart = held_out_of(&problem, own);
     problem.fit = counted(&problem, &apart);
     let by = model_hash(calibration);
@@ -212,7 +215,7 @@ pub(super) fn verify_as_read(
         })
     });
     let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.fit.iter().filter(|u| **u).count();
+    let samples = problem.usable.iter().filter(|u| **u).count();
     let within = |d: &Deviations, mm: f64| {
         let lengths = d.length_mm.iter().zip(&problem.fit);
         lengths.filter(|(l, counts)| **counts && **l <= mm).count()
@@ -226,7 +229,7 @@ pub(super) fn verify_as_read(
         within_tolerance: tolerance.map(|mm| WithinTolerance {
             before: within(&before, mm),
             after: within(&after, mm),
-            of: samples,
+            of: problem.fit.iter().filter(|f| **f).count(),
         }),
         compensated: compensated.flatten(),
         held_out: held_out(&apart, &before, &after),

@@ -511,10 +511,9 @@ fn require_columns(
         Quantity::Socket,
         Quantity::Orientation(0),
     ];
-    let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-    // A gauge that sees one direction needs no empty columns for the others.
-    let one_coordinate = coordinates.into_iter().filter(|q| has(*q)).count() == 1;
-    let has_other = one_coordinate || other.into_iter().any(has);
+    // A height gauge needs no empty columns for x and y; of these two, one alone is a slip.
+    let only_z = has(Quantity::Z) && !has(Quantity::X) && !has(Quantity::Y);
+    let has_other = only_z || other.into_iter().any(has);
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
         if !has(quantity) && !has_other {
             missing(

@@ -155,7 +155,7 @@ fn one_axis(
     let document = serde_json::json!({
         "format": "truepose-session/1", "name": "axis",
         "robot": { "name": "axis", "joints": [ { "name": "a", "kind": "revolute", "axis": [0, 0, 1],
-            "point_mm": [0, 0, 0], "limits": [-180, 180] } ],
+            "point_mm": [0, 0, 0], "limits": [-400, 400] } ],
             "tool": { "position_mm": [320, 0, 210], "quaternion_wxyz": [1, 0, 0, 0] } },
         "targets": { "A": [0, 0, 0], "B": [90, 30, 50] },
         "instrument": { "name": "t", "sigma_mm": 0.02 },
@@ -189,12 +189,10 @@ fn a_model_beside_what_no_name_explains_is_no_worse_than_that_of_identify() {
             assert_as_said(&calibration, &session, found.gap.end_mm, &what);
             let method = Method::default();
             let identified = identify_checked(&session, &method, JointValues::Commanded).unwrap();
-            let by = identified.identification.gap.after.rms_mm;
-            assert!(
-                found.gap.end_mm <= 1.001 * by,
-                "{what}: {:?}, {by}",
-                found.gap
-            );
+            // Over the same samples, all of them: a bump is an outlier to one and not to the other.
+            let error = |model: &Calibration| verify(model, &session).unwrap().model.rms_mm;
+            let (own, by) = (error(&calibration), error(&identified.calibration));
+            assert!(own <= by * (1.0 + 1e-9), "{what}: {own}, {by}");
         }
     }
 }
@@ -294,20 +292,31 @@ fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error(
 
 #[test]
 fn one_coordinate_is_enough_for_every_command() {
-    for (k, name) in ["x_mm", "y_mm"].into_iter().enumerate() {
-        let mut text = format!("q1_deg,{name}\n");
+    for (name, heading, axis) in [
+        ("x", "q1_deg,x_mm,y_mm,z_mm", "[0,0,1]"),
+        ("y", "q1_deg,x_mm,y_mm,z_mm", "[0,0,1]"),
+        ("z", "q1_deg,z_mm", "[0,-1,0]"),
+    ] {
+        let mut text = format!("{heading}\n");
         let mut random = Random(5);
         for i in 0..60 {
             let q = -170.0 + 340.0 * f64::from(i) / 59.0;
             let (s, c) = ((q + 0.2) * DEG).sin_cos();
-            let value = 321.0 * [c, s][k] + 0.02 * random.normal();
-            text += &format!("{q},{value}\n");
+            let value = 321.0 * if name == "x" { c } else { s } + 0.02 * random.normal();
+            text += &match name {
+                "x" => format!("{q},{value},,\n"),
+                "y" => format!("{q},,{value},\n"),
+                _ => format!("{q},{value}\n"),
+            };
         }
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("one.json");
-        let document = r#"{"format":"truepose-session/1","name":"one","robot":{"name":"r","joints":[{"name":"a",
-            "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[320,0,210],
-            "quaternion_wxyz":[1,0,0,0]}},"instrument":{"name":"t","sigma_mm":0.02},"samples":{"file":"one.csv"}}"#;
+        let document = format!(
+            r#"{{"format":"truepose-session/1","name":"one","robot":{{"name":"r","joints":[{{"name":"a",
+            "kind":"revolute","axis":{axis},"point_mm":[0,0,0]}}],"tool":{{"position_mm":[320,0,0],
+            "quaternion_wxyz":[1,0,0,0]}}}},"instrument":{{"name":"t","sigma_mm":0.02}},
+            "samples":{{"file":"one.csv"}}}}"#
+        );
         std::fs::write(&path, document).unwrap();
         std::fs::write(folder.path().join("one.csv"), text).unwrap();
         let session = load(&path).unwrap().session;

@@ -280,7 +280,9 @@ def arms(binary, folder, count, seed):
             row["wrong"] += abs(figure / said["gap"][key] - 1) > within
             row["said"].append(said["gap"][key])
             row["verified"].append(verified["gap"]["model_mm"])
-        # Raw joint targets, through the robot that was measured, in its own frame.
+        # Raw joint targets, through the robot that was measured, where its joints can correct a whole pose.
+        if arm.n < 6:
+            continue
         if not aligned and what == "none" or np.linalg.norm(to_seen(np.ones((1, 3))) - 1) > 0:
             continue
         wanted_q = rng.uniform(0.6 * low + 0.4 * high, 0.4 * low + 0.6 * high, (20, arm.n)) * inner
@@ -289,22 +291,23 @@ def arms(binary, folder, count, seed):
         with open(programme, "w", newline="") as file:
             csv.writer(file).writerows([[f"q{i + 1}_{u}" for i, u in enumerate(unit)], *rows])
         out = folder / "corrected.csv"
-        code, _, err = run(binary, "compensate", folder / "model-identify.json", programme, "--out", out, "--force")
+        code, _, _ = run(binary, "compensate", folder / "model-identify.json", programme, "--out", out, "--force")
         if code == 2 or not out.exists():
             continue
         with open(out) as file:
             back = np.array([[float(v) for v in r] for r in list(csv.reader(file))[1:]]) * inner
         # The controller adds to the true joint values what was added to its own.
-        first = to_raw(wanted_q)
-        jacobian = to_raw(wanted_q + 1e-3) - first
         told = solve_raw(to_raw, back, wanted_q)
+        corrected = np.abs(told - wanted_q).max(1) > 1e-7
+        if corrected.sum() < 6:
+            continue
+        wanted_q, told = wanted_q[corrected], told[corrected]
         still = np.eye(4)
-        zero = np.zeros(20, int)
         origin = lambda a, y, q: points_of_tool(a, y, still, q)
         nominal = origin(arm, np.zeros(arm.size), wanted_q)
         places = origin(arm, x, wanted_q), origin(arm, x, told)
         row["targets"] += 1
-        # As the base of an unknown frame is known up to what joint 1 shares with it, the best rigid motion is out.
+        # What joint 1 shares with the frame of the instrument is the frame's: the best rigid motion is taken out.
         before, after = (aligned_rms(nominal, p) for p in places)
         row["before"].append(before)
         row["after"].append(after)
