@@ -1,7 +1,6 @@
 //! `truepose compensate`: the targets of a table or a robot program, corrected in place.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -138,10 +137,9 @@ impl Compensate {
             measured_frame: self.measured_frame,
         })
         .map_err(|error| match error {
-            CompensateError::Differs(differences) => Failure::WrongInput(format!(
-                "{}: {differences}",
-                self.targets.display()
-            )),
+            CompensateError::Differs(differences) => {
+                Failure::WrongInput(format!("{}: {differences}", self.targets.display()))
+            }
             other => other.into(),
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
@@ -165,10 +163,7 @@ impl Compensate {
     }
 
     /// Which tool is the model's, and what holds where the program differs from it.
-    fn frames(
-        &self,
-        language: &Language,
-    ) -> Result<(Option<ModelTool>, ProgramFrames), Failure> {
+    fn frames(&self, language: &Language) -> Result<(Option<ModelTool>, ProgramFrames), Failure> {
         let mut frames = if self.as_programmed {
             ProgramFrames::as_programmed()
         } else if self.as_modelled {
@@ -227,10 +222,14 @@ impl Compensate {
         }
         output::document(&self.out, &answer.bytes, self.force, &inputs)?;
         // Written as it is made: it is larger than the program.
-        Ok(crate::atomic::write_atomically(&sidecar, self.force, |file| {
-            serde_json::to_writer_pretty(&mut *file, document)?;
-            file.write_all(b"\n")
-        })?)
+        Ok(crate::atomic::write_atomically(
+            &sidecar,
+            self.force,
+            |file| {
+                serde_json::to_writer_pretty(&mut *file, document)?;
+                file.write_all(b"\n")
+            },
+        )?)
     }
 }
 

@@ -82,11 +82,11 @@ impl ClosedForm {
         let g = goal * self.home.inverse();
         let wrist = g.rotation * self.wrist + g.translation.vector;
         let along = self.axes[1].into_inner();
-        // The height of the wrist along the parallel axes says q1.
+        // The height of the wrist along the parallel axes, turned back about axis 1, says q1.
         let height = along.dot(&(self.wrist - self.points[0]));
         let firsts = self.to_height(0, &(wrist - self.points[0]), &along, height, self.reach_mm)?;
         let mut all = Vec::with_capacity(8);
-        for q1 in firsts {
+        for q1 in firsts.into_iter().map(|back| -back) {
             let back = self.turned(0, -q1);
             let rotation = back * g.rotation.to_rotation_matrix();
             let here = self.moved(0, -q1, &wrist);
@@ -209,7 +209,11 @@ impl ClosedForm {
     /// The angle of a rotation about the axis of joint k.
     fn own_angle(&self, k: usize, rotation: &Rotation3<f64>) -> f64 {
         let axis = self.axes[k].into_inner();
-        let other = if axis.x.abs() < 0.6 { Vector3::x() } else { Vector3::y() };
+        let other = if axis.x.abs() < 0.6 {
+            Vector3::x()
+        } else {
+            Vector3::y()
+        };
         let from = axis.cross(&other).normalize();
         let to = rotation * from;
         axis.dot(&from.cross(&to)).atan2(from.dot(&to))
@@ -315,7 +319,10 @@ mod tests {
                     assert!(here.rotation.angle_to(&goal.rotation) < 1e-8, "{k}");
                 }
                 let same = |found: &&[f64; 6]| {
-                    let turns = found.iter().zip(&q).map(|(a, b)| (0.5 * (a - b)).sin().abs());
+                    let turns = found
+                        .iter()
+                        .zip(&q)
+                        .map(|(a, b)| (0.5 * (a - b)).sin().abs());
                     turns.fold(0.0, f64::max) < 1e-6
                 };
                 assert!(all.iter().any(|f| same(&f)), "{k}");

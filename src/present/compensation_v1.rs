@@ -160,8 +160,14 @@ impl Summary {
             max_before_mm: most(0),
             after_mm: rms(1),
             max_after_mm: most(1),
-            turned: corrected.iter().filter(|w| w.rotation_rad[1] > SAID_RAD).count(),
-            max_after_rad: corrected.iter().map(|w| w.rotation_rad[1]).fold(0.0, f64::max),
+            turned: corrected
+                .iter()
+                .filter(|w| w.rotation_rad[1] > SAID_RAD)
+                .count(),
+            max_after_rad: corrected
+                .iter()
+                .map(|w| w.rotation_rad[1])
+                .fold(0.0, f64::max),
         }
     }
 }

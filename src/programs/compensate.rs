@@ -173,7 +173,14 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     };
     let all = program.targets.into_iter().zip(corrected).map(outcome);
     let (targets, left): (Vec<Outcome>, Vec<Option<Vec<f64>>>) = all.unzip();
-    read_back(request, &reading, &axes, convention, (&targets, &left), &bytes)?;
+    read_back(
+        request,
+        &reading,
+        &axes,
+        convention,
+        (&targets, &left),
+        &bytes,
+    )?;
     Ok(Answer {
         bytes,
         at_run_time,
@@ -218,7 +225,12 @@ fn written(
     let edits = order.into_iter().filter_map(|k| {
         let written = corrected[k].as_ref().ok()?;
         let target = &program.targets[k];
-        Some(rewrite::edits(target, robot, convention, &written.corrected))
+        Some(rewrite::edits(
+            target,
+            robot,
+            convention,
+            &written.corrected,
+        ))
     });
     rewrite::applied(request.bytes, edits)
 }

@@ -19,15 +19,24 @@ impl Convention {
     }
 
     /// Raw joint values (rad or mm, one for each joint) become the model's.
-    #[allow(clippy::unused_self, reason = "a convention without corrections has nothing to do")]
+    #[allow(
+        clippy::unused_self,
+        reason = "a convention without corrections has nothing to do"
+    )]
     pub(super) fn to_model(self, _q: &mut [f64]) {}
 
     /// The model's joint values (rad or mm, one for each joint) become raw ones.
-    #[allow(clippy::unused_self, reason = "a convention without corrections has nothing to do")]
+    #[allow(
+        clippy::unused_self,
+        reason = "a convention without corrections has nothing to do"
+    )]
     pub(super) fn to_raw(self, _q: &mut [f64]) {}
 
     /// Sides from which joints come (+1, −1, 0; raw) become the model's: a reversed joint comes from the
     /// other one.
-    #[allow(clippy::unused_self, reason = "a convention without corrections has nothing to do")]
+    #[allow(
+        clippy::unused_self,
+        reason = "a convention without corrections has nothing to do"
+    )]
     pub(super) fn sides_to_model(self, _sides: &mut [Option<f64>]) {}
 }

@@ -324,7 +324,9 @@ impl<'a> Known<'a> {
             ];
             for (referred, names, what, as_declared) in kinds {
                 if let Referred::Named(name) = referred
-                    && let Some(Declared { at, pose: Ok(_), .. }) = names.get(&**name)
+                    && let Some(Declared {
+                        at, pose: Ok(_), ..
+                    }) = names.get(&**name)
                     && as_declared
                 {
                     taken.insert((
@@ -393,7 +395,9 @@ impl<'a> Known<'a> {
         };
         match self.program.frames.get(&**name) {
             Some(Declared { pose: Ok(pose), .. }) => Ok(self.reading.all_frames.unwrap_or(*pose)),
-            Some(Declared { pose: Err(says), .. }) => Err(says.clone()),
+            Some(Declared {
+                pose: Err(says), ..
+            }) => Err(says.clone()),
             None if self.reading.stated.is_some() && self.elsewhere == 1 => Ok(stated),
             None => Err(format!(
                 "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \

@@ -122,11 +122,16 @@ pub struct Difference {
 impl std::fmt::Display for Difference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (line, column) = self.place;
-        let (what, name) = (self.what.name(), &self.name);
+        // A name that is only the numbers again says nothing.
+        let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
+        let name = if named { self.name.as_str() } else { "" };
+        let blank = if named { " " } else { "" };
         write!(
             f,
-            "line {line}, column {column}: the program's {what} {name} is {}; the model's is {}",
-            self.program, self.model
+            "line {line}, column {column}: the program's {}{blank}{name} is {}; the model's is {}",
+            self.what.name(),
+            self.program,
+            self.model
         )
     }
 }
@@ -300,7 +305,9 @@ pub(super) fn settled(
         Holds::Model => Some(identity),
         Holds::Program => None,
         Holds::Unsettled => {
-            let others = frames.iter().filter(|(_, (_, pose))| !same(pose, &identity));
+            let others = frames
+                .iter()
+                .filter(|(_, (_, pose))| !same(pose, &identity));
             differ.extend(others.map(|(name, found)| {
                 let own = format!("the robot's base, {}", in_words(&identity, turns));
                 says(Differing::Frame, name, found, own)
@@ -404,7 +411,7 @@ fn load(
     let stated = with_tools(program);
     let own = request.calibration.load_kg;
     let modelled = match own {
-        Some([least, most]) if request.load_kg == 0.0 && most - least <= SAME_KG => least,
+        Some([least, most]) if request.load_kg <= 0.0 && most - least <= SAME_KG => least,
         _ => request.load_kg,
     };
     let inside = |kg: f64| own.is_none_or(|[a, b]| kg >= a - SAME_KG && kg <= b + SAME_KG);
@@ -435,7 +442,9 @@ fn load(
         Vec::new()
     } else {
         let unknown = own.is_none() && matters;
-        let outside = stated.iter().filter(|(kg, _)| !inside(*kg) || (unknown && *kg > SAME_KG));
+        let outside = stated
+            .iter()
+            .filter(|(kg, _)| !inside(*kg) || (unknown && *kg > SAME_KG));
         outside.collect()
     };
     differ.extend(refused.into_iter().map(|(kg, load)| Difference {
@@ -533,7 +542,9 @@ fn in_words(pose: &Pose, orientation: Orientation) -> String {
     let at = pose.translation.vector;
     let at: Vec<String> = at.iter().map(|v| short(*v, 3)).collect();
     let (names, turn, unit) = orientation.numbers(pose);
-    let turn = turn.iter().map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
+    let turn = turn
+        .iter()
+        .map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
     let turn: Vec<String> = names
         .iter()
         .zip(turn)

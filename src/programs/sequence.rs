@@ -121,9 +121,8 @@ impl Sequence {
         q: Vec<Vec<f64>>,
         robot: &Robot,
     ) -> Inputs<'static> {
-        let column = |of: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            indices.iter().map(|k| of(*k)).collect()
-        };
+        let column =
+            |of: &dyn Fn(usize) -> f64| -> Vec<f64> { indices.iter().map(|k| of(*k)).collect() };
         let home = robot.base_from_tool.translation.vector.into();
         let mut inputs = Inputs::at_poses(q, vec![home]);
         for j in 0..self.joints {

@@ -147,8 +147,17 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
     };
     let says = found.to_string();
     assert_eq!(found.0.len(), 1);
-    assert_eq!((found.0[0].what, found.0[0].place), (Differing::Tool, (2, 1)));
-    for part in ["X 40, Y 0, Z 120 mm", "B 30°", "X 0, Y 0, Z 0 mm", "--tool", "--as-modelled"] {
+    assert_eq!(
+        (found.0[0].what, found.0[0].place),
+        (Differing::Tool, (2, 7))
+    );
+    for part in [
+        "X 40, Y 0, Z 120 mm",
+        "B 30°",
+        "X 0, Y 0, Z 0 mm",
+        "--tool",
+        "--as-modelled",
+    ] {
         assert!(says.contains(part), "{part} in {says}");
     }
     // As the program writes it, or as it is given: the gun goes where the nominal robot would put it.
@@ -165,9 +174,17 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
     }
     // Taken for the model's, as before, it misses.
     let answer = corrected("krl", &text, ProgramFrames::as_modelled(), None).unwrap();
-    let worst = misses(&robot, &q, &answer).iter().map(|m| m.0).fold(0.0, f64::max);
+    let worst = misses(&robot, &q, &answer)
+        .iter()
+        .map(|m| m.0)
+        .fold(0.0, f64::max);
     assert!(worst > 0.3, "{worst}");
-    assert!(answer.notes.iter().any(|n| n.contains("taken for the model's")));
+    assert!(
+        answer
+            .notes
+            .iter()
+            .any(|n| n.contains("taken for the model's"))
+    );
     // Of a model whose tool is the gun, nothing differs.
     let own = Some(ModelTool::OnFlange(gun().1));
     assert!(corrected("krl", &text, ProgramFrames::default(), own).is_ok());
@@ -198,7 +215,12 @@ fn a_base_that_is_not_the_robots_is_a_question() {
 fn a_load_beyond_those_of_the_session_is_a_question_and_one_of_them_is_taken() {
     let (_, q) = hidden();
     let joints: Vec<String> = q[0].iter().map(|v| format!("{v:.6}")).collect();
-    let text = |kg: f64| format!("def m():\n  set_payload({kg})\n  movej([{}])\nend\n", joints.join(", "));
+    let text = |kg: f64| {
+        format!(
+            "def m():\n  set_payload({kg})\n  movej([{}])\nend\n",
+            joints.join(", ")
+        )
+    };
     let load_kg = |program: &str, frames| -> Result<f64, CompensateError> {
         let answer = corrected("urscript", program, frames, None)?;
         Ok(answer.targets[0].result.as_ref().unwrap().load_kg)
@@ -211,14 +233,23 @@ fn a_load_beyond_those_of_the_session_is_a_question_and_one_of_them_is_taken() {
         panic!("{refused:?}");
     };
     let says = found.to_string();
-    assert!(says.contains("12 kg") && says.contains("0 to 5 kg"), "{says}");
+    assert!(
+        says.contains("12 kg") && says.contains("0 to 5 kg"),
+        "{says}"
+    );
     let given = ProgramFrames {
         load: Holds::Given(3.0),
         ..unsettled
     };
     assert_eq!(load_kg(&text(12.0), given).unwrap(), 3.0);
-    assert_eq!(load_kg(&text(12.0), ProgramFrames::as_programmed()).unwrap(), 12.0);
-    assert_eq!(load_kg(&text(12.0), ProgramFrames::as_modelled()).unwrap(), 0.0);
+    assert_eq!(
+        load_kg(&text(12.0), ProgramFrames::as_programmed()).unwrap(),
+        12.0
+    );
+    assert_eq!(
+        load_kg(&text(12.0), ProgramFrames::as_modelled()).unwrap(),
+        0.0
+    );
 }
 
 #[test]
@@ -250,13 +281,21 @@ fn near_a_stretched_wrist_the_position_is_right_and_no_joint_moves_far() {
         assert!((rad - written.rotation_rad[1]).abs() < 2e-5, "{k}");
         assert!(rad < written.rotation_rad[0] + 2e-4, "{k}: {rad}");
         in_part += usize::from(rad > 1e-5);
-        let by: Vec<f64> = written.corrected.iter().zip(q).map(|(u, q)| u - q).collect();
+        let by: Vec<f64> = written
+            .corrected
+            .iter()
+            .zip(q)
+            .map(|(u, q)| u - q)
+            .collect();
         let most = by.iter().map(|v| v.abs()).fold(0.0, f64::max);
         assert!(most < 0.2, "{k}: {most} rad");
         if let Some(before) = before.replace(by.clone())
             && k % 121 != 0
         {
-            let change = by.iter().zip(&before).map(|(a, b): (&f64, &f64)| (a - b).abs());
+            let change = by
+                .iter()
+                .zip(&before)
+                .map(|(a, b): (&f64, &f64)| (a - b).abs());
             let change = change.fold(0.0, f64::max);
             assert!(change < 0.02, "{k}: a jump of {change} rad");
         }
@@ -267,7 +306,11 @@ fn near_a_stretched_wrist_the_position_is_right_and_no_joint_moves_far() {
 #[test]
 fn the_same_program_four_times_as_long_takes_the_same_for_each_target() {
     let cell = std::fs::read(folder().join("cell.mod")).unwrap();
-    let cell: String = cell.iter().map(|b| char::from(*b)).filter(char::is_ascii).collect();
+    let cell: String = cell
+        .iter()
+        .map(|b| char::from(*b))
+        .filter(char::is_ascii)
+        .collect();
     let one = corrected("rapid", &cell, ProgramFrames::default(), None).unwrap();
     let many = corrected("rapid", &cell.repeat(40), ProgramFrames::default(), None).unwrap();
     assert_eq!(many.targets.len(), 40 * one.targets.len());

@@ -140,7 +140,12 @@ pub fn compensated(
         Err(CompensateError::Tool { .. }) if named => return None,
         Err(CompensateError::Differs(found)) => {
             assert!(!found.0.is_empty());
-            assert!(found.0.iter().all(|d| d.place.0 > 0 && d.place.1 > 0 && !d.name.is_empty()));
+            assert!(
+                found
+                    .0
+                    .iter()
+                    .all(|d| d.place.0 > 0 && d.place.1 > 0 && !d.name.is_empty())
+            );
             return None;
         }
         Err(CompensateError::Several { .. }) => return None,
