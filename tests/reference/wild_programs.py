@@ -170,8 +170,8 @@ def tools(binary, before, count, folder):
     old = folder / "arm.before.json"
     if before:
         assert run(before, "identify", DATA / "arm.json", "--effects", effects, "--out", old)[0] == 0
-    print("| language | programs | way | exit 0 / 1 / 2 | targets driven | RMS miss, mm | largest, mm | mrad |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| language | programs | way | exit 0 / 1 / 2 | targets driven | left | RMS miss, mm | largest, mm | mrad |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for language, ending in ENDINGS.items():
         rng = np.random.default_rng(11)
         ways = [("no option", binary, model, [])]
@@ -180,7 +180,7 @@ def tools(binary, before, count, folder):
         ways += [("--tool …", binary, model, None), ("--as-modelled", binary, model, ["--as-modelled"])]
         if before:
             ways.insert(0, ("before", before, old, []))
-        found = {way[0]: ([0, 0, 0], []) for way in ways}
+        found = {way[0]: ([0, 0, 0], [], [0]) for way in ways}
         for _ in range(count):
             tool = pose_of(rng.uniform(-150, 150, 3), p.rotation(rng.uniform(-0.6, 0.6, 3)))
             shown, behind = good_poses(rng, nominal, 4)
@@ -196,15 +196,19 @@ def tools(binary, before, count, folder):
                 if not out.exists():
                     assert status == 2 and ("tool" in said), said
                     continue
-                for goal, pose, q in zip(wanted, poses_in(language, out.read_text(), 4), shown):
+                meta = json.loads(Path(f"{out}.meta.json").read_text())["targets"]
+                for goal, pose, q, target in zip(wanted, poses_in(language, out.read_text(), 4), shown, meta):
+                    if not target["corrected"]:
+                        found[way][2][0] += 1
+                        continue
                     u = solved(nominal, tool, pose, np.radians(q))
                     found[way][1].append(apart(real.pose(u) @ tool, goal))
-        for way, (statuses, misses) in found.items():
+        for way, (statuses, misses, left) in found.items():
             cells = ["-"] * 3
             if misses:
                 mm, mrad = np.array(misses).T
                 cells = [f"{np.sqrt(np.mean(mm**2)):.4f}", f"{mm.max():.4f}", f"{mrad.max():.4f}"]
-            print(f"| {language} | {count} | {way} | {' / '.join(map(str, statuses))} | {len(misses)} | {' | '.join(cells)} |", flush=True)
+            print(f"| {language} | {count} | {way} | {' / '.join(map(str, statuses))} | {len(misses)} | {left[0]} | {' | '.join(cells)} |", flush=True)
 
 
 # --- singular ------------------------------------------------------------------------------------------
