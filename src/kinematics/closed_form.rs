@@ -82,11 +82,11 @@ impl ClosedForm {
         let g = goal * self.home.inverse();
         let wrist = g.rotation * self.wrist + g.translation.vector;
         let along = self.axes[1].into_inner();
-        // The height of the wrist along the parallel axes says q1.
+        // The height of the wrist along the parallel axes, turned back about axis 1, says q1.
         let height = along.dot(&(self.wrist - self.points[0]));
         let firsts = self.to_height(0, &(wrist - self.points[0]), &along, height, self.reach_mm)?;
         let mut all = Vec::with_capacity(8);
-        for q1 in firsts {
+        for q1 in firsts.into_iter().map(|back| -back) {
             let back = self.turned(0, -q1);
             let rotation = back * g.rotation.to_rotation_matrix();
             let here = self.moved(0, -q1, &wrist);

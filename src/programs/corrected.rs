@@ -136,7 +136,8 @@ impl Corrector<'_> {
             let ((reached, before), wanted) = next.ok_or_else(|| {
                 Left::new(Reason::Unreachable, "no corrected commands were found")
             })?;
-            self.check(&self.targets[k], &resolved.q, &reached)?;
+            let turned_before_rad = before.rotation.angle_to(&wanted.rotation);
+            self.check(&self.targets[k], &resolved.q, &reached, turned_before_rad)?;
             Ok(Written {
                 commanded: resolved.q,
                 corrected: reached.q,
@@ -146,10 +147,7 @@ impl Corrector<'_> {
                     (before.translation.vector - wanted.translation.vector).norm(),
                     reached.position_mm,
                 ],
-                rotation_rad: [
-                    before.rotation.angle_to(&wanted.rotation),
-                    reached.rotation_rad,
-                ],
+                rotation_rad: [turned_before_rad, reached.rotation_rad],
             })
         };
         results.into_iter().enumerate().map(answer).collect()
@@ -266,7 +264,13 @@ impl Corrector<'_> {
     }
 
     /// Whether corrected commands may be written.
-    fn check(&self, target: &Target, commanded: &[f64], reached: &Reached) -> Result<(), Left> {
+    fn check(
+        &self,
+        target: &Target,
+        commanded: &[f64],
+        reached: &Reached,
+        turned_before_rad: f64,
+    ) -> Result<(), Left> {
         let robot = self.robot;
         if reached.singular {
             let says = "its position is singular: a small correction would take a large move of the joints";
@@ -292,6 +296,13 @@ impl Corrector<'_> {
             );
             return Err(Left::new(Reason::Unreachable, says));
         }
+        if self.whole && reached.rotation_rad > turned_before_rad + MOST_TURNED {
+            let says = format!(
+                "its position is nearly singular: the correction would turn the tool by {:.1} mrad",
+                1e3 * reached.rotation_rad
+            );
+            return Err(Left::new(Reason::Singular, says));
+        }
         if leaves_its_sides(target, robot, commanded, &reached.q) {
             let says = "its correction would lead into another configuration";
             return Err(Left::new(Reason::Singular, says));
@@ -308,5 +319,7 @@ impl Corrector<'_> {
     }
 }
 
+/// An orientation is given up for a position by no more than this, rad.
+const MOST_TURNED: f64 = 0.02;
 /// A correction that turns a joint further than this (rad) leads into another configuration.
 const MOST_TURN: f64 = std::f64::consts::FRAC_PI_2;

@@ -122,11 +122,16 @@ pub struct Difference {
 impl std::fmt::Display for Difference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (line, column) = self.place;
-        let (what, name) = (self.what.name(), &self.name);
+        // A name that is only the numbers again says nothing.
+        let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
+        let name = if named { self.name.as_str() } else { "" };
+        let blank = if named { " " } else { "" };
         write!(
             f,
-            "line {line}, column {column}: the program's {what} {name} is {}; the model's is {}",
-            self.program, self.model
+            "line {line}, column {column}: the program's {}{blank}{name} is {}; the model's is {}",
+            self.what.name(),
+            self.program,
+            self.model
         )
     }
 }
@@ -406,7 +411,7 @@ fn load(
     let stated = with_tools(program);
     let own = request.calibration.load_kg;
     let modelled = match own {
-        Some([least, most]) if request.load_kg == 0.0 && most - least <= SAME_KG => least,
+        Some([least, most]) if request.load_kg <= 0.0 && most - least <= SAME_KG => least,
         _ => request.load_kg,
     };
     let inside = |kg: f64| own.is_none_or(|[a, b]| kg >= a - SAME_KG && kg <= b + SAME_KG);

@@ -149,7 +149,7 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
     assert_eq!(found.0.len(), 1);
     assert_eq!(
         (found.0[0].what, found.0[0].place),
-        (Differing::Tool, (2, 1))
+        (Differing::Tool, (2, 7))
     );
     for part in [
         "X 40, Y 0, Z 120 mm",

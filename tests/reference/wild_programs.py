@@ -170,8 +170,8 @@ def tools(binary, before, count, folder):
     old = folder / "arm.before.json"
     if before:
         assert run(before, "identify", DATA / "arm.json", "--effects", effects, "--out", old)[0] == 0
-    print("| language | programs | way | exit 0 / 1 / 2 | targets driven | RMS miss, mm | largest, mm | mrad |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| language | programs | way | exit 0 / 1 / 2 | targets driven | left | RMS miss, mm | largest, mm | mrad |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for language, ending in ENDINGS.items():
         rng = np.random.default_rng(11)
         ways = [("no option", binary, model, [])]
@@ -180,7 +180,7 @@ def tools(binary, before, count, folder):
         ways += [("--tool …", binary, model, None), ("--as-modelled", binary, model, ["--as-modelled"])]
         if before:
             ways.insert(0, ("before", before, old, []))
-        found = {way[0]: ([0, 0, 0], []) for way in ways}
+        found = {way[0]: ([0, 0, 0], [], [0]) for way in ways}
         for _ in range(count):
             tool = pose_of(rng.uniform(-150, 150, 3), p.rotation(rng.uniform(-0.6, 0.6, 3)))
             shown, behind = good_poses(rng, nominal, 4)
@@ -196,15 +196,19 @@ def tools(binary, before, count, folder):
                 if not out.exists():
                     assert status == 2 and ("tool" in said), said
                     continue
-                for goal, pose, q in zip(wanted, poses_in(language, out.read_text(), 4), shown):
+                meta = json.loads(Path(f"{out}.meta.json").read_text())["targets"]
+                for goal, pose, q, target in zip(wanted, poses_in(language, out.read_text(), 4), shown, meta):
+                    if not target["corrected"]:
+                        found[way][2][0] += 1
+                        continue
                     u = solved(nominal, tool, pose, np.radians(q))
                     found[way][1].append(apart(real.pose(u) @ tool, goal))
-        for way, (statuses, misses) in found.items():
+        for way, (statuses, misses, left) in found.items():
             cells = ["-"] * 3
             if misses:
                 mm, mrad = np.array(misses).T
                 cells = [f"{np.sqrt(np.mean(mm**2)):.4f}", f"{mm.max():.4f}", f"{mrad.max():.4f}"]
-            print(f"| {language} | {count} | {way} | {' / '.join(map(str, statuses))} | {len(misses)} | {' | '.join(cells)} |", flush=True)
+            print(f"| {language} | {count} | {way} | {' / '.join(map(str, statuses))} | {len(misses)} | {left[0]} | {' | '.join(cells)} |", flush=True)
 
 
 # --- singular ------------------------------------------------------------------------------------------
@@ -264,34 +268,52 @@ def driven(binary, model, folder, nominal, real, rows):
     return good, np.array(before), np.array(after), np.array(moves), reasons, meta
 
 
+def without_frame(now, goals):
+    """What is left of positions once one rigid motion of all of them is taken out: the frame of the session, which
+    a base of the robot has to be brought into anyway."""
+    a, b = np.array([m[:3, 3] for m in now]), np.array([m[:3, 3] for m in goals])
+    ca, cb = a.mean(0), b.mean(0)
+    u, _, vt = np.linalg.svd((a - ca).T @ (b - cb))
+    turn = vt.T @ np.diag([1, 1, np.linalg.det(vt.T @ u.T)]) @ u.T
+    return np.linalg.norm((a - ca) @ turn.T + cb - b, axis=1)
+
+
 def singular(binary, before, count, folder):
-    print("| arm | binary | left of 1000 | RMS mm before | after | largest mm | mrad before, largest | after, largest | largest joint move, ° | largest change between steps of a path, ° |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| arm | targets | binary | left | mm before, RMS | after, RMS | largest | mrad before, largest | after, 99 % | largest | in part | largest joint move, ° | largest change between steps, ° |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for name, (joint, at) in SINGULAR.items():
         nominal, real, limits = kind(name)
         p.session(folder, name, nominal, real, limits, 150, [0.0], 9)
         rng = np.random.default_rng(77)
-        rows = rng.uniform(limits[:, 0] + 1, limits[:, 1] - 1, (1000, len(limits)))
-        rows[::2, joint] = at + rng.uniform(-3, 3, 500)
-        path = np.repeat(rng.uniform(limits[:, 0] + 30, limits[:, 1] - 30, (1, len(limits))), 241, axis=0)
-        path[:, joint] = np.linspace(at - 6, at + 6, 241)
+        anywhere = rng.uniform(limits[:, 0], limits[:, 1], (1000, len(limits)))
+        near = anywhere.copy()
+        near[:, joint] = at + rng.uniform(-3, 3, 1000)
+        paths = []
+        for _ in range(5):
+            path = np.repeat(rng.uniform(limits[:, 0] + 30, limits[:, 1] - 30, (1, len(limits))), 241, axis=0)
+            path[:, joint] = np.linspace(at - 6, at + 6, 241)
+            paths.append(path)
+        sets = [("anywhere", anywhere), ("within 3° of singular", near), ("paths through it", np.concatenate(paths))]
         for which in [before, binary] if before else [binary]:
             model = folder / f"{name}.model.json"
             status, said, *_ = run(which, "identify", folder / f"{name}.json", "--no-prior", "--out", model, "--force")
             assert status == 0, said
-            good, was, now, moves, reasons, _ = driven(which, model, folder, nominal, real, rows)
             turning = [k for k, j in enumerate(nominal.joints) if j[0] == "revolute"]
-            ok, _, _, way, _, _ = driven(which, model, folder, nominal, real, path)
-            jump = np.abs(np.diff(way[:, turning], axis=0))[ok[1:] & ok[:-1]]
-            jump = f"{np.degrees(jump.max()):.3f}" if jump.size else "-"
-            if not ok.all():
-                jump += f" ({(~ok).sum()} of 241 left)"
-            mm = now[good, 0]
-            print(f"| {name} | {'before' if which == before else 'now'} | {(~good).sum()} | {np.sqrt(np.mean(was[good, 0] ** 2)):.3f} "
-                  f"| {np.sqrt(np.mean(mm**2)):.4f} | {mm.max():.4f} | {was[good, 1].max():.2f} | {now[good, 1].max():.2f} "
-                  f"| {np.degrees(np.abs(moves[good][:, turning]).max()):.2f} | {jump} |", flush=True)
-            for reason in reasons[:3]:
-                print(f"    {reason}", file=sys.stderr)
+            for what, rows in sets:
+                good, was, now, moves, reasons, meta = driven(which, model, folder, nominal, real, rows)
+                u = inner(nominal, rows) + moves
+                mm = without_frame([real.pose(x) for x in u[good]], [nominal.pose(x) for x in inner(nominal, rows)[good]])
+                jump = "-"
+                if what.startswith("paths"):
+                    change = np.abs(np.diff(moves[:, turning], axis=0))
+                    kept = good[1:] & good[:-1] & (np.arange(1, len(rows)) % 241 != 0)
+                    jump = f"{np.degrees(change[kept].max()):.3f}" if kept.any() else "-"
+                partly = sum(t["corrected"] and t["after_mrad"] > 1e-3 for t in meta["targets"])
+                print(f"| {name} | {what} | {'before' if which == before else 'now'} | {(~good).sum()} of {len(rows)} | {np.sqrt(np.mean(was[good, 0] ** 2)):.3f} "
+                      f"| {np.sqrt(np.mean(mm**2)):.4f} | {mm.max():.4f} | {was[good, 1].max():.2f} | {np.percentile(now[good, 1], 99):.2f} | {now[good, 1].max():.2f} | {partly} "
+                      f"| {np.degrees(np.abs(moves[good][:, turning]).max()):.2f} | {jump} |", flush=True)
+                for reason in reasons[:3]:
+                    print(f"    {reason}", file=sys.stderr)
 
 
 # --- times ---------------------------------------------------------------------------------------------
