@@ -387,7 +387,16 @@ pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
 
 /// The included file `name` of a document in `folder`: a file there or below.
 pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
-    let path = guard::below(folder, name, "the folder of the document")?;
+    let path = guard::below(folder, name, "the folder of the document");
+    let path = path.map_err(|(found, expected)| {
+        let leads = found.contains("leads upwards") || found.starts_with("an absolute path");
+        let found = if leads {
+            format!("an include that leads elsewhere, {found}")
+        } else {
+            found
+        };
+        (found, expected)
+    })?;
     let text =
         read_text(&path).map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
     Ok((path, text))

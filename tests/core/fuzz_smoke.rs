@@ -48,7 +48,7 @@ const MOTORS: &[u8] = br#"{"pan": {"id": 1, "drive_mode": 0, "homing_offset": -1
 
 const CSV: &[u8] = b"\xef\xbb\xbfq1_deg,x_mm,y_mm,z_m,target,dir1,speed1_rad_s,load_kg,use,setup,remark\r\n\
 -9.25,249.895665,-0.38,0.3,T1,1,0.5,,fit,a,\"quoted, \"\"twice\"\"\"\n\
-0,1e2,+5, 7 ,T2,-1,-0,3,held-out,b,\n\n90,,2,123456789012345678901234567890,T1,0,.5,6.,,b,\"two\nlines\"\n";
+0,1e2,+5, 7 ,T2,-1,-0,3,held-out,b,\n\n90,,2,0.123456789012345678901234567890,T1,0,.5,6.,,b,\"two\nlines\"\n";
 
 /// Every kind of measurement and what it refers to.
 const OBSERVED: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
