@@ -74,6 +74,38 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
+/// A coordinate that rounding has made the same in all samples of a target tells nothing below its digit, and
+/// its noise cannot be seen: it has no weight.
+fn without_constant(session: &Session, digits_mm: &[f64; 3], weights: [f64; 3]) -> [f64; 3] {
+    let samples = &session.samples;
+    let stated = match session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => [sigma; 3],
+        Some(Sigma::PerAxis(sigma)) => sigma,
+        None => return weights,
+    };
+    let columns = [
+        Some(&samples.x_mm),
+        Some(&samples.y_mm),
+        samples.z_mm.as_ref(),
+    ];
+    let constant = |column: &Vec<f64>| {
+        let mut of_target: Vec<Option<f64>> = vec![None; session.targets.len()];
+        column.iter().enumerate().all(|(row, value)| {
+            let target = samples.target.as_ref().map_or(0, |t| t[row] as usize);
+            match of_target.get_mut(target) {
+                Some(own) => (*own.get_or_insert(*value)).to_bits() == value.to_bits(),
+                None => false,
+            }
+        })
+    };
+    let coarse = |axis: usize| digits_mm[axis] > COARSE * stated[axis];
+    let without = |axis: usize| coarse(axis) && columns[axis].is_some_and(constant);
+    std::array::from_fn(|axis| if without(axis) { 0.0 } else { weights[axis] })
+}
+
+/// A digit adds to the noise that is stated from this share of it on.
+const COARSE: f64 = 1.0 / 3.0;
+
 /// Standard deviation of what rounding to the digit of each coordinate adds, mm. A coordinate of few
 /// different values has the digit of the others where it agrees with that.
 pub(crate) fn digits_mm(session: &Session) -> [f64; 3] {
@@ -113,6 +145,8 @@ impl<'a> Problem<'a> {
             }
             _ => [1.0, 1.0, spatial],
         };
+        let digits_mm = digits_mm(session);
+        let axis_weights = without_constant(session, &digits_mm, axis_weights);
         Self {
             used: fit.clone(),
             fit,
@@ -123,7 +157,7 @@ impl<'a> Problem<'a> {
             beside: Vec::new(),
             has_clock,
             is_sorted,
-            digits_mm: digits_mm(session),
+            digits_mm,
             noise: None,
             priors: Priors::default(),
             watch: Watch::default(),

@@ -48,11 +48,8 @@ mod tests {
         assert!((equal_step(&grid).unwrap_or(0.0) - 5.0).abs() < 1e-12);
         // In any order, with repeats, with holes, and with what is missing.
         let some = grid.iter().chain(&grid).copied().enumerate();
-        let some: Vec<f64> = some
-            .filter(|(k, _)| k % 3 != 1)
-            .map(|(_, v)| v)
-            .rev()
-            .collect();
+        let mut some: Vec<f64> = some.filter(|(k, _)| k % 3 != 1).map(|(_, v)| v).collect();
+        some.reverse();
         assert!((equal_step(&some).unwrap_or(0.0) - 5.0).abs() < 1e-9);
         assert!((equal_step(&[&grid[..], &[f64::NAN]].concat()).unwrap_or(0.0) - 5.0).abs() < 1e-9);
         assert!((largest_order(5.0_f64.to_radians()) - 36.0).abs() < 1e-9);

@@ -107,6 +107,7 @@ def axis_session(rng, n=80, design="random", sigma=0.02, both=True, places=None)
         q = np.concatenate([half, half[::-1]]) if both else half
     q = q[:n]
     came = np.sign(np.diff(q, prepend=q[0] - 1))
+    came = np.array([c if c else -1.0 for c in came])
     length_of = robot.tool + [length, 0, 0]
     s = Session(robot, targets, sigma)
     names = ["A" if k % 2 == 0 else "B" for k in range(len(q))]

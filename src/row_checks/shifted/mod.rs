@@ -245,6 +245,30 @@ mod tests {
     }
 
     #[test]
+    fn the_last_rows_are_enough() {
+        for seed in 0..6 {
+            let mut session = axis(66 + seed);
+            let n = session.samples.len();
+            lost_at(&mut session, n - 3);
+            let rows: Vec<Option<usize>> = (0..n - 1).map(Some).collect();
+            session.samples.select(&rows);
+            let problems = shifted(&session, JointValues::Commanded);
+            let points = Points::of(&session).expect("points");
+            let inputs = Inputs::new(&session, JointValues::Commanded);
+            let none = Path::default();
+            let fit =
+                fitted(&session, JointValues::Commanded, &inputs, &points, &none).expect("fits");
+            let path = path::likeliest(&points, &fit.predicted, fit.sigma_mm);
+            assert_eq!(problems.len(), 1, "{n}: {path:?} {}", fit.sigma_mm);
+            assert_eq!(
+                problems[0].mend,
+                Some(Mend::PairRows(vec![(n - 3, -1)])),
+                "{n}"
+            );
+        }
+    }
+
+    #[test]
     fn rows_that_are_right_are_left_alone() {
         assert!(shifted(&axis(60), JointValues::Commanded).is_empty());
         let mut session = axis(60);

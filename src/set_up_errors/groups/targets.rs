@@ -18,6 +18,8 @@ const OFF: f64 = 4.0;
 const ROUNDS: usize = 12;
 /// Below this a target is where it is said to be, for those weights, mm.
 const STILL_MM: f64 = 0.02;
+/// How much more the first target is held than the others.
+const FIRST: f64 = 3.0;
 /// A turned tool that leaves no more than so many times as much as free targets explains them.
 const AS_WELL: f64 = 1.15;
 
@@ -55,7 +57,7 @@ fn of_an_arm(
     Mend::FreeTargets.apply(&mut free);
     let (model, after) = fitted(&free, values)?;
     let own = |t: &&Term| t.effect.about().id == TOOL_POSITION.about().id && t.setting > 0.0;
-    let places: Vec<(usize, Vector3<f64>)> = model
+    let mut places: Vec<(usize, Vector3<f64>)> = model
         .terms()
         .iter()
         .filter(own)
@@ -67,6 +69,10 @@ fn of_an_arm(
             )
         })
         .collect();
+    let common = median_of(&places);
+    for (_, by) in &mut places {
+        *by -= common;
+    }
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places.len());
     let off: Vec<(usize, Vector3<f64>)> = places
@@ -91,6 +97,19 @@ fn of_an_arm(
     let mut freed = session.clone();
     Mend::FreeTargets.apply(&mut freed);
     Some(freed)
+}
+
+/// What targets share belongs to the tool: the point from which the sum of their distances is least, so that
+/// as few as possible are off (Weiszfeld 1937).
+fn median_of(places: &[(usize, Vector3<f64>)]) -> Vector3<f64> {
+    let mut at = Vector3::zeros();
+    for _ in 0..ROUNDS * 10 {
+        let weight = |by: &Vector3<f64>| 1.0 / (by - at).norm().max(1e-3);
+        let sum: f64 = places.iter().map(|p| weight(&p.1)).sum();
+        let to: Vector3<f64> = places.iter().map(|p| p.1 * weight(&p.1)).sum();
+        at = to / sum.max(1e-12);
+    }
+    at
 }
 
 /// What the base model leaves with every target where the session says, mm.
@@ -206,6 +225,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
     let gram: DMatrix<f64> = columns.tr_mul(&columns);
     let pull = columns.tr_mul(&residual);
     let mut weight = vec![1.0; targets];
+    weight[0] = FIRST;
     let mut by = vec![Vector3::zeros(); targets];
     for _ in 0..ROUNDS {
         let mut now = gram.clone();
@@ -224,7 +244,9 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
                 let at = own + 3 * target + along;
                 step[at] / scale[at]
             });
-            weight[target] = 1.0 / by[target].norm().max(STILL_MM);
+            // Of two that moved against each other the one that is named first stands.
+            let first = if target == 0 { FIRST } else { 1.0 };
+            weight[target] = first / by[target].norm().max(STILL_MM);
         }
     }
     Some(by)
