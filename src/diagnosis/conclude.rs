@@ -115,7 +115,8 @@ pub(crate) fn answer(
         end_mm: handed_out.end_mm,
     };
     let floor = floor(prepared, fit);
-    let is_dropped = |term: &Term| handed_out.dropped.iter().any(|d| d.same_column(term));
+    let dropped = handed_out.dropped.clone();
+    let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let mut steps = found_steps;
     steps.retain(|step| !is_dropped(&step.term));
     let mut rivals = aliases::open_rivals(regression, with_shapes);
