@@ -49,6 +49,8 @@ impl Search {
 pub(crate) fn options() -> Options {
     Options {
         correct_unexplained: true,
+        // Names are added one by one here; what predicts without one is a part of a whole model.
+        without_unnamed: true,
         ..Options::default()
     }
 }
