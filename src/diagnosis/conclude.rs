@@ -18,6 +18,7 @@ use super::candidates::NotTestable;
 use super::final_set::{is_above, stands_above, worth};
 use super::floor::floor;
 use super::limits;
+use super::other_settings;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::remainder::unexplained;
@@ -116,6 +117,9 @@ pub(crate) fn answer(
         .retain(|r| !is_above(&r.fit, with_shapes) || stands_above(prepared, &r.fit, with_shapes));
     let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
     rivals.extend(others);
+    let settings = other_settings::open_settings(regression, with_shapes);
+    let equal_steps = other_settings::equal_steps(prepared, &settings);
+    rivals.extend(settings);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
@@ -138,7 +142,12 @@ pub(crate) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
+        data_problems: [
+            mended.problems.as_slice(),
+            prepared.incomplete.as_slice(),
+            equal_steps.as_slice(),
+        ]
+        .concat(),
         floor,
         gap,
         held_out,
@@ -248,10 +257,14 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
     let mut all: Vec<Equivalent> = Vec::new();
     for (rival, separate_by) in rivals.iter().zip(&proposal.separate_by) {
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
-        let known = all
-            .iter()
-            .any(|e| e.explanation == explanation && e.instead == instead);
-        if known || all.len() == MOST_EQUIVALENT {
+        let mut there = all.iter_mut();
+        let known = there.find(|e| e.explanation == explanation && e.instead == instead);
+        if let Some(known) = known {
+            // One name at several other settings is listed once.
+            known.orders.extend(rival.other_settings());
+            continue;
+        }
+        if all.len() == MOST_EQUIVALENT {
             continue;
         }
         all.push(Equivalent {
@@ -259,8 +272,17 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
             instead,
             odds: (fit.ln_evidence - rival.fit.ln_evidence).exp(),
             separate_by: separate_by.clone(),
+            orders: rival.other_settings(),
             model: rival.fit.model.clone(),
         });
+    }
+    for one in all.iter_mut().filter(|e| !e.orders.is_empty()) {
+        let orders = one.orders.iter().map(|o| other_settings::shown(*o));
+        let orders = orders.collect::<Vec<_>>().join(", ");
+        one.separate_by = format!(
+            "orders (or leads) {orders}, the same at these steps: {}",
+            one.separate_by
+        );
     }
     all
 }

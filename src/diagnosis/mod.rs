@@ -42,6 +42,9 @@ mod free_curve;
 mod held_out;
 mod incomplete;
 mod left_out;
+mod orders;
+pub(crate) mod other_settings;
+mod recorded;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
@@ -62,6 +65,7 @@ mod trials;
 mod unseen;
 mod values;
 mod verdict;
+mod withheld;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
@@ -240,6 +244,9 @@ fn against_rivals<'a>(
         let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
+        } else if let Some(followed) = recorded::instead_of_slow(&white, &found) {
+            let (settled, fit) = white.settled(&followed.fit);
+            (prepared, found) = (settled, search::Found { fit, ..followed });
         }
     }
     let least = found.fit.ln_evidence - aliases::UNDECIDED;

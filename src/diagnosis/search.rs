@@ -13,6 +13,7 @@ use super::candidates::What;
 use super::columns::Among;
 use super::held_out::Folds;
 use super::memo::Memo;
+use super::orders;
 use super::placed::Placed;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
@@ -236,6 +237,7 @@ impl Search<'_, '_> {
         let mut fit = fit;
         for _ in 0..3 {
             let before = fit.ln_evidence;
+            fit = orders::together(self.regression, fit);
             fit = self.swap(fit, allow);
             fit = self.drop(fit);
             if fit.ln_evidence <= before + 1e-6 {

@@ -34,8 +34,12 @@ pub(crate) fn held_out(
             let mut lengths: Vec<f64> = (0..d.length_mm.len())
                 .filter(|i| apart(*i))
                 .map(|i| d.length_mm[i])
+                .filter(|length| !length.is_nan())
                 .collect();
             lengths.sort_by(f64::total_cmp);
+            if lengths.is_empty() {
+                return 0.0;
+            }
             let limit = 5.0 * lengths[lengths.len() / 2];
             let spread = Spread::of(&d.length_mm, apart, |i| {
                 count >= 8 && d.length_mm[i] > limit
