@@ -244,9 +244,8 @@ fn against_rivals<'a>(
         let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
-        } else if let Some(followed) = recorded::instead_of_slow(&white, &found) {
-            let (settled, fit) = white.settled(&followed.fit);
-            (prepared, found) = (settled, search::Found { fit, ..followed });
+        } else if let Some(followed) = recorded::instead_of_slow(&prepared, &found) {
+            (prepared, found) = followed;
         }
     }
     let least = found.fit.ln_evidence - aliases::UNDECIDED;

@@ -9,6 +9,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::fit::noise::Noise;
 use crate::linear::Basis;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
@@ -25,29 +26,45 @@ const PIECES: usize = 3;
 const FEWEST_VALUES: usize = 6;
 
 /// What was found with recorded conditions in the place of the slow part of the noise; `None` where the slow
-/// part is likelier. `white` has the noise without a slow part.
-pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> {
-    let regression = &white.regression;
-    if regression.rows.observed().is_some() {
+/// part is likelier.
+pub(crate) fn instead_of_slow<'a>(
+    prepared: &Prepared<'a>,
+    found: &Found,
+) -> Option<(Prepared<'a>, Found)> {
+    let noise = &prepared.regression.noise;
+    if noise.slow.is_none() || prepared.regression.rows.observed().is_some() {
         return None;
     }
-    let shapes = shapes(white);
-    let mut fit = regression.fit(&found.fit.model, &[]);
+    // What is white of it stays: a slow part along one axis only would widen that one.
+    let white = prepared.with_noise(Noise {
+        slow: None,
+        alternatives: Vec::new(),
+        ..noise.clone()
+    });
+    let shapes = shapes(&white);
+    let mut fit = white.regression.fit(&found.fit.model, &[]);
     for _ in 0..MOST {
         let with = shapes
             .iter()
-            .filter_map(|shape| with(regression, &fit, *shape));
+            .filter_map(|shape| with(&white.regression, &fit, *shape));
         let best = with.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence));
         let Some(better) = best.filter(|b| b.ln_evidence > fit.ln_evidence) else {
             break;
         };
         fit = better;
     }
-    (!fit.shapes.is_empty() && fit.ln_evidence > found.fit.ln_evidence).then(|| Found {
-        names_only: regression.fit(&found.fit.model, &[]),
-        fit,
-        base_misfit: false,
-        other_ends: Vec::new(),
+    if fit.shapes.is_empty() {
+        return None;
+    }
+    let (settled, fit) = white.settled(&fit);
+    (fit.ln_evidence > found.fit.ln_evidence).then(|| {
+        let found = Found {
+            names_only: settled.regression.fit(&found.fit.model, &[]),
+            fit,
+            base_misfit: false,
+            other_ends: Vec::new(),
+        };
+        (settled, found)
     })
 }
 
