@@ -115,6 +115,9 @@ pub struct Equivalent {
     pub odds: f64,
     /// What would tell.
     pub separate_by: String,
+    /// Where the names are the same: the other orders (of a screw the leads, mm) that the steps between the
+    /// poses cannot tell from that of the model. Empty where the names differ.
+    pub orders: Vec<f64>,
     /// The other model.
     pub model: Model,
 }

@@ -131,6 +131,8 @@ pub(crate) struct Conditions {
     pub(crate) above_20_c: Vec<f64>,
     pub(crate) arrivals: Vec<Arrival>,
     pub(crate) time_s: f64,
+    /// Whether the places of a joint are to be uneven steps, behind which no order can hide.
+    pub(crate) uneven: bool,
 }
 
 impl Conditions {
@@ -153,6 +155,7 @@ impl Conditions {
             above_20_c: vec![0.0],
             arrivals: vec![Arrival::Long],
             time_s: times.iter().copied().fold(0.0, f64::max) + LATER_S,
+            uneven: false,
         }
     }
 }
@@ -172,7 +175,7 @@ impl Offer {
     pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
         let session = prepared.problem.session;
         let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
-        let mut places = places(&ranges, prepared.options().seed);
+        let mut places = places(&ranges, prepared.options().seed, conditions.uneven);
         for q in &mut places {
             session.robot.follow(q);
         }
@@ -327,14 +330,20 @@ fn combinations(places: &[Candidate], conditions: &Conditions) -> Vec<Candidate>
 }
 
 /// Each joint over its range with the others in the middle, and for an arm some at random.
-fn places(ranges: &[Range], seed: u64) -> Vec<Vec<f64>> {
+fn places(ranges: &[Range], seed: u64, uneven: bool) -> Vec<Vec<f64>> {
     let middle: Vec<f64> = ranges.iter().map(|r| 0.5 * (r.from + r.to)).collect();
     let mut places = Vec::new();
     let angles = (2 * ANGLES / (1 + ranges.len())).max(6);
     for (joint, range) in ranges.iter().enumerate() {
         for k in 0..angles {
             let mut q = middle.clone();
-            q[joint] = at(range, (k as f64 + 0.5) / angles as f64);
+            // Anywhere within its part of the range (Kronecker's sequence).
+            let inside = if uneven {
+                (0.618_033_988_749_894_9 * (k as f64 + 1.0)).fract()
+            } else {
+                0.5
+            };
+            q[joint] = at(range, (k as f64 + inside) / angles as f64);
             places.push(q);
         }
     }

@@ -21,7 +21,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::comparison::{Comparison, Field, Prediction, Refit};
+use crate::diagnosis::other_settings::at_another_setting;
 use crate::diagnosis::regression::Fit;
+use crate::effects::Term;
 
 /// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
 /// promised by what the draws do not know: their own error, and tests beside the odds.
@@ -38,6 +40,17 @@ pub(crate) struct Explanation {
     pub(crate) fit: Fit,
     /// Whether the samples leave it open; the others are ruled out and have to stay so.
     pub(crate) open: bool,
+    /// Whether it differs from the first by the settings of its names alone, and is to be told from it.
+    pub(crate) setting: bool,
+}
+
+/// Whether two fits have the same names, of which one is at another setting.
+pub(crate) fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
+    let (a, b) = (one.model.terms(), other.model.terms());
+    let other_setting = |t: &&Term| !b.iter().any(|o| o.same_column(t));
+    let moved: Vec<&Term> = a.iter().filter(other_setting).collect();
+    let again = |t: &&Term| b.iter().any(|o| at_another_setting(t, o));
+    a.len() == b.len() && !moved.is_empty() && moved.iter().all(again)
 }
 
 /// Draws of one explanation that is taken for the true one.
@@ -71,7 +84,7 @@ impl Decision {
         let mut random = ChaCha8Rng::seed_from_u64(regression.seed);
         let draws = DRAWS * explanations.iter().filter(|e| e.open).count();
         let (mut refits, mut truths) = (Vec::new(), Vec::new());
-        for (index, Explanation { fit, open }) in explanations.iter().enumerate() {
+        for (index, Explanation { fit, open, .. }) in explanations.iter().enumerate() {
             let predictions = field.predictions(&explanations[0].fit.model, &fit.model);
             let information = field.gram(&fit.model);
             if *open {
@@ -89,16 +102,23 @@ impl Decision {
         };
         let names: Vec<_> = explanations.iter().map(names).collect();
         let within = |a: &[_], b: &[_]| a.iter().all(|n| b.contains(n));
-        let differ = |a: &Vec<_>| {
-            let others = names.iter();
-            others.map(|b| !within(a, b) && !within(b, a)).collect()
+        let setting = |a: usize, b: usize| {
+            (explanations[a].setting || explanations[b].setting)
+                && only_settings_differ(&explanations[a].fit, &explanations[b].fit)
+        };
+        let differ = |a: usize| -> Vec<bool> {
+            let of = |b: usize| {
+                let (own, other) = (&names[a], &names[b]);
+                setting(a, b) || !within(own, other) && !within(other, own)
+            };
+            (0..names.len()).map(of).collect()
         };
         Self {
             so_far: explanations
                 .iter()
                 .map(|e| (e.fit.rss, e.fit.ln_evidence))
                 .collect(),
-            differ: names.iter().map(differ).collect(),
+            differ: (0..names.len()).map(differ).collect(),
             refits,
             truths,
             random,

@@ -15,7 +15,7 @@ use crate::effects::{Condition, Over, Term};
 
 use super::candidates::{Arrival, Conditions, Offer};
 use super::comparison::{Apart, Field, enough_for};
-use super::decision::{Decision, Explanation, SURE};
+use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
 use super::parting::{Attempt, Parting, over_reflectors};
@@ -44,7 +44,8 @@ pub(crate) fn separate(
     let terms = rivals
         .iter()
         .flat_map(|r| r.removed.iter().chain(&r.instead));
-    let conditions = conditions(prepared, &terms.collect::<Vec<_>>());
+    let mut conditions = conditions(prepared, &terms.collect::<Vec<_>>());
+    conditions.uneven = rivals.iter().any(|r| !r.other_names());
     let competing = competing(prepared, fit, rivals);
     let (best, ()) = over_reflectors(prepared, |targets| {
         let offer = Offer::new(prepared, targets, &conditions);
@@ -139,8 +140,10 @@ fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation
 fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool, most: usize) {
     let known = all.iter().any(|a| same_terms(&a.fit, fit));
     if !known && all.len() < most {
+        let another_setting = |a: &Explanation| decision::only_settings_differ(&a.fit, fit);
+        let setting = all.first().is_some_and(another_setting);
         let fit = fit.clone();
-        all.push(Explanation { fit, open });
+        all.push(Explanation { fit, open, setting });
     }
 }
 

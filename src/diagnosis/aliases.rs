@@ -12,6 +12,7 @@ use crate::effects::{Setting, Term};
 use super::candidates::Candidate;
 use super::columns::Among;
 use super::evidence::PRICE_OF_A_NAME;
+use super::other_settings;
 use super::projected::units_beside;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
@@ -57,6 +58,14 @@ impl Rival {
             names
         };
         names(&self.removed) != names(&self.instead)
+    }
+
+    /// The settings by which it differs, where the names are the same.
+    pub(crate) fn other_settings(&self) -> Vec<f64> {
+        if self.other_names() {
+            return Vec::new();
+        }
+        self.instead.iter().map(other_settings::value).collect()
     }
 }
 

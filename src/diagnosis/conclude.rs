@@ -21,6 +21,7 @@ use super::final_set::{is_above, stands_above};
 use super::floor::floor;
 use super::handed_out;
 use super::limits;
+use super::other_settings;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::remainder::unexplained;
@@ -143,6 +144,9 @@ pub(crate) fn answer(
     });
     let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
     rivals.extend(others);
+    let settings = other_settings::open_settings(regression, with_shapes);
+    let equal_steps = other_settings::equal_steps(prepared, &settings);
+    rivals.extend(settings);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
@@ -200,7 +204,12 @@ pub(crate) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
+        data_problems: [
+            mended.problems.as_slice(),
+            prepared.incomplete.as_slice(),
+            equal_steps.as_slice(),
+        ]
+        .concat(),
         floor,
         gap,
         held_out,
@@ -354,10 +363,14 @@ fn equivalents(
             continue;
         }
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
-        let known = all
-            .iter()
-            .any(|e| e.explanation == explanation && e.instead == instead);
-        if known || all.len() == MOST_EQUIVALENT {
+        let mut there = all.iter_mut();
+        let known = there.find(|e| e.explanation == explanation && e.instead == instead);
+        if let Some(known) = known {
+            // One name at several other settings is listed once.
+            known.orders.extend(rival.other_settings());
+            continue;
+        }
+        if all.len() == MOST_EQUIVALENT {
             continue;
         }
         all.push(Equivalent {
@@ -365,8 +378,17 @@ fn equivalents(
             instead,
             odds: (fit.ln_evidence - rival.fit.ln_evidence).exp(),
             separate_by: separate_by.clone(),
+            orders: rival.other_settings(),
             model: rival.fit.model.clone(),
         });
+    }
+    for one in all.iter_mut().filter(|e| !e.orders.is_empty()) {
+        let orders = one.orders.iter().map(|o| other_settings::shown(*o));
+        let orders = orders.collect::<Vec<_>>().join(", ");
+        one.separate_by = format!(
+            "orders (or leads) {orders}, the same at these steps: {}",
+            one.separate_by
+        );
     }
     all
 }

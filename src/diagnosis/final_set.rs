@@ -117,17 +117,22 @@ pub(crate) fn as_said(
             test(prepared, found, watch)?;
             continue;
         }
-        // Of several kinds of measurement that in mm is not all that they show; [`test`] weighs them all.
-        if regression.rows.observed().is_some() {
-            return Ok(());
-        }
         // As the model keeps them: names alone.
         let alone = if found.fit.shapes.is_empty() {
             found.fit.clone()
         } else {
             regression.fit(&found.fit.model, &[])
         };
-        let idle = |step: &Step| step.held_out_mm.is_some_and(|h| h[1] >= h[0]);
+        // Of several kinds of measurement that in mm is not all that they show.
+        let of_kinds = regression.rows.observed().is_some();
+        let idle = |step: &Step| {
+            let held_out = if of_kinds {
+                step.held_out
+            } else {
+                step.held_out_mm
+            };
+            held_out.is_some_and(|h| h[1] >= h[0])
+        };
         let steps = steps(prepared, &base, &alone);
         let Some(step) = steps.into_iter().rev().find(idle) else {
             return Ok(());

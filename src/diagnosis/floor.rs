@@ -28,9 +28,9 @@ fn as_shown(prepared: &Prepared, fit: &Fit) -> Floor {
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return of_observations(prepared, fit, noise_mm);
     }
-    if let Some(pure) = pure_error(prepared) {
+    if let Some(mm) = pure_error(prepared).and_then(|pure| pure.mm) {
         return Floor {
-            mm: pure.mm,
+            mm,
             from: FloorFrom::Repeats,
         };
     }
@@ -67,7 +67,8 @@ fn of_observations(prepared: &Prepared, fit: &Fit, noise_mm: f64) -> Floor {
     let stated = stated.filter(|layer| layer.is_stated());
     match (pure_error(prepared), stated) {
         (Some(pure), _) => Floor {
-            mm: noise_mm * pure.variance.sqrt(),
+            // In mm of lengths alone, where repeats show any.
+            mm: pure.mm.unwrap_or(noise_mm * pure.variance.sqrt()),
             from: FloorFrom::Repeats,
         },
         (None, Some(layer)) => Floor {
@@ -86,8 +87,8 @@ const FEWEST_REPEATS: usize = 8;
 
 /// What returns to the same pose tell of the noise.
 pub(crate) struct PureError {
-    /// Root mean square length, mm.
-    pub(crate) mm: f64,
+    /// Root mean square length, mm; `None` where no length was measured again.
+    pub(crate) mm: Option<f64>,
     /// Mean square of a coordinate, in units of the white noise of its axis.
     pub(crate) variance: f64,
     /// Degrees of freedom of that, over all axes.
@@ -121,6 +122,7 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
     let n = rows.samples.len();
     let sigma = prepared.regression.noise.sigma_mm;
     let (mut sum, mut weighted, mut freedom, mut all) = (0.0, 0.0, 0_usize, 0_usize);
+    let mut of_lengths = 0_usize;
     let mut start = 0;
     while start < n {
         let end = (start..n)
@@ -135,20 +137,25 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
             .collect();
         if group.len() > 1 {
             freedom += group.len() - 1;
+            let mut has_length = false;
             for axis in (0..rows.axes.len()).filter(|a| rows.has(a * n + group[0])) {
                 all += group.len() - 1;
                 let values = group.iter().map(|i| raw[axis * n + i]);
                 let mean = values.clone().sum::<f64>() / group.len() as f64;
                 let square = values.map(|v| (v - mean).powi(2)).sum::<f64>();
-                sum += square;
+                // Angles beside lengths are none.
+                let mm = rows.mm(axis * n + group[0]);
+                has_length |= mm > 0.0;
+                sum += mm * mm * square;
                 weighted += square / sigma[rows.axes[axis]].powi(2);
             }
+            of_lengths += if has_length { group.len() - 1 } else { 0 };
         }
         start = end;
     }
     let all = all as f64;
     (freedom >= FEWEST_REPEATS).then(|| PureError {
-        mm: (sum / freedom as f64).sqrt(),
+        mm: (of_lengths >= FEWEST_REPEATS).then(|| (sum / of_lengths as f64).sqrt()),
         variance: weighted / all,
         freedom: all,
     })

@@ -45,6 +45,9 @@ mod handed_out;
 mod held_out;
 mod incomplete;
 mod left_out;
+mod orders;
+pub(crate) mod other_settings;
+mod recorded;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
@@ -68,6 +71,7 @@ mod unnamed;
 mod unseen;
 mod values;
 mod verdict;
+mod withheld;
 pub(crate) mod work;
 
 pub use crate::answers::diagnosis::{
@@ -292,6 +296,8 @@ fn against_rivals<'a>(
         let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
+        } else if let Some(followed) = recorded::instead_of_slow(&prepared, &found) {
+            (prepared, found) = followed;
         }
     }
     let least = found.fit.ln_evidence - aliases::UNDECIDED;

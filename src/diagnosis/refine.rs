@@ -22,7 +22,7 @@ impl Regression<'_> {
     }
 
     /// A wave at its likeliest order: the whole number, unless a fraction is worth its price.
-    fn refined_order(&self, fit: &Fit, term: &Term) -> Term {
+    pub(super) fn refined_order(&self, fit: &Fit, term: &Term) -> Term {
         let Setting::Order { from, to } = term.effect.about().setting else {
             return term.clone();
         };

@@ -12,6 +12,7 @@ use super::regression::{Fit, Regression};
 use super::search::{Found as SearchEnd, mean_sigma_mm};
 use crate::answers::diagnosis::Unexplained;
 use crate::linear::Basis;
+use crate::model::shapes::{Shape, Variable, Where};
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let regression = &prepared.regression;
@@ -22,7 +23,6 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     if fit.shapes.is_empty() {
         return without_shapes(prepared, fit);
     }
-    let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     let names = |fit: &Fit| -> Vec<String> {
         let added = regression.added(fit);
         added.iter().map(|t| t.name_on(&session.robot)).collect()
@@ -50,7 +50,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         present: true,
         p: regression.family_p(minus_ln_p, fit).p,
         rms_mm: of_the_shapes_mm(regression, fit),
-        place: Some(shape.place(range, prismatic)),
+        place: Some(place_of(&shape, range, prepared)),
         resembles,
         says: format!("{}; no effect of the catalogue explains it", shape.says()),
         shapes: order
@@ -63,6 +63,19 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         noise: None,
         correction: None,
     }
+}
+
+/// Where a shape is; of a target with its name.
+fn place_of(shape: &Shape, range: (f64, f64), prepared: &Prepared) -> Where {
+    let session = prepared.problem.session;
+    let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
+    let mut place = shape.place(range, slides);
+    if let (Variable::Target(index), Where::Range { variable, .. }) = (shape.variable, &mut place)
+        && let Some(target) = session.targets.get(index as usize)
+    {
+        *variable = format!("target {}", target.name);
+    }
+    place
 }
 
 /// What the shapes of a fit move beyond what its names could do in their place: root mean square length over
@@ -118,14 +131,14 @@ pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
             What::Named(_) => None,
         })
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    let session = prepared.problem.session;
-    let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     Unexplained {
         present: false,
         p: regression.family_p(largest, fit).p,
         rms_mm: 0.0,
-        place: likeliest
-            .map(|(_, shape)| shape.place(regression.table.space.range(shape.variable), slides)),
+        place: likeliest.map(|(_, shape)| {
+            let range = regression.table.space.range(shape.variable);
+            place_of(shape, range, prepared)
+        }),
         resembles: Vec::new(),
         says: likeliest.map_or_else(String::new, |(_, shape)| {
             format!("what is left looks most like {}", shape.says())

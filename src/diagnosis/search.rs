@@ -15,6 +15,7 @@ use super::candidates::{Candidate, What};
 use super::columns::Among;
 use super::held_out::Folds;
 use super::memo::Memo;
+use super::orders;
 use super::placed::Placed;
 use super::regression::{Fit, Regression};
 use super::scores::Score;
@@ -250,6 +251,7 @@ impl Search<'_, '_> {
         let mut fit = fit;
         for _ in 0..3 {
             let before = fit.ln_evidence;
+            fit = orders::together(self.regression, fit);
             fit = self.swap(fit, allow);
             fit = self.drop(fit);
             if fit.ln_evidence <= before + 1e-6 {

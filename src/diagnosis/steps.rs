@@ -23,13 +23,19 @@ pub(crate) struct Step {
     pub(crate) term: Term,
     pub(crate) gap_mm: [f64; 2],
     pub(crate) held_out_mm: Option<[f64; 2]>,
+    /// The same over everything that was measured, each kind in units of its noise.
+    pub(crate) held_out: Option<[f64; 2]>,
 }
 
 pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     let regression = &prepared.regression;
     let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut now = regression.fit(&base.model, &fit.shapes);
-    let mut unseen = prepared.folds.rms_mm(regression, &now);
+    let unseen_of = |fit: &Fit| {
+        let unseen = prepared.folds.unseen(regression, fit);
+        (unseen.rms_mm, unseen.rms)
+    };
+    let mut unseen = unseen_of(&now);
     let gap = |fit: &Fit| {
         let (raw, _) = regression.rows.extract(&fit.model);
         let mut e = raw;
@@ -51,11 +57,13 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
         let fits = fits.into_iter().map(|index| (index, with(index)));
         let best = fits.max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
-        let seen = prepared.folds.rms_mm(regression, &next);
+        let seen = unseen_of(&next);
+        let says = prepared.folds.say_something();
         steps.push(Step {
             term: left.remove(index),
             gap_mm: [gap(&now), gap(&next)],
-            held_out_mm: prepared.folds.say_something().then_some([unseen, seen]),
+            held_out_mm: says.then_some([unseen.0, seen.0]),
+            held_out: says.then_some([unseen.1, seen.1]),
         });
         (now, unseen) = (next, seen);
     }

@@ -8,20 +8,18 @@ use nalgebra::DMatrix;
 
 use crate::effects::Term;
 use crate::fit::gap::{Spread, deviations};
-use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
-use crate::fit::regression::Rows;
 use crate::fit::solver::{Solution, solve};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
     noise_beside, outliers, parameters_of, report,
 };
-use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::whitened;
 
 use super::final_set::worth;
-use super::prepare::{Prepared, thinned};
+use super::orders::OrderSpread;
+use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::CHANCE;
 use super::selection::Selection;
@@ -77,11 +75,15 @@ impl<'a> Values<'a> {
             problem.set_noise(&noise);
             solution = solve(&problem, &solution.model);
         }
-        let covariance = covariance_of(&problem, &solution);
+        let mut covariance = covariance_of(&problem, &solution);
+        let spread = OrderSpread::of(&problem, &solution.model);
+        if let (Some(spread), Some(covariance)) = (&spread, &mut covariance) {
+            spread.add_to(covariance);
+        }
         let mut estimates = parameters_of(&problem, &solution, covariance.as_ref());
         for (term, own) in solution.model.terms().iter().zip(&mut estimates) {
             if let Some(order) = own.iter_mut().find(|e| e.name == "order") {
-                order.ci95 = order_interval(&problem, &solution, term);
+                order.ci95 = spread.as_ref().and_then(|s| s.interval(term));
             }
         }
         let own = solution.model.coefficient_count();
@@ -446,36 +448,3 @@ fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     };
     (kurtosis, *median / 0.674_5)
 }
-
-/// The 95 % interval of an order that is not whole, from the change of the samples with it beside
-/// all other coefficients.
-fn order_interval(problem: &Problem, solution: &Solution, term: &Term) -> Option<[f64; 2]> {
-    if term.setting.fract() == 0.0 {
-        return None;
-    }
-    let part = thinned(problem, MOST_SAMPLES_FOR_AN_ORDER);
-    let rows = Rows::of(&part);
-    let moved = |by: f64| {
-        let terms = solution.model.terms().iter().map(|t| Term {
-            setting: t.setting + if t.same_column(term) { by } else { 0.0 },
-            ..t.clone()
-        });
-        let model = Model::new(solution.model.robot.clone(), terms.collect());
-        rows.extract(&model).0
-    };
-    let by = 1e-4;
-    let change = (moved(-by) - moved(by)) / (2.0 * by);
-    let columns = rows.extract(&solution.model).1;
-    let of_kinds = problem.observed.as_ref();
-    let of_kinds = of_kinds.map(|layer| Noise::white(layer.unit_mm));
-    let noise = problem.noise.as_ref().or(of_kinds.as_ref())?;
-    let basis = Basis::new(&noise.whitened(&rows, &columns));
-    let free = basis.reject(&noise.whitened_vector(&rows, &change));
-    let share = rows.count() as f64 / problem.rows().max(1) as f64;
-    let half = 1.96 * (share / free.norm_squared()).sqrt();
-    half.is_finite()
-        .then_some([term.setting - half, term.setting + half])
-}
-
-/// So many samples tell how sure an order is.
-const MOST_SAMPLES_FOR_AN_ORDER: usize = 1500;

@@ -23,6 +23,7 @@ use super::floor::{PureError, pure_error};
 use super::prepare::Prepared;
 use super::search::{CHANCE, Found};
 use super::values::Values;
+use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 
 /// More than this many times the floor is not the floor …
@@ -86,6 +87,14 @@ pub(crate) fn judge(
             && excess.is_more_than_noise()
         {
             flag(prepared, values, floor, excess, unexplained);
+        } else if let Some(other) = stand_in(prepared, &found.fit) {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = format!(
+                "{}, which this run leaves out, explains as much as {}",
+                other.withheld, other.said
+            );
+            unexplained.resembles.push(other.said);
         }
         if unexplained.present && unexplained.rms_mm == 0.0 {
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());

@@ -4,7 +4,7 @@ use crate::lanes::LANES;
 use crate::model::Model;
 
 use super::outliers::suspected;
-use super::{KINDS, Layer, Looks};
+use super::{Item, KINDS, Layer, Looks};
 
 /// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -236,8 +236,15 @@ pub(crate) fn deviations(layer: &Layer, model: &Model) -> Deviations {
         length_mm: vec![f64::NAN; n],
     };
     let mut of_point = vec![false; n];
+    let looks = |item: &Item| KINDS[item.kind].about().looks;
+    // A figure in mm is of lengths: angles are one across the distance at which they are seen only where
+    // nothing else was measured.
+    let any_point = layer.items.iter().any(|item| looks(item) == Looks::AtPoint);
     for (i, item) in layer.items.iter().enumerate() {
-        let looks = KINDS[item.kind].about().looks;
+        let looks = looks(item);
+        if any_point && looks != Looks::AtPoint {
+            continue;
+        }
         let first = deviations.length_mm[item.sample].is_nan();
         let better = looks == Looks::AtPoint && !of_point[item.sample];
         if first || better {

@@ -44,8 +44,13 @@ impl<'a> ObservedRows<'a> {
         let layer = &self.layer;
         let n = layer.items.len();
         let mut length: Vec<Option<usize>> = vec![None; layer.session.samples.len()];
+        let at_point = |k: usize| KINDS[layer.items[k].kind].about().looks == Looks::AtPoint;
+        // Where targets were seen anywhere, how the tool is turned is no length.
+        let any_point = (0..n).any(at_point);
         for (k, item) in layer.items.iter().enumerate() {
-            let at_point = |k: usize| KINDS[layer.items[k].kind].about().looks == Looks::AtPoint;
+            if any_point && !at_point(k) {
+                continue;
+            }
             let own = &mut length[item.sample];
             if own.is_none_or(|before| at_point(k) && !at_point(before)) {
                 *own = Some(k);

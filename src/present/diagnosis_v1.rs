@@ -42,6 +42,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             "instead": &e.instead,
             "odds": e.odds,
             "separate_by": &e.separate_by,
+            "orders": list(&e.orders, |order| Json::from(*order)),
         }),
         "unexplained": unexplained(&d.unexplained, session),
         "unnamed": d.unnamed.as_ref().map(|u| object! {

@@ -52,6 +52,7 @@ mod recordings;
 mod recovery;
 mod report;
 mod report_details;
+mod rivals;
 mod robots;
 mod sessions_on_disk;
 mod simulated_geometry;

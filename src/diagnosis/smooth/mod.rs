@@ -14,6 +14,8 @@
 mod columns;
 mod likelihood;
 
+use std::iter;
+
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots};
 use crate::fit::gap::suspects;
@@ -27,7 +29,7 @@ use super::prepare::Prepared;
 use crate::answers::diagnosis::{Correction, Unexplained};
 use crate::model::shapes::{Profile, Shape, Variable};
 use columns::{Columns, Folds};
-use likelihood::{Kernel, NamesAlone, Sizes, Sums};
+use likelihood::{Kernel, NamesAlone, Sizes, Smoothness, Sums};
 
 /// Most knots over a range …
 const MOST_KNOTS: usize = 61;
@@ -39,6 +41,15 @@ const FEWEST_VALUES: usize = 10;
 const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
 const LENGTHS: [f64; 4] = [1.0, 0.25, 0.0625, 0.02];
+/// Priors of curves with free ends that are tried besides where a curve is a rival of names.
+const FREE_ENDS: [(f64, Smoothness); 6] = [
+    (0.3, Smoothness::Gauss),
+    (0.6, Smoothness::Gauss),
+    (1.2, Smoothness::Gauss),
+    (0.5, Smoothness::Matern),
+    (1.0, Smoothness::Matern),
+    (2.0, Smoothness::Matern),
+];
 
 /// What is left of a model as a smooth correction, or why there is none, if the options ask for
 /// one.
@@ -144,7 +155,9 @@ pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Op
         period: None,
         count: columns.values.len().clamp(4, MOST_KNOTS),
     };
-    let best = tried(&columns, knots)?;
+    let free = FREE_ENDS.iter();
+    let free = free.filter_map(|(length, how)| Kernel::with_free_ends(knots.count, *length, *how));
+    let best = tried(&columns, knots, free)?;
     let names = NamesAlone::new(&columns.sums(&knots)?);
     let length = best.kernel.pieces().ceil();
     Some(FreeCurve {
@@ -208,7 +221,7 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
         period: None,
         count: columns.values.len().clamp(4, MOST_KNOTS),
     };
-    let mut best = tried(columns, over_range);
+    let mut best = tried(columns, over_range, iter::empty());
     let span = over_range.to - over_range.from;
     // What does not come round twice is not known to repeat.
     if let Profile::Periodic { cycles, .. } = over.profile
@@ -223,7 +236,7 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
                 count: columns.values.len().clamp(4, MOST_IN_A_PERIOD),
                 ..over_range
             };
-            tried(columns, knots)
+            tried(columns, knots, iter::empty())
         };
         let evidence = |c: &Option<Choice>| c.as_ref().map_or(f64::NEG_INFINITY, |c| c.ln_evidence);
         let mut periodic = (start, with(start));
@@ -243,20 +256,29 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
     best
 }
 
-/// The likeliest prior and sizes for these knots.
-fn tried(columns: &Columns, knots: Knots) -> Option<Choice> {
+/// The likeliest prior and sizes for these knots; some priors more may be tried.
+fn tried(columns: &Columns, knots: Knots, more: impl Iterator<Item = Kernel>) -> Option<Choice> {
     let sums = columns.sums(&knots)?;
     let names = NamesAlone::new(&sums);
-    let mut best: Option<(Kernel, (Sizes, f64))> = None;
+    let mut kernels = Vec::new();
     for length in LENGTHS {
         for order in [1, 2] {
-            let kernel = Kernel::new(knots.count, knots.period.is_some(), length, order)?;
-            let Some(first) = likelihood::first_direction(&sums, &names, &kernel) else {
-                continue;
-            };
-            if best.as_ref().is_none_or(|b| first.1 > b.1.1) {
-                best = Some((kernel, first));
-            }
+            kernels.push(Kernel::new(
+                knots.count,
+                knots.period.is_some(),
+                length,
+                order,
+            )?);
+        }
+    }
+    kernels.extend(more);
+    let mut best: Option<(Kernel, (Sizes, f64))> = None;
+    for kernel in kernels {
+        let Some(first) = likelihood::first_direction(&sums, &names, &kernel) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|b| first.1 > b.1.1) {
+            best = Some((kernel, first));
         }
     }
     let (kernel, first) = best?;
