@@ -62,6 +62,8 @@ pub(super) fn rms_apart_mm(prepared: &Prepared, left: &Deviations) -> f64 {
     let mut lengths: Vec<f64> = (0..apart.len())
         .filter(|i| apart[*i])
         .map(|i| left.length_mm[i])
+        // Of a row that measures no length.
+        .filter(|length| !length.is_nan())
         .collect();
     lengths.sort_by(f64::total_cmp);
     let count = lengths.len();
