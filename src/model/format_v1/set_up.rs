@@ -104,7 +104,13 @@ fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
 
 const VALUES: Kind<Vec<f64>> = Kind {
     expected: "an array of numbers",
-    read: |at| at.list(&NUMBER),
+    read: |at| match &at.node.value {
+        Value::Numbers(values) if values.iter().all(|value| value.is_finite()) => {
+            Some(values.clone())
+        }
+        Value::List(list) if list.is_empty() => Some(Vec::new()),
+        _ => at.wrong(),
+    },
     write: |values| values.iter().copied().collect(),
 };
 

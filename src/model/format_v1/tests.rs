@@ -5,8 +5,8 @@ use super::*;
 use crate::effects::about::{Listed, Setting};
 use crate::effects::{CATALOGUE, Inputs, Term};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
-use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
-use crate::sessions::Target;
+use crate::model::{Calibration, GapStep, Model, RegionalCorrection, SetUp};
+use crate::sessions::{Mend, Target};
 
 fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)
@@ -122,7 +122,21 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
             ],
             tolerance_mm: (number > 0.5).then_some(number),
             compensated_by: (number > 0.2).then(|| "0123".to_owned()),
-            set_up: Default::default(),
+            set_up: if number > 0.3 {
+                SetUp::new([
+                    Mend::PairRows(vec![(3, 1), (9, -2)]),
+                    Mend::Remove(vec![4]),
+                    Mend::WidenNoise([0.1 * number, 0.0, 0.02]),
+                    Mend::FreeTargets,
+                    Mend::TurnHome {
+                        joint: 0,
+                        by_rad: number,
+                    },
+                    Mend::Reorder([1, 0, 2]),
+                ])
+            } else {
+                SetUp::default()
+            },
             conditions: Default::default(),
             set_aside: None,
             history: vec![GapStep {
