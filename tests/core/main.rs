@@ -49,6 +49,7 @@ mod recovery;
 mod report;
 mod report_details;
 mod robots;
+mod rows;
 mod sessions_on_disk;
 mod simulated_geometry;
 mod standards;

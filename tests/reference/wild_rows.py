@@ -229,7 +229,7 @@ def make(kind, index):
         s = session()
         for axis in ("x_mm", "y_mm", "z_mm"):
             s.columns[axis] = [round(round(v / step) * step, 6) for v in s.columns[axis]]
-        return s, "resolution" if step > (0.03 if arm else 0.025) else None
+        return s, "resolution" if step / 12**0.5 > s.sigma / 3 else None
     if what == "speed":
         s = session()
         s.columns["speed1_deg_s"] = [-v for v in s.columns["speed1_deg_s"]]
