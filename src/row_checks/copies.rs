@@ -182,7 +182,7 @@ fn each_bit(samples: &Samples, row: usize, take: &mut impl FnMut(u64)) {
         &observed.socket,
     ] {
         let place = column.as_ref().and_then(|column| column[row]);
-        take(place.map_or(u64::MAX, |place| place as u64));
+        take(place.map_or(u64::MAX, u64::from));
     }
     samples.target.iter().for_each(|t| take(u64::from(t[row])));
     samples

@@ -6,6 +6,13 @@
 //! mechanical, the change of the session that takes it back. The caller goes on with that change made;
 //! no row changes its place, so that a sample keeps its number.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "shifts are small whole numbers, and states of them are few"
+)]
+
 mod conditions;
 mod copies;
 mod digits;

@@ -5,6 +5,12 @@
 //! order. A clock that begins anew (a restart, midnight, the next visit) is none of that: then the time
 //! falls back to where it began.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a share of a number of rows"
+)]
+
 /// So many falls of the clock, or this share of the samples, are no accident of one row.
 const LEAST_FALLS: usize = 2;
 const LEAST_SHARE: f64 = 0.02;

@@ -317,7 +317,7 @@ fn split_socket(session: &mut Session, socket: usize, from: usize) {
     }
 }
 
-fn scale(column: &mut Vec<f64>, factor: f64) {
+fn scale(column: &mut [f64], factor: f64) {
     column.iter_mut().for_each(|v| *v *= factor);
 }
 

@@ -54,6 +54,7 @@ mod report;
 mod report_details;
 mod rivals;
 mod robots;
+mod rows;
 mod sessions_on_disk;
 mod simulated_geometry;
 mod standards;

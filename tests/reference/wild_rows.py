@@ -159,6 +159,7 @@ def arm_session(rng, n=120, design="random", sigma=0.03, poor=0, places=None, fr
         [turn @ true.point(np.radians(a) + zeros, true_places[t]) + shift for a, t in zip(q, names)]
     ) + rng.normal(0, sigma, (n, 3))
     came = np.sign(np.diff(q, axis=0, prepend=q[:1] - 1))
+    came[came == 0] = -1.0
     s = Session(SIX, targets, sigma)
     for k in range(6):
         s.columns[f"q{k + 1}_deg"] = list(np.round(q[:, k], 7))
@@ -229,7 +230,7 @@ def make(kind, index):
         s = session()
         for axis in ("x_mm", "y_mm", "z_mm"):
             s.columns[axis] = [round(round(v / step) * step, 6) for v in s.columns[axis]]
-        return s, "resolution" if step > (0.03 if arm else 0.025) else None
+        return s, "resolution" if step / 12**0.5 > s.sigma / 3 else None
     if what == "speed":
         s = session()
         s.columns["speed1_deg_s"] = [-v for v in s.columns["speed1_deg_s"]]

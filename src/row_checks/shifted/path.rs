@@ -224,7 +224,14 @@ pub(super) fn along(
                     }
                 }
             }
-            next[to] = best + cost(*row, shift(to));
+            // Behind the ends there are no points: a shift that only takes rows out fits nothing.
+            let inside = row.checked_add_signed(shift(to)).is_some_and(|p| p < rows);
+            let own = if inside {
+                cost(*row, shift(to))
+            } else {
+                FITS_NOWHERE
+            };
+            next[to] = best + own;
             from[to] = at as u8;
         }
         so_far = next;

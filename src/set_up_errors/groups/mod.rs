@@ -4,6 +4,12 @@
 //! Each is set free by itself, with the whole base model beside it, and believed where the samples are
 //! likelier by far then, leave clearly less, and the place is off by more than what is known of it.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a setting is a small whole number"
+)]
+
 mod sockets;
 mod targets;
 

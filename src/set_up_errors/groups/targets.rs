@@ -14,6 +14,8 @@ use super::{evidence, fitted, in_numbers, is_believed, start_of, thinned, trimme
 
 /// A place is off beyond so many standard deviations of what is known of it.
 const OFF: f64 = 4.0;
+/// Beside one that is far off the others are off by no more than their fit is sure of.
+const BESIDE_THE_FARTHEST: f64 = 0.3;
 /// How often the weights are made anew that leave as many targets as possible where they are said to be.
 const ROUNDS: usize = 12;
 /// Below this a target is where it is said to be, for those weights, mm.
@@ -73,11 +75,12 @@ fn of_an_arm(
     for (_, by) in &mut places {
         *by -= common;
     }
+    let farthest = places.iter().map(|p| p.1.norm()).fold(0.0, f64::max);
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places.len());
     let off: Vec<(usize, Vector3<f64>)> = places
         .into_iter()
-        .filter(|(_, by)| by.norm() > OFF * sigma)
+        .filter(|(_, by)| by.norm() > (OFF * sigma).max(BESIDE_THE_FARTHEST * farthest))
         .collect();
     if off.is_empty() || !is_believed(evidence, before, after) {
         return None;

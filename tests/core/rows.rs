@@ -1,0 +1,86 @@
+//! Mistakes in the rows of a session that was measured on a rig which shares no code with the model
+//! (`support/rig.rs`): each is said in the words of the contract, taken back, and fakes no effect.
+
+use crate::rig::{Design, Rig};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::pipeline::diagnose;
+use truepose::sessions::{Samples, Session, parse};
+
+fn with_backlash() -> Session {
+    let rig = Rig::measured(&Design::default(), &["backlash"], 400.0, 9).0;
+    parse(rig.json("rows").as_bytes())
+        .expect("the rig writes a good session")
+        .session
+}
+
+fn diagnosed(session: &Session) -> Diagnosis {
+    diagnose(session, &Options::default(), &|_| true).expect("a diagnosis")
+}
+
+/// What is said, and that the backlash is found all the same.
+fn said(session: &Session, word: &str) {
+    let answer = diagnosed(session);
+    let what: Vec<&str> = answer
+        .data_problems
+        .iter()
+        .map(|p| p.what.as_str())
+        .collect();
+    assert!(what.iter().any(|w| w.contains(word)), "{word}: {what:?}");
+    let found: Vec<&str> = answer.found.iter().map(|f| f.effect).collect();
+    assert_eq!(found, ["backlash"], "{word}: {what:?}");
+}
+
+fn points(samples: &mut Samples) -> Vec<&mut Vec<f64>> {
+    let columns = [&mut samples.x_mm, &mut samples.y_mm];
+    columns.into_iter().chain(samples.z_mm.as_mut()).collect()
+}
+
+#[test]
+fn a_session_with_good_rows_has_nothing_to_say() {
+    let answer = diagnosed(&with_backlash());
+    assert!(
+        answer.data_problems.is_empty(),
+        "{:?}",
+        answer.data_problems
+    );
+}
+
+#[test]
+fn a_point_that_is_missing_shifts_the_rows_below() {
+    let n = with_backlash().samples.len();
+    for row in [2, n / 3, n - 4] {
+        let mut session = with_backlash();
+        for column in points(&mut session.samples) {
+            column.remove(row);
+            column.push(f64::NAN);
+        }
+        said(&session, "rows shifted by one");
+    }
+}
+
+#[test]
+fn a_file_pasted_below_itself_is_copies() {
+    let mut session = with_backlash();
+    let alone = diagnosed(&session);
+    let again = session.samples.clone();
+    session.samples.append(again);
+    said(&session, "copied rows");
+    let twice = diagnosed(&session);
+    // They tell nothing: the same floor and the same values.
+    assert!((twice.floor.mm - alone.floor.mm).abs() < 1e-9 * alone.floor.mm);
+    assert_ne!(twice.verdict, Verdict::Noise);
+}
+
+#[test]
+fn speeds_and_loads_in_another_sign_and_unit_are_said() {
+    let mut session = with_backlash();
+    if let Some(speed) = &mut session.samples.speed[0] {
+        speed.iter_mut().for_each(|v| *v = -*v);
+        said(&session, "speed");
+    }
+    let mut session = with_backlash();
+    if let Some(load) = &mut session.samples.load_kg {
+        load.iter_mut().for_each(|v| *v *= 1000.0);
+        said(&session, "load");
+    }
+}
