@@ -172,18 +172,16 @@ fn at_uneven_poses_an_order_has_no_other() {
 
 #[test]
 fn neighbouring_orders_are_whole_and_their_intervals_hold() {
-    let (sizes, mut held) = ([0.015, 0.03, 0.012], 0);
+    let wheel = [(20.0, 0.015), (21.0, 0.03), (22.0, 0.012)];
+    let mut held = 0;
     for seed in 0..6 {
-        let turn = |at: &At| {
-            (0..3)
-                .map(|k| wave(20.0 + f64::from(k), sizes[k as usize])(at))
-                .sum()
-        };
+        let turn = |at: &At| wheel.iter().map(|(k, size)| wave(*k, *size)(at)).sum();
         let answer = diagnosed(&session(&uneven(240), seed, turn, still));
-        assert_eq!(orders(&answer), [20.0, 21.0, 22.0]);
+        assert_eq!(orders(&answer), wheel.map(|w| w.0));
         for found in &answer.found {
             let value = |name: &str| found.parameters.iter().find(|p| p.name == name).unwrap();
-            let truth = sizes[value("order").value as usize - 20];
+            let order = value("order").value;
+            let truth = wheel.iter().find(|w| w.0 == order).unwrap().1;
             let [low, high] = value("amplitude_deg").ci95.unwrap();
             held += usize::from(low <= truth && truth <= high);
         }
