@@ -466,9 +466,16 @@ impl Beside {
 struct Untold;
 
 impl Whole {
-    /// `basis` is of all columns.
-    fn new(scanned: &[Scanned], rows: &Whitened, basis: impl Fn(&DMatrix<f64>) -> Basis) -> Self {
-        let beside = |term: &Scanned| Beside::new(term, rows, term.white.clone());
+    /// `basis` is of all columns, or of those without a term's.
+    fn new(
+        scanned: &[Scanned],
+        rows: &Whitened,
+        basis: impl Fn(&DMatrix<f64>, Option<&Term>) -> Basis,
+    ) -> Self {
+        let beside = |term: &Scanned| {
+            let others = |white: &DMatrix<f64>| basis(white, Some(&term.term));
+            Beside::new(term, rows, term.white.clone(), others)
+        };
         let terms: Vec<Beside> = scanned.iter().map(beside).collect();
         let last = terms.last();
         let basis = last.map_or_else(
