@@ -70,7 +70,10 @@ fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>
             }
             roles.truncate(grid.width);
             if measured {
-                own_references(names, &mut roles);
+                // While a kind is looked for, a table of distances is that of an instrument for them.
+                if case.found.kind.is_some() {
+                    own_references(names, &mut roles);
+                }
                 let names = &names[..names.len().min(roles.len())];
                 if let Some(proposed) = families::proposed(names, &roles) {
                     propose(case, names, &roles, &proposed);
