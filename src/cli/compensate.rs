@@ -43,7 +43,7 @@ pub(crate) struct Compensate {
     load: Option<f64>,
     /// Frame (work object, base, user frame) in which the file gives its poses, in the robot's base frame:
     /// mm, and a quaternion or the three angles of the language for a turned one (KRL, RAPID, CSV: A,B,C about
-    /// z, y, x in degrees; FANUC: W,P,R in degrees; URScript: rotation vector in rad)
+    /// z, y, x in degrees; FANUC: W,P,R in degrees; `URScript`: rotation vector in rad)
     #[arg(
         long,
         value_name = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]",

@@ -95,7 +95,10 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
         JointKind::Revolute => format!("equal steps of {:.3}°", deg_from_rad(step)),
     });
     let steps = steps.unwrap_or_else(|| "steps that do not part them".to_owned());
-    let settings = rivals.iter().flat_map(|r| r.other_settings()).map(shown);
+    let settings = rivals
+        .iter()
+        .flat_map(super::aliases::Rival::other_settings)
+        .map(shown);
     let settings: Vec<String> = settings.collect();
     Some(DataProblem {
         what: "equal steps".to_owned(),

@@ -250,20 +250,16 @@ fn changed(correction: &Mend, robot: &Robot, q: &mut [f64], back: bool) {
                 }
             }
         }
-        Mend::ExchangeJoints { first, second } => {
-            if (*first).max(*second) < q.len() {
-                q.swap(*first, *second);
-            }
+        Mend::ExchangeJoints { first, second } if (*first).max(*second) < q.len() => {
+            q.swap(*first, *second);
         }
         Mend::CoupleJoint {
             joint,
             from,
             factor,
-        } => {
-            if joint != from && (*joint).max(*from) < q.len() {
-                let by = factor * q[*from];
-                q[*joint] += if back { -by } else { by };
-            }
+        } if joint != from && (*joint).max(*from) < q.len() => {
+            let by = factor * q[*from];
+            q[*joint] += if back { -by } else { by };
         }
         Mend::TurnHome { joint, by_rad } => {
             if let Some(value) = q.get_mut(*joint) {

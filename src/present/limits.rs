@@ -60,7 +60,7 @@ pub(crate) fn applies(robot: &Robot, one: &NotTestable) -> bool {
 /// What a limit says: a size that no machine has is one that these poses do not show.
 pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Sight {
     let seen = Sight::of(size);
-    let about = find(effect).map(|effect| effect.about());
+    let about = find(effect).map(super::super::effects::Effect::about);
     // A size stands for the parameters of its own form: a sliding joint has others, and a ratio of a
     // mode none.
     let limit = about.and_then(|about| {

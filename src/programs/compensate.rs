@@ -192,10 +192,10 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     let targets = targets.collect();
     Ok(Answer {
         bytes,
+        targets,
         at_run_time,
         remarks,
         notes,
-        targets,
     })
 }
 

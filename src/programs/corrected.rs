@@ -80,7 +80,7 @@ pub(super) fn corrected(
             return answers;
         }
         let count = block.len();
-        answers.extend(corrector.block(first, block.drain(..).collect()));
+        answers.extend(corrector.block(first, std::mem::take(&mut block)));
         first += count;
     }
 }

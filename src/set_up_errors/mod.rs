@@ -66,7 +66,7 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 }
 
 /// Checks the rows, tries the set-up errors and corrects what it finds.
-pub fn mend<'a>(raw: &'a Session, joint_values: JointValues) -> Mended<'a> {
+pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
     let checked = row_checks::check(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
     let mut made: Vec<Mend> = made_for(&problems).collect();

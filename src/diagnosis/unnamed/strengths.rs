@@ -5,8 +5,8 @@
 //! ln E = −½ ln|I + V^½ S V^½| − (ν/2) ln(yᵀP y − gᵀc),   S = BᵀP B,   g = BᵀP y,   P = 1 − J J⁺
 //! ```
 //!
-//! The strengths v are fixed points of `v_f = |c_f|²/(σ² γ_f)`, γ_f the number of a family's columns that
-//! the samples determine (MacKay 1992; Harville 1977). A family whose strength falls to nothing is left
+//! The strengths v are fixed points of `v_f = |c_f|²/(σ² γ_f)`, `γ_f` the number of a family's columns that
+//! the samples determine (`MacKay` 1992; Harville 1977). A family whose strength falls to nothing is left
 //! out, and one without which the samples are nearly as likely as well.
 
 use nalgebra::{DMatrix, DVector};

@@ -110,20 +110,17 @@ fn called(text: &str) -> Option<&str> {
 
 /// The key of `key: value` and its value.
 fn key_of(text: &str) -> Option<(String, &str)> {
-    let (key, rest) = match text.chars().next()? {
-        quote @ ('"' | '\'') => {
-            let end = text[1..].find(quote)?;
-            (
-                &text[1..=end],
-                text[end + 2..].trim_start().strip_prefix(':')?,
-            )
-        }
-        _ => {
-            let at = text
-                .find(": ")
-                .or_else(|| text.ends_with(':').then(|| text.len() - 1))?;
-            (&text[..at], &text[at + 1..])
-        }
+    let (key, rest) = if let quote @ ('"' | '\'') = text.chars().next()? {
+        let end = text[1..].find(quote)?;
+        (
+            &text[1..=end],
+            text[end + 2..].trim_start().strip_prefix(':')?,
+        )
+    } else {
+        let at = text
+            .find(": ")
+            .or_else(|| text.ends_with(':').then(|| text.len() - 1))?;
+        (&text[..at], &text[at + 1..])
     };
     let sound =
         !key.is_empty() && key.len() < 200 && !key.contains(['[', ']', '{', '}', ',', ';', '\t']);

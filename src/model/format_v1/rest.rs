@@ -99,7 +99,7 @@ impl Lists {
 }
 
 pub(super) fn written_rest(rest: &Rest) -> Value {
-    written(Lists::of(rest), |o, own| declare(o, own))
+    written(Lists::of(rest), declare)
 }
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
