@@ -26,6 +26,10 @@ use super::output;
 /// tool, a base or a load are not the model's, nothing is written (2) until --tool, --frame, --load,
 /// --as-programmed or --as-modelled says which holds.
 #[derive(Debug, Args)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 pub(crate) struct Compensate {
     /// Model of the robot
     model: PathBuf,

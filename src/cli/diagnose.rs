@@ -235,6 +235,38 @@ fn in_words(d: &Diagnosis) -> String {
             let _ = writeln!(text, "{}", estimate_in_words(estimate));
         }
     }
+    found_in_words(&mut text, d, arm);
+    for rival in d.equivalent.iter().take(MOST_RIVALS) {
+        let _ = writeln!(
+            text,
+            "or {} instead of {} (odds {:.1} : 1 against): {}",
+            rival.instead.join(" + "),
+            rival.explanation.join(" + "),
+            rival.odds,
+            rival.separate_by
+        );
+    }
+    and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
+    unexplained_in_words(&mut text, d);
+    limits_in_words(&mut text, d, arm);
+    left_out_in_words(&mut text, d);
+    if !d.next_poses.is_empty() {
+        let _ = writeln!(
+            text,
+            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
+            d.next_poses.len(),
+            if d.equivalent.is_empty() {
+                "make more testable"
+            } else {
+                "decide"
+            }
+        );
+    }
+    text
+}
+
+/// The effects that were found, each with its parameters, its evidence and what to check.
+fn found_in_words(text: &mut String, d: &Diagnosis, arm: bool) {
     for found in &d.found {
         let joint = found.joint.filter(|_| d.model.robot.joints.len() > 1);
         let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
@@ -259,18 +291,10 @@ fn in_words(d: &Diagnosis) -> String {
         }
         let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
     }
-    for rival in d.equivalent.iter().take(MOST_RIVALS) {
-        let _ = writeln!(
-            text,
-            "or {} instead of {} (odds {:.1} : 1 against): {}",
-            rival.instead.join(" + "),
-            rival.explanation.join(" + "),
-            rival.odds,
-            rival.separate_by
-        );
-    }
-    and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
-    unexplained_in_words(&mut text, d);
+}
+
+/// What could not be tested and what was not found; of several joints a line for each reason.
+fn limits_in_words(text: &mut String, d: &Diagnosis, arm: bool) {
     let plain = |effect: &str| effect.to_owned();
     if arm {
         for line in limits::not_testable(d, plain) {
@@ -307,20 +331,6 @@ fn in_words(d: &Diagnosis) -> String {
             let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
         }
     }
-    left_out_in_words(&mut text, d);
-    if !d.next_poses.is_empty() {
-        let _ = writeln!(
-            text,
-            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
-            d.next_poses.len(),
-            if d.equivalent.is_empty() {
-                "make more testable"
-            } else {
-                "decide"
-            }
-        );
-    }
-    text
 }
 
 /// A name, of several joints with its joint, which counts from 0 here and from 1 in what is said.

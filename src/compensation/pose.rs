@@ -226,6 +226,10 @@ fn commands_of_block(
 
 /// How far the search of one pose is.
 #[derive(Debug, Clone, Copy, Default)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own about the last step, and any of them can hold beside the others"
+)]
 struct State {
     done: bool,
     /// The last step was none any more; where it ended is seen once more.

@@ -36,8 +36,9 @@ use super::values::{Values, corrected_for_selection};
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
+use crate::answers::identification::Identification;
 use crate::answers::pose::{NextPose, to_raw};
-use crate::set_up_errors::Mended;
+use crate::set_up_errors::{DataProblem, Mended};
 
 /// What stays undecided, for whoever proposes poses.
 pub(crate) struct Undecided<'u, 'a> {
@@ -132,21 +133,7 @@ pub(crate) fn answer(
     let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let mut steps = found_steps;
     steps.retain(|step| !is_dropped(&step.term));
-    let mut rivals = aliases::open_rivals(regression, with_shapes);
-    // What is likelier and carries itself has taken the place already; what does not is no rival.
-    let mut held = 0;
-    rivals.retain(|r| {
-        if !is_above(&r.fit, with_shapes) {
-            return true;
-        }
-        held += 1;
-        held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, with_shapes)
-    });
-    let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
-    rivals.extend(others);
-    let settings = other_settings::open_settings(regression, with_shapes);
-    let equal_steps = other_settings::equal_steps(prepared, &settings);
-    rivals.extend(settings);
+    let (rivals, equal_steps) = open_questions(prepared, end);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
@@ -168,15 +155,7 @@ pub(crate) fn answer(
     let found = found(prepared, with_shapes, &steps, &floor, own);
     let mut unexplained = unexplained(prepared, end, session);
     let mut verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
-    if !handed_out.dropped.is_empty() {
-        tell_dropped(&mut unexplained, &handed_out.dropped, session);
-        verdict = verdict::of(found.is_empty(), unexplained.present);
-    }
-    if let Some(why) = regression.work.ended() {
-        unexplained.present = true;
-        let before = std::mem::take(&mut unexplained.says);
-        let apart = if before.is_empty() { "" } else { "; " };
-        unexplained.says = format!("{why}{apart}{before}");
+    if tell_what_is_open(prepared, &dropped, &mut unexplained) {
         verdict = verdict::of(found.is_empty(), unexplained.present);
     }
     // What predicts without a name joins the model once everything is said of the names.
@@ -185,31 +164,17 @@ pub(crate) fn answer(
     let own = &handed_out.values;
     unexplained.correction = smooth::asked(prepared, &unexplained, &own.model.settled());
     let mut history = history(session, &names_gap, &names_held_out, &steps);
-    if unnamed.is_some() {
-        history.push(GapStep {
-            what: "with what predicts without a name".to_owned(),
-            gap_mm: gap.end_mm,
-            held_out_mm: held_out.gaps.map(|g| g.end_mm),
-        });
-    }
-    let held = prepared.not_identifiable.clone();
-    let mut identification = own.identification(&prepared.nominal, held);
-    tell_unseen(prepared, fit, &mut identification.kinds);
-    if base_model::is_arm(session) {
-        let covariance = own.covariance.as_ref();
-        identification.expected =
-            covariance.and_then(|c| expected_error(&own.problem, &own.model, c));
-    }
+    history.extend(unnamed.as_ref().map(|_| GapStep {
+        what: "with what predicts without a name".to_owned(),
+        gap_mm: gap.end_mm,
+        held_out_mm: held_out.gaps.map(|g| g.end_mm),
+    }));
+    let identification = identification(prepared, fit, own);
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: [
-            mended.problems.as_slice(),
-            prepared.incomplete.as_slice(),
-            equal_steps.as_slice(),
-        ]
-        .concat(),
+        data_problems: [&*mended.problems, &*prepared.incomplete, equal_steps.as_slice()].concat(),
         floor,
         gap,
         held_out,
@@ -223,15 +188,64 @@ pub(crate) fn answer(
         outliers: identification.outliers.clone(),
         identification,
         next_poses,
-        noise: values
-            .problem
-            .noise
-            .clone()
-            .unwrap_or_else(|| regression.noise.clone()),
+        noise: (values.problem.noise.clone()).unwrap_or_else(|| regression.noise.clone()),
         model: own.model.settled(),
         history,
         set_up,
     })
+}
+
+/// Rivals that the samples cannot rule out, and what equal steps of the commands have to do with it.
+fn open_questions(prepared: &Prepared, end: &SearchEnd) -> (Vec<aliases::Rival>, Option<DataProblem>) {
+    let (regression, fit) = (&prepared.regression, &end.fit);
+    let mut rivals = aliases::open_rivals(regression, fit);
+    // What is likelier and carries itself has taken the place already; what does not is no rival.
+    let mut held = 0;
+    rivals.retain(|r| {
+        if !is_above(&r.fit, fit) {
+            return true;
+        }
+        held += 1;
+        held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, fit)
+    });
+    rivals.extend(aliases::under_another_noise(
+        regression,
+        fit,
+        &end.other_ends,
+    ));
+    let settings = other_settings::open_settings(regression, fit);
+    let equal_steps = other_settings::equal_steps(prepared, &settings);
+    rivals.extend(settings);
+    (rivals, equal_steps)
+}
+
+/// Says which names were found and are not handed out, and that the search was stopped; whether there is anything of
+/// the kind.
+fn tell_what_is_open(prepared: &Prepared, dropped: &[Term], unexplained: &mut Unexplained) -> bool {
+    if !dropped.is_empty() {
+        tell_dropped(unexplained, dropped, prepared.problem.session);
+    }
+    let ended = prepared.regression.work.ended();
+    if let Some(why) = &ended {
+        unexplained.present = true;
+        let before = std::mem::take(&mut unexplained.says);
+        let apart = if before.is_empty() { "" } else { "; " };
+        unexplained.says = format!("{why}{apart}{before}");
+    }
+    !dropped.is_empty() || ended.is_some()
+}
+
+/// What is handed out, as `identify` would say it.
+fn identification(prepared: &Prepared, fit: &Fit, own: &Values) -> Identification {
+    let held = prepared.not_identifiable.clone();
+    let mut identification = own.identification(&prepared.nominal, held);
+    tell_unseen(prepared, fit, &mut identification.kinds);
+    if base_model::is_arm(own.problem.session) {
+        let covariance = own.covariance.as_ref();
+        identification.expected =
+            covariance.and_then(|c| expected_error(&own.problem, &own.model, c));
+    }
+    identification
 }
 
 /// Values of the names, from a fit of them alone or with the shapes beside them.

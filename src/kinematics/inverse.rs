@@ -70,11 +70,11 @@ pub struct Inverse<'a> {
 
 impl<'a> Inverse<'a> {
     /// The joints in `free` (counted from 0) move; the others stay where a start puts them.
-    pub fn new(robot: &'a Robot, free: Vec<usize>) -> Self {
+    pub fn new(robot: &'a Robot, free: &[usize]) -> Self {
         let closed = ClosedForm::of(robot).filter(|_| free == [0, 1, 2, 3, 4, 5]);
         Self {
             robot,
-            free: robot.leading(&free),
+            free: robot.leading(free),
             reach_mm: robot.reach_mm(),
             closed,
         }
@@ -409,7 +409,7 @@ mod tests {
     #[test]
     fn a_spherical_wrist_has_eight_solutions_and_all_of_them_reach() {
         let robot = arm(180.0);
-        let inverse = Inverse::new(&robot, (0..6).collect());
+        let inverse = Inverse::new(&robot, &[0, 1, 2, 3, 4, 5]);
         for k in 0..20 {
             let q: Vec<f64> = (0..6)
                 .map(|j| 1.2 * (f64::from(k) * 1.7 + f64::from(j) * 2.3).sin() + 0.3)
@@ -434,7 +434,7 @@ mod tests {
         let q = [0.3, 0.4, -0.2, 0.9, 0.7, -1.1];
         let goal = Goal::pose(&narrow.base_from_tool(&q));
         let count = |robot: &Robot| {
-            let inverse = Inverse::new(robot, (0..6).collect());
+            let inverse = Inverse::new(robot, &[0, 1, 2, 3, 4, 5]);
             inverse.all(&goal, &[0.0; 6], &[]).len()
         };
         assert!(count(&wide) > count(&narrow));
@@ -443,7 +443,7 @@ mod tests {
     #[test]
     fn a_value_stands_on_its_limit_and_not_beyond() {
         let robot = arm(170.0);
-        let inverse = Inverse::new(&robot, vec![3]);
+        let inverse = Inverse::new(&robot, &[3]);
         let at = |q4_deg: f64| vec![0.0, 0.0, 0.0, q4_deg.to_radians(), 0.0, 0.0];
         let turns = |q4_deg| inverse.turns(&at(q4_deg)).len();
         assert_eq!([turns(170.0), turns(170.01), turns(-170.0)], [1, 0, 1]);
@@ -456,7 +456,7 @@ mod tests {
     #[test]
     fn out_of_reach_there_is_none() {
         let robot = arm(180.0);
-        let inverse = Inverse::new(&robot, (0..6).collect());
+        let inverse = Inverse::new(&robot, &[0, 1, 2, 3, 4, 5]);
         let goal = Goal::pose(&Pose::translation(5000.0, 0.0, 0.0));
         assert!(inverse.all(&goal, &[0.0; 6], &[]).is_empty());
     }

@@ -77,10 +77,13 @@ pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Sight {
     }
 }
 
+/// An effect and its joints, counted from 0; `None` of the robot as a whole.
+type OnJoints<'a> = (&'a str, Vec<Option<usize>>);
+
 /// What is not testable, a line for each reason; `name` is what an effect is called.
 pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
     let robot = &d.model.robot;
-    let mut reasons: Vec<(&str, Vec<(&str, Vec<Option<usize>>)>)> = Vec::new();
+    let mut reasons: Vec<(&str, Vec<OnJoints>)> = Vec::new();
     for one in d.not_testable.iter().filter(|one| applies(robot, one)) {
         let at = reasons
             .iter()
@@ -95,7 +98,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
             None => effects.push((one.effect, vec![one.joint])),
         }
     }
-    let line = |(because, effects): (&str, Vec<(&str, Vec<Option<usize>>)>)| {
+    let line = |(because, effects): (&str, Vec<OnJoints>)| {
         let names: Vec<String> = effects
             .iter()
             .map(|(effect, joints)| with_joints(&name(effect), joints, robot))

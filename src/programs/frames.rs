@@ -197,11 +197,6 @@ impl Placed {
             .unwrap_or_else(|| Placement::stated(None))
     }
 
-    /// Whether the program's tool is the model's.
-    pub(super) fn is_of_model_tool(&self) -> bool {
-        self.get().tool_from_model == Pose::identity()
-    }
-
     /// Where a pose of the file puts the model's tool, in the robot's base.
     pub(super) fn goal(&self, written: &Goal) -> Goal {
         let rotation = written.rotation.unwrap_or_else(UnitQuaternion::identity);
@@ -349,7 +344,6 @@ impl<'a> Known<'a> {
     /// the tool matters: it says which point is to be right.
     fn placed(&self, ways: Ways, pose: bool) -> Result<Placement, String> {
         let one = match ways.0.map(|way| way.map(|way| self.program.ways.get(way))) {
-            [None, _] => None,
             [Some(one), None] => Some(one),
             [Some(one), Some(other)] if pose => {
                 let (what, a, b) = if one.frame == other.frame {
@@ -359,7 +353,7 @@ impl<'a> Known<'a> {
                 };
                 return Err(format!("motions go to it with the {what} {a} and {b}"));
             }
-            [Some(_), Some(_)] => None,
+            _ => None,
         };
         if !pose {
             return Ok(Placement {

@@ -319,19 +319,7 @@ pub(super) fn settled(
     if !differ.is_empty() {
         return Err(CompensateError::Differs(Differences(differ)));
     }
-    for (name, (_, pose)) in &tools {
-        let shown = in_words(pose, turns);
-        match request.frames.tool {
-            Holds::Model if !same(pose, &model) => notes.push(format!(
-                "the program's tool {name} ({shown}) is taken for the model's"
-            )),
-            Holds::Given(given) if !same(pose, &given) => notes.push(format!(
-                "the poses are taken of the tool {} and not of the program's {name} ({shown})",
-                in_words(&given, turns)
-            )),
-            _ => {}
-        }
-    }
+    notes.extend(taken_for_others(request, &tools, &model));
     if let Some(all) = &all_frames {
         let others = frames.iter().filter(|(_, (_, pose))| !same(pose, all));
         notes.extend(others.map(|(name, (_, pose))| {
@@ -349,6 +337,26 @@ pub(super) fn settled(
         load_kg,
         notes,
     })
+}
+
+/// Which of the program's tools are taken for another one.
+fn taken_for_others(request: &Request, tools: &Numeric<'_>, model: &Pose) -> Vec<String> {
+    let turns = request.language.orientation;
+    let mut notes = Vec::new();
+    for (name, (_, pose)) in tools {
+        let shown = in_words(pose, turns);
+        match request.frames.tool {
+            Holds::Model if !same(pose, model) => notes.push(format!(
+                "the program's tool {name} ({shown}) is taken for the model's"
+            )),
+            Holds::Given(given) if !same(pose, &given) => notes.push(format!(
+                "the poses are taken of the tool {} and not of the program's {name} ({shown})",
+                in_words(&given, turns)
+            )),
+            _ => {}
+        }
+    }
+    notes
 }
 
 /// What a file declares in numbers of the frames, or the tools, that are used.

@@ -55,7 +55,7 @@ impl<'a> Resolver<'a> {
             robot,
             convention,
             free: axes.free(),
-            inverse: Inverse::new(robot, axes.free()),
+            inverse: Inverse::new(robot, &axes.free()),
             before: start,
             known: Vec::new(),
         }

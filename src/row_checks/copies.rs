@@ -171,7 +171,9 @@ fn each_bit(samples: &Samples, row: usize, take: &mut impl FnMut(u64)) {
         &observed.azimuth,
         &observed.elevation,
     ] {
-        column.iter().for_each(|column| number(column[row]));
+        if let Some(column) = column {
+            number(column[row]);
+        }
     }
     let turned = samples.orientation_wxyz.iter().flatten();
     turned.for_each(|part| number(part[row]));

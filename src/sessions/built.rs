@@ -254,9 +254,9 @@ fn lengths(samples: &Samples) -> Vec<(&'static str, usize)> {
         ("samples.torque_nm", &samples.torque_nm),
         ("samples.joint_temperature_c", &samples.joint_temperature_c),
     ] {
-        columns
-            .iter()
-            .for_each(|column| add(field, column.as_ref()));
+        for column in columns {
+            add(field, column.as_ref());
+        }
     }
     let observed = &samples.observed;
     for (field, column) in [
@@ -417,9 +417,9 @@ impl SessionBuilder {
         }
     }
 
-    fn column(&mut self, field: &str, values: &[f64]) -> Option<Vec<f64>> {
+    fn column(&mut self, field: &str, values: &[f64]) -> Vec<f64> {
         self.count(field, values.len(), "values");
-        Some(values.to_vec())
+        values.to_vec()
     }
 
     /// What it is called.
@@ -490,21 +490,21 @@ impl SessionBuilder {
     /// Load at the tool's origin, kg.
     #[must_use]
     pub fn load_kg(mut self, values: &[f64]) -> Self {
-        self.session.samples.load_kg = self.column("load_kg", values);
+        self.session.samples.load_kg = Some(self.column("load_kg", values));
         self
     }
 
     /// Temperature, °C.
     #[must_use]
     pub fn temperature_c(mut self, values: &[f64]) -> Self {
-        self.session.samples.temperature_c = self.column("temperature_c", values);
+        self.session.samples.temperature_c = Some(self.column("temperature_c", values));
         self
     }
 
     /// When it was measured, s.
     #[must_use]
     pub fn time_s(mut self, values: &[f64]) -> Self {
-        self.session.samples.time_s = self.column("time_s", values);
+        self.session.samples.time_s = Some(self.column("time_s", values));
         self
     }
 
@@ -544,7 +544,9 @@ impl SessionBuilder {
     pub fn setups(mut self, names: &[&str]) -> Self {
         self.count("setups", names.len(), "names");
         let mut cells = crate::sessions::table::Names::default();
-        names.iter().for_each(|name| cells.push(name));
+        for name in names {
+            cells.push(name);
+        }
         self.session.samples.setups = Some(Setups {
             names: cells.list,
             index: cells.index,

@@ -267,7 +267,9 @@ impl Mend {
             Self::ConvertTemperature { factor, offset } => {
                 let joints = samples.joint_temperature_c.iter_mut().flatten();
                 for column in samples.temperature_c.iter_mut().chain(joints) {
-                    column.iter_mut().for_each(|v| *v = *v * factor + offset);
+                    for v in column.iter_mut() {
+                        *v = *v * factor + offset;
+                    }
                 }
             }
             Self::WidenNoise(by_mm) => {
@@ -318,7 +320,9 @@ fn split_socket(session: &mut Session, socket: usize, from: usize) {
 }
 
 fn scale(column: &mut [f64], factor: f64) {
-    column.iter_mut().for_each(|v| *v *= factor);
+    for v in column {
+        *v *= factor;
+    }
 }
 
 /// Moves everything that an instrument measured; see [`Mend::PairRows`].

@@ -169,7 +169,7 @@ impl<'a> Search<'a> {
             2 => return Err(NoCube::Flat(2)),
             _ => {}
         }
-        let inverse = Inverse::new(robot, free.clone());
+        let inverse = Inverse::new(robot, &free);
         let whole = free.len() >= 6 && robot.mobility() == 6;
         let nominal = Model::nominal(robot.clone());
         Ok(Self {

@@ -95,17 +95,9 @@ impl<'a> Design<'a> {
             white[(m + row, *column)] = 1.0 / sigma;
             y[m + row] = -value / sigma;
         }
-        let of_model: Vec<usize> = {
-            let mut at = 0;
-            let mut places = Vec::new();
-            for (term, k) in model.columns() {
-                if !term.held.contains(k) {
-                    places.push(at);
-                }
-                at += 1;
-            }
-            places
-        };
+        let of_model = model.columns().enumerate();
+        let of_model = of_model.filter(|(_, (term, k))| !term.held.contains(*k));
+        let of_model: Vec<usize> = of_model.map(|(at, _)| at).collect();
         for row in 0..left.len() {
             y[m + known.len() + row] = left[row];
             for (column, place) in of_model.iter().enumerate() {

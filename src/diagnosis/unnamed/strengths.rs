@@ -73,7 +73,7 @@ impl Remaining {
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
         let unit = factor.solve(&scaled);
         let left = self.yy - scaled.dot(&unit);
-        if !(left > 0.0) {
+        if left.is_nan() || left <= 0.0 {
             return None;
         }
         let l = factor.l_dirty();

@@ -35,7 +35,7 @@ pub(super) fn write(
     let file = Path::new(reference.name);
     let nominal = &job.calibration.model.robot;
     let own = urdf_chain_of(text, file, nominal).map_err(refused)?;
-    let (origins, tool) = origins(chain, &own, nominal.link_frames());
+    let (origins, tool) = origins(chain, &own, &nominal.link_frames());
     let name = free_name(text);
     let added: Vec<(String, String, Pose)> = tool
         .map(|tool| (escaped(&own.tip), name.clone(), tool))
@@ -76,7 +76,7 @@ pub(super) fn write(
 fn origins(
     chain: &Chain,
     own: &UrdfChain,
-    nominal: Vec<Pose>,
+    nominal: &[Pose],
 ) -> (Vec<(String, Pose)>, Option<Pose>) {
     let mut changed = Vec::new();
     let (mut before, mut after) = (Pose::identity(), Pose::identity());

@@ -159,6 +159,9 @@ struct Open {
     class: Option<Rc<str>>,
 }
 
+/// The body of what stands in an element, its frame in that body, and its default class.
+type Surrounding = (usize, Pose, Option<Rc<str>>);
+
 impl Reader<'_> {
     /// Reads every `worldbody`, in the order of the file.
     fn world(&mut self, root: usize) -> Result<(), Rejected> {
@@ -188,7 +191,7 @@ impl Reader<'_> {
     }
 
     /// Reads an element; where others stand in it, their body, frame and default class.
-    fn read(&mut self, me: &Open) -> Result<Option<(usize, Pose, Option<Rc<str>>)>, Rejected> {
+    fn read(&mut self, me: &Open) -> Result<Option<Surrounding>, Rejected> {
         let document = self.document;
         let class = document.attribute(me.element, "childclass");
         let class = class.map(Rc::from).or_else(|| me.class.clone());
