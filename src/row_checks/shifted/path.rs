@@ -18,6 +18,8 @@ const WITHOUT_A_POINT: f64 = 4.0;
 /// A row that fits nowhere costs no more than this while the path is sought: where a point is missing its
 /// command fits none, and the nearest by accident would be taken.
 const FITS_NOWHERE: f64 = 30.0;
+/// A row whose point would be behind an end of the file.
+const BEYOND_THE_ENDS: f64 = 20.0;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
@@ -229,7 +231,7 @@ pub(super) fn along(
             let own = if inside {
                 cost(*row, shift(to))
             } else {
-                FITS_NOWHERE
+                BEYOND_THE_ENDS
             };
             next[to] = best + own;
             from[to] = at as u8;
@@ -294,7 +296,7 @@ mod tests {
     fn found(right: &[isize]) -> Path {
         let rows: Vec<usize> = (0..right.len()).collect();
         along(&rows, right.len(), &|row, by| {
-            if right[row] == by { 1.0 } else { 8.0 }
+            if right[row] == by { 1.0 } else { 30.0 }
         })
         .0
     }
