@@ -19,8 +19,6 @@ use crate::model::shapes::{Direction, Profile, Shape, Variable};
 const PRICE: f64 = PRICE_OF_A_NAME + 3.0;
 /// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
 const FEWEST_COLUMNS: usize = 3;
-/// So many names over one joint are a sum that a curve may be as well.
-const MANY: usize = 3;
 /// Pieces of the curve that takes the names' place in the fit, at most.
 const MOST_PIECES: usize = 60;
 
@@ -53,20 +51,7 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             continue;
         };
         let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
-        if std::env::var_os("RV_DEBUG").is_some() {
-            eprintln!(
-                "RV curve {} names {} cols {columns} lead {:.2}",
-                joint + 1,
-                made_up.len(),
-                likelihood - fit.ln_evidence
-            );
-        }
-        let margin: f64 = std::env::var("RV_MARGIN")
-            .ok()
-            .and_then(|v| v.parse().ok())
-            .unwrap_or(0.0);
-        let margin = if made_up.len() >= MANY { margin } else { 0.0 };
-        if likelihood > fit.ln_evidence - margin {
+        if likelihood > fit.ln_evidence {
             let pieces = curve.freedom.clamp(4, MOST_PIECES);
             found.fit = with_curve(regression, &rest, joint, pieces, likelihood);
         }

@@ -44,7 +44,6 @@ mod incomplete;
 mod left_out;
 mod orders;
 pub(crate) mod other_settings;
-mod recorded;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
@@ -244,9 +243,6 @@ fn against_rivals<'a>(
         let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
-        } else if let Some(followed) = recorded::instead_of_slow(&white, &found) {
-            let (settled, fit) = white.settled(&followed.fit);
-            (prepared, found) = (settled, search::Found { fit, ..followed });
         }
     }
     let least = found.fit.ln_evidence - aliases::UNDECIDED;

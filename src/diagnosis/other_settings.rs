@@ -20,7 +20,7 @@ const NEIGHBOURS: f64 = 1.5;
 /// The same of other settings, as a share.
 const ALIKE: f64 = 0.02;
 /// Settings of one name that are refitted.
-const MOST: usize = 12;
+const MOST: usize = 40;
 /// Steps are equal where none differs by more than this share from their median.
 const EQUAL: f64 = 0.02;
 

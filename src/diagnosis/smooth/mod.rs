@@ -38,7 +38,7 @@ const FEWEST_VALUES: usize = 10;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
-const LENGTHS: [f64; 5] = [4.0, 1.0, 0.25, 0.0625, 0.02];
+const LENGTHS: [f64; 4] = [1.0, 0.25, 0.0625, 0.02];
 
 /// What is left of a model as a smooth correction, or why there is none, if the options ask for
 /// one.
