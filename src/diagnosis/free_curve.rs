@@ -19,12 +19,6 @@ use crate::model::shapes::{Direction, Profile, Shape, Variable};
 const PRICE: f64 = PRICE_OF_A_NAME + 3.0;
 /// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
 const FEWEST_COLUMNS: usize = 3;
-/// So many names over one joint are a sum that any smooth curve is nearly as well …
-const MANY: usize = 3;
-/// … and have to be likelier than it by this much, as a logarithm. Calibrated: of 20 cables that pull at both
-/// ends the names lead by 5 at most, of 20 true sets of three smooth names by 6 at least
-/// (`tests/reference/wild_confidence.py`, rows `cable` and `smooth`).
-const LEAD: f64 = 5.0;
 /// Pieces of the curve that takes the names' place in the fit, at most.
 const MOST_PIECES: usize = 60;
 
@@ -57,8 +51,7 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             continue;
         };
         let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
-        let lead = if made_up.len() >= MANY { LEAD } else { 0.0 };
-        if likelihood > fit.ln_evidence - lead {
+        if likelihood > fit.ln_evidence {
             let pieces = curve.freedom.clamp(4, MOST_PIECES);
             found.fit = with_curve(regression, &rest, joint, pieces, likelihood);
         }

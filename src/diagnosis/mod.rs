@@ -47,7 +47,6 @@ mod incomplete;
 mod left_out;
 mod orders;
 pub(crate) mod other_settings;
-mod recorded;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
@@ -296,8 +295,6 @@ fn against_rivals<'a>(
         let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
-        } else if let Some(followed) = recorded::instead_of_slow(&prepared, &found) {
-            (prepared, found) = followed;
         }
     }
     let least = found.fit.ln_evidence - aliases::UNDECIDED;

@@ -41,15 +41,6 @@ const FEWEST_VALUES: usize = 10;
 const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
 const LENGTHS: [f64; 4] = [1.0, 0.25, 0.0625, 0.02];
-/// Priors of curves with free ends that are tried besides where a curve is a rival of names.
-const FREE_ENDS: [(f64, Smoothness); 6] = [
-    (0.3, Smoothness::Gauss),
-    (0.6, Smoothness::Gauss),
-    (1.2, Smoothness::Gauss),
-    (0.5, Smoothness::Matern),
-    (1.0, Smoothness::Matern),
-    (2.0, Smoothness::Matern),
-];
 
 /// What is left of a model as a smooth correction, or why there is none, if the options ask for
 /// one.
