@@ -82,17 +82,6 @@ impl Sums {
     }
 }
 
-/// How smooth a curve with free ends is: Matérn's covariance of order 5/2 (two derivatives), or Gauss's
-/// (all of them; Rasmussen & Williams 2006, §4.2).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Smoothness {
-    Matern,
-    Gauss,
-}
-
-/// What keeps a covariance of very smooth curves invertible.
-const ROUNDING: f64 = 1e-7;
-
 /// The shape of the prior: everything but the sizes.
 #[derive(Debug, Clone)]
 pub(super) struct Kernel {
@@ -121,36 +110,6 @@ impl Kernel {
         // Size 1: the variance at the knots, on average.
         let variance = precision.clone().cholesky()?.inverse().trace() / knots as f64;
         let precision = precision * variance;
-        let factor = precision.clone().cholesky()?;
-        let ln_determinant = ln_determinant(&factor);
-        Some(Self {
-            length,
-            precision,
-            factor,
-            ln_determinant,
-        })
-    }
-
-    /// Over so many knots, with free ends: differences of a grid (see the module) hold the slope at zero
-    /// at both ends of a range, where a cable that pulls has its steepest; covariances of distances do not.
-    pub(super) fn with_free_ends(
-        knots: usize,
-        length: f64,
-        smoothness: Smoothness,
-    ) -> Option<Self> {
-        let step = 1.0 / (knots - 1).max(1) as f64;
-        let covariance = DMatrix::from_fn(knots, knots, |i, j| {
-            let apart = i.abs_diff(j) as f64 * step / length;
-            let own = match smoothness {
-                Smoothness::Gauss => (-0.5 * apart * apart).exp(),
-                Smoothness::Matern => {
-                    let d = 5.0_f64.sqrt() * apart;
-                    (1.0 + d + d * d / 3.0) * (-d).exp()
-                }
-            };
-            own + if i == j { ROUNDING } else { 0.0 }
-        });
-        let precision = covariance.cholesky()?.inverse();
         let factor = precision.clone().cholesky()?;
         let ln_determinant = ln_determinant(&factor);
         Some(Self {

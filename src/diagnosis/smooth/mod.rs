@@ -14,8 +14,6 @@
 mod columns;
 mod likelihood;
 
-use std::iter;
-
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots};
 use crate::fit::gap::suspects;
@@ -29,7 +27,7 @@ use super::prepare::Prepared;
 use crate::answers::diagnosis::{Correction, Unexplained};
 use crate::model::shapes::{Profile, Shape, Variable};
 use columns::{Columns, Folds};
-use likelihood::{Kernel, NamesAlone, Sizes, Smoothness, Sums};
+use likelihood::{Kernel, NamesAlone, Sizes, Sums};
 
 /// Most knots over a range …
 const MOST_KNOTS: usize = 61;
@@ -146,9 +144,7 @@ pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Op
         period: None,
         count: columns.values.len().clamp(4, MOST_KNOTS),
     };
-    let free = FREE_ENDS.iter();
-    let free = free.filter_map(|(length, how)| Kernel::with_free_ends(knots.count, *length, *how));
-    let best = tried(&columns, knots, free)?;
+    let best = tried(&columns, knots)?;
     let names = NamesAlone::new(&columns.sums(&knots)?);
     let length = best.kernel.pieces().ceil();
     Some(FreeCurve {
@@ -212,7 +208,7 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
         period: None,
         count: columns.values.len().clamp(4, MOST_KNOTS),
     };
-    let mut best = tried(columns, over_range, iter::empty());
+    let mut best = tried(columns, over_range);
     let span = over_range.to - over_range.from;
     // What does not come round twice is not known to repeat.
     if let Profile::Periodic { cycles, .. } = over.profile
@@ -227,7 +223,7 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
                 count: columns.values.len().clamp(4, MOST_IN_A_PERIOD),
                 ..over_range
             };
-            tried(columns, knots, iter::empty())
+            tried(columns, knots)
         };
         let evidence = |c: &Option<Choice>| c.as_ref().map_or(f64::NEG_INFINITY, |c| c.ln_evidence);
         let mut periodic = (start, with(start));
@@ -247,29 +243,20 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
     best
 }
 
-/// The likeliest prior and sizes for these knots; some priors more may be tried.
-fn tried(columns: &Columns, knots: Knots, more: impl Iterator<Item = Kernel>) -> Option<Choice> {
+/// The likeliest prior and sizes for these knots.
+fn tried(columns: &Columns, knots: Knots) -> Option<Choice> {
     let sums = columns.sums(&knots)?;
     let names = NamesAlone::new(&sums);
-    let mut kernels = Vec::new();
+    let mut best: Option<(Kernel, (Sizes, f64))> = None;
     for length in LENGTHS {
         for order in [1, 2] {
-            kernels.push(Kernel::new(
-                knots.count,
-                knots.period.is_some(),
-                length,
-                order,
-            )?);
-        }
-    }
-    kernels.extend(more);
-    let mut best: Option<(Kernel, (Sizes, f64))> = None;
-    for kernel in kernels {
-        let Some(first) = likelihood::first_direction(&sums, &names, &kernel) else {
-            continue;
-        };
-        if best.as_ref().is_none_or(|b| first.1 > b.1.1) {
-            best = Some((kernel, first));
+            let kernel = Kernel::new(knots.count, knots.period.is_some(), length, order)?;
+            let Some(first) = likelihood::first_direction(&sums, &names, &kernel) else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|b| first.1 > b.1.1) {
+                best = Some((kernel, first));
+            }
         }
     }
     let (kernel, first) = best?;
