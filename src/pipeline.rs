@@ -201,7 +201,7 @@ pub fn diagnose(
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    crate::compensation::verify(calibration, &*session.whole()?)
+    crate::compensation::verify(calibration, &session.whole()?)
 }
 
 /// Accuracy and repeatability as ISO 230-2 and ISO 9283 have them, as measured and with the model's
@@ -213,7 +213,7 @@ pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
 ) -> Result<Standards, VerifyError> {
-    crate::standards::standards(&*session.whole()?, calibration)
+    crate::standards::standards(&session.whole()?, calibration)
 }
 
 /// Makes the documents of an export in the format of this name, in memory.
