@@ -205,7 +205,7 @@ pub fn diagnose(
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    crate::compensation::verify(calibration, &*session.whole()?)
+    crate::compensation::verify(calibration, &session.whole()?)
 }
 
 /// The document of a model, from the raw session that it came from: the one way in which a model leaves the program.
@@ -226,7 +226,7 @@ pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
 ) -> Result<Standards, VerifyError> {
-    crate::standards::standards(&*session.whole()?, calibration)
+    crate::standards::standards(&session.whole()?, calibration)
 }
 
 /// Makes the documents of an export in the format of this name, in memory.

@@ -490,8 +490,10 @@ mod tests {
                 Ok(())
             }
         }
-        let stream: String = (0..50).map(|k| format!("{k},1\n")).collect();
-        let stream = format!("x_mm,y_mm\n{stream}");
+        let mut stream = "x_mm,y_mm\n".to_owned();
+        for k in 0..50 {
+            stream += &format!("{k},1\n");
+        }
         for room in 0..stream.len() {
             let mut recorder = Recorder::new(|| Ok(Disk(Vec::new(), room)), Vec::new());
             let pieces = stream.as_bytes().chunks(40);

@@ -126,7 +126,7 @@ fn end_at_signals() -> std::io::Result<()> {
         .lines()
         .find_map(|line| line.strip_prefix("SigIgn:"));
     let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
-    let heard = |signal: &i32| ignored.unwrap_or(0) >> (signal - 1) & 1 == 0;
+    let heard = |signal: &i32| (ignored.unwrap_or(0) >> (signal - 1)) & 1 == 0;
     let mut signals = Signals::new([SIGINT, SIGTERM].into_iter().filter(heard))?;
     Builder::new().name("signals".to_owned()).spawn(move || {
         if let Some(signal) = signals.forever().next() {

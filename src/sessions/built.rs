@@ -651,9 +651,12 @@ impl SessionBuilder {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnosis::Options;
     use crate::effects::JointValues;
     use crate::kinematics::testing::column;
     use crate::pipeline::{self, Method};
+
+    type Spoil = fn(&mut Session);
 
     fn points() -> (Vec<[f64; 1]>, Vec<Point3<f64>>) {
         let q: Vec<[f64; 1]> = (-20..=20).map(|k| [0.07 * f64::from(k)]).collect();
@@ -681,9 +684,8 @@ mod tests {
             pipeline::identify_checked(session, &Method::default(), JointValues::Commanded)
         };
         assert!(identify(&session).unwrap().identification.gap.after.rms_mm < 1e-9);
-        assert!(pipeline::diagnose(&session, &Default::default(), &|_| true).is_ok());
+        assert!(pipeline::diagnose(&session, &Options::default(), &|_| true).is_ok());
         // Anything else is refused in words.
-        type Spoil = fn(&mut Session);
         let spoils: &[Spoil] = &[
             |s| s.samples.q.clear(),
             |s| s.samples.q[0].truncate(3),
@@ -702,7 +704,7 @@ mod tests {
             spoil(&mut wrong);
             assert!(identify(&wrong).is_err(), "{k}");
             assert!(
-                pipeline::diagnose(&wrong, &Default::default(), &|_| true).is_err(),
+                pipeline::diagnose(&wrong, &Options::default(), &|_| true).is_err(),
                 "{k}"
             );
             assert!(wrong.checked().is_err(), "{k}");

@@ -305,10 +305,12 @@ fn a_robot_has_a_hundred_joints_at_most_whatever_it_is_given_as() {
     );
 }
 
+/// A place, and what makes the number there too large.
+type Change = (&'static str, fn(&mut Value));
+
 #[test]
 fn numbers_beyond_any_robots_range_are_refused_with_their_place() {
     let folder = folder();
-    type Change = (&'static str, fn(&mut Value));
     let changes: &[Change] = &[
         ("robot.tool.position_mm[0]", |d| {
             d["robot"]["tool"]["position_mm"][0] = json!(1e160)
