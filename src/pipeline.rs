@@ -205,7 +205,8 @@ pub fn diagnose(
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    crate::compensation::verify(calibration, &session.whole()?)
+    let session = session.whole()?;
+    crate::compensation::verify(calibration, &session)
 }
 
 /// The document of a model, from the raw session that it came from: the one way in which a model leaves the program.
@@ -226,7 +227,8 @@ pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
 ) -> Result<Standards, VerifyError> {
-    crate::standards::standards(&session.whole()?, calibration)
+    let session = session.whole()?;
+    crate::standards::standards(&session, calibration)
 }
 
 /// Makes the documents of an export in the format of this name, in memory.

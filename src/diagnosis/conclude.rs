@@ -73,6 +73,10 @@ const MOST_HELD_AGAINST: usize = 3;
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
 
+#[allow(
+    clippy::too_many_lines,
+    reason = "the parts of an answer, each a call, in the order in which they need each other"
+)]
 pub(crate) fn answer(
     mended: &Mended,
     prepared: &Prepared,
@@ -174,7 +178,12 @@ pub(crate) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: [&*mended.problems, &*prepared.incomplete, equal_steps.as_slice()].concat(),
+        data_problems: [
+            &*mended.problems,
+            prepared.incomplete.as_slice(),
+            equal_steps.as_slice(),
+        ]
+        .concat(),
         floor,
         gap,
         held_out,
@@ -196,7 +205,10 @@ pub(crate) fn answer(
 }
 
 /// Rivals that the samples cannot rule out, and what equal steps of the commands have to do with it.
-fn open_questions(prepared: &Prepared, end: &SearchEnd) -> (Vec<aliases::Rival>, Option<DataProblem>) {
+fn open_questions(
+    prepared: &Prepared,
+    end: &SearchEnd,
+) -> (Vec<aliases::Rival>, Option<DataProblem>) {
     let (regression, fit) = (&prepared.regression, &end.fit);
     let mut rivals = aliases::open_rivals(regression, fit);
     // What is likelier and carries itself has taken the place already; what does not is no rival.

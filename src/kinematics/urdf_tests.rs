@@ -133,7 +133,7 @@ fn a_mimicked_joint_in_the_chain_is_followed() {
     for (mimic, told) in [
         (r#"<mimic joint="keep"/>"#, "mimics 'keep', which mimics it"),
         (r#"<mimic joint="slide"/>"#, "which mimics it"),
-        (r#"<mimic/>"#, "joint"),
+        ("<mimic/>", "joint"),
     ] {
         let text = PARALLELOGRAM.replace(
             r#"<mimic joint="shoulder" multiplier="-1" offset="0.1"/>"#,

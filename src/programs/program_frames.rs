@@ -227,6 +227,10 @@ type Numeric<'p> = BTreeMap<&'p str, (usize, Pose)>;
 /// # Errors
 /// [`CompensateError::Differs`] for what is not settled, [`CompensateError::Several`] where one tool or
 /// frame is given and the program has several, [`CompensateError::Tool`] for a name that it has not.
+#[allow(
+    clippy::too_many_lines,
+    reason = "tool, frame and load one after the other: what is asked of each reads best in one piece"
+)]
 pub(super) fn settled(
     program: &Program,
     text: &Text,

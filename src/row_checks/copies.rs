@@ -170,10 +170,11 @@ fn each_bit(samples: &Samples, row: usize, take: &mut impl FnMut(u64)) {
         &observed.distance_mm,
         &observed.azimuth,
         &observed.elevation,
-    ] {
-        if let Some(column) = column {
-            number(column[row]);
-        }
+    ]
+    .into_iter()
+    .flatten()
+    {
+        number(column[row]);
     }
     let turned = samples.orientation_wxyz.iter().flatten();
     turned.for_each(|part| number(part[row]));

@@ -15,9 +15,6 @@ const TAILS: f64 = 4.0;
 const PRICE: f64 = 6.0;
 /// What a row without a point costs: as much as one 3 σ off.
 const WITHOUT_A_POINT: f64 = 4.0;
-/// A row that fits nowhere costs no more than this while the path is sought: where a point is missing its
-/// command fits none, and the nearest by accident would be taken.
-const FITS_NOWHERE: f64 = 30.0;
 /// A row whose point would be behind an end of the file.
 const BEYOND_THE_ENDS: f64 = 20.0;
 /// Rows to either side between which the place of a change is sought again.
