@@ -119,6 +119,31 @@ impl Compensation {
     }
 }
 
+/// Some poses of `inputs` by their indices.
+pub(super) fn selected(inputs: &Inputs, indices: &[usize]) -> Inputs<'static> {
+    let pick = |column: &[f64]| -> Vec<f64> { indices.iter().map(|i| column[*i]).collect() };
+    let picks = |columns: &[Option<Cow<[f64]>>]| {
+        let picked = columns
+            .iter()
+            .map(|c| c.as_ref().map(|c| Cow::Owned(pick(c))));
+        picked.collect()
+    };
+    let q = inputs.q.iter().map(|q| pick(q)).collect();
+    let mut some = Inputs::at_poses(q, inputs.reflectors_at_home.clone());
+    some.dir = picks(&inputs.dir);
+    some.speed = picks(&inputs.speed);
+    let travel = inputs.travel.iter();
+    some.travel = travel.map(|t| t.as_ref().map(|t| pick(t))).collect();
+    some.load_kg = inputs.load_kg.as_ref().map(|c| Cow::Owned(pick(c)));
+    let warm = inputs.joint_above_20_c.iter();
+    some.joint_above_20_c = warm.map(|w| w.as_ref().map(|w| pick(w))).collect();
+    some.torque_nm = picks(&inputs.torque_nm);
+    some.above_20_c = inputs.above_20_c.as_ref().map(|w| pick(w));
+    let targets = inputs.target.as_ref();
+    some.target = targets.map(|t| Cow::Owned(indices.iter().map(|i| t[*i]).collect()));
+    some
+}
+
 /// Some consecutive poses of `inputs`.
 pub(super) fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
     let end = (start + most).min(inputs.len());

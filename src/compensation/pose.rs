@@ -22,19 +22,21 @@
 //! of the best): a tiny gain would cost a large move, and it is left.
 //!
 //! The tool's orientation is that of three points around its origin, so that it holds for every
-//! effect, whatever it moves. The derivatives are the exact ones of the model
-//! ([`Model::visit_by_commands`]).
+//! effect, whatever it moves. The derivatives are those of the nominal robot at the tool's real place: effects
+//! change them by thousandths, so that every step leaves a thousandth of what was missing, and they cost
+//! next to nothing beside the exact ones of a model with gravity in it.
 
 use std::borrow::Cow;
 
 use nalgebra::{DMatrix, Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::effects::Inputs;
+use crate::kinematics::screw::Twist;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Model;
 
-use super::plan::part_of;
+use super::plan::{part_of, selected};
 
 /// How far from the tool's origin the points stand that carry its orientation, mm.
 const LEVER_MM: f64 = 100.0;
@@ -47,7 +49,7 @@ pub(crate) const DAMPED_BELOW: f64 = 0.04;
 /// A direction in which the joints turn the tool less than this (rad per rad) is none.
 const NO_TURN: f64 = 1e-7;
 /// A step below this (rad, or the same part of the reach) changes nothing any more.
-const SETTLED: f64 = 1e-11;
+const SETTLED: f64 = 1e-10;
 /// The same where the orientation is damped: it settles slower, and to where rounding does not matter.
 const SETTLED_DAMPED: f64 = 1e-9;
 /// The longest single step, rad; a model is not trusted further away.
@@ -147,10 +149,17 @@ fn commands_of_block(
     let mut state: Vec<State> = (0..count).map(|_| State::default()).collect();
     let mut step = Vec::with_capacity(free.len());
     let mut so_far = Vec::with_capacity(free.len());
-    for pass in 0..2 * MOST_PASSES {
-        let seen = seen(model, &trial, tools);
-        for (i, state) in state.iter_mut().enumerate() {
-            if state.done {
+    let mut q = vec![0.0; trial.q.len()];
+    // Only what has not settled goes through the model again.
+    let mut moving: Vec<usize> = (0..count).collect();
+    let mut last: Vec<Seen> = vec![Seen::default(); count];
+    for pass in 0..=2 * MOST_PASSES {
+        let some = selected(&trial, &moving);
+        for (i, seen) in moving.iter().copied().zip(seen(model, &some, tools)) {
+            last[i] = seen;
+            let state = &mut state[i];
+            if state.stepped || pass == 2 * MOST_PASSES {
+                state.done = state.stepped;
                 continue;
             }
             if pass == MOST_PASSES {
@@ -166,7 +175,18 @@ fn commands_of_block(
                 free.iter()
                     .map(|j| (trial.q[*j][i] - first[*j][i]) / scale.unit(*j)),
             );
-            scale.step(&seen[i], &wanted[i], free, &so_far, state, &mut step);
+            for (q, all) in q.iter_mut().zip(&trial.q) {
+                *q = all[i];
+            }
+            let twists = model.robot.joint_twists(&q);
+            scale.step(
+                &last[i],
+                &wanted[i],
+                (free, &twists),
+                &so_far,
+                state,
+                &mut step,
+            );
             if state.singular {
                 state.done = true;
                 continue;
@@ -183,15 +203,15 @@ fn commands_of_block(
             } else {
                 SETTLED
             };
-            state.done = step.iter().all(|by| by.abs() <= enough);
+            state.stepped = step.iter().all(|by| by.abs() <= enough);
         }
-        if state.iter().all(|state| state.done) {
+        moving.retain(|i| !state[*i].done);
+        if moving.is_empty() {
             break;
         }
     }
-    let seen = seen(model, &trial, tools);
     let all = state.iter().enumerate().map(|(i, state)| {
-        let (way, turn) = seen[i].missing(&wanted[i]);
+        let (way, turn) = last[i].missing(&wanted[i]);
         Reached {
             q: trial.q.iter().map(|q: &Cow<[f64]>| q[i]).collect(),
             position_mm: dot(way, way).sqrt(),
@@ -212,6 +232,8 @@ fn commands_of_block(
 )]
 struct State {
     done: bool,
+    /// The last step was none any more; where it ended is seen once more.
+    stepped: bool,
     singular: bool,
     /// Whether the last step was damped.
     damped: bool,
@@ -254,34 +276,23 @@ pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     }
 }
 
-/// The tool at one pose: its origin and the points that carry its orientation, and how they move.
+/// The tool at one pose: its origin and the points that carry its orientation.
+#[derive(Debug, Clone, Copy, Default)]
 struct Seen {
     /// Origin, and points along x, y and z of the tool frame, mm.
     at: [[f64; 3]; 4],
-    /// Their derivatives by each joint's command.
-    by: Vec<[[f64; 3]; 4]>,
 }
 
 fn seen(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Seen> {
-    let joints = inputs.q.len();
-    let nothing = || Seen {
-        at: [[0.0; 3]; 4],
-        by: vec![[[0.0; 3]; 4]; joints],
-    };
-    let mut all: Vec<Seen> = (0..inputs.len()).map(|_| nothing()).collect();
+    let mut all = vec![Seen::default(); inputs.len()];
     let mut one = inputs.clone();
     let points: Vec<_> = tools.base_from_tool.iter().map(points_at_home).collect();
     for point in 0..4 {
         one.reflectors_at_home = points.iter().map(|points| points[point]).collect();
-        model.visit_by_commands(&one, |start, block| {
-            for i in 0..block.len {
-                let seen = &mut all[start + i];
-                seen.at[point] = [block.point[0][i], block.point[1][i], block.point[2][i]];
-                for (by, column) in seen.by.iter_mut().zip(&block.columns) {
-                    by[point] = [column[0][i], column[1][i], column[2][i]];
-                }
-            }
-        });
+        let positions = model.predict(&one);
+        for (i, seen) in all.iter_mut().enumerate() {
+            seen.at[point] = positions.get(i);
+        }
     }
     all
 }
@@ -324,16 +335,6 @@ impl Seen {
             add_scaled(sum, cross(axes[k], goal), 0.5)
         });
         (way, turn)
-    }
-
-    /// How the tool moves and turns per rad or mm of a joint's command.
-    fn motion(&self, joint: usize, axes: &[[f64; 3]; 3]) -> ([f64; 3], [f64; 3]) {
-        let by = &self.by[joint];
-        let turn = (0..3).fold([0.0; 3], |sum, k| {
-            let slope = minus(by[k + 1], by[0]).map(|v| v / LEVER_MM);
-            add_scaled(sum, cross(axes[k], slope), 0.5)
-        });
-        (by[0], turn)
     }
 }
 
@@ -418,7 +419,7 @@ impl<'r> Scale<'r> {
         &self,
         seen: &Seen,
         wanted: &Pose,
-        free: &[usize],
+        (free, twists): (&[usize], &[Twist]),
         so_far: &[f64],
         state: &mut State,
         step: &mut Vec<f64>,
@@ -428,9 +429,13 @@ impl<'r> Scale<'r> {
         let (way, turn) = seen.missing(wanted);
         let way = Vector3::from(way) / self.reach_mm;
         let turn = Vector3::from(turn);
-        let axes = seen.axes();
+        let tool = Point3::from(Vector3::from(seen.at[0]));
         let columns = free.iter().map(|joint| {
-            let (by_way, by_turn) = with_followers(self.robot, *joint, |j| seen.motion(j, &axes));
+            let own = |joint: usize| {
+                let twist = &twists[joint];
+                (twist.velocity_at(&tool).into(), twist.angular.into())
+            };
+            let (by_way, by_turn) = with_followers(self.robot, *joint, own);
             let unit = self.unit(*joint);
             let by_way = Vector3::from(by_way) * (unit / self.reach_mm);
             (by_way, Vector3::from(by_turn) * unit)

@@ -190,7 +190,7 @@ mod tests {
         let stops = (0..120).map(|k| {
             let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
             let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
-            let side = |by: u32| if k / by % 2 == 0 { 1 } else { -1 };
+            let side = |by: u32| if (k / by).is_multiple_of(2) { 1 } else { -1 };
             let (a, b) = (side(1), side(3));
             format!(r#"{{"q_deg":[{tilt},{turn}],"dir":[{a},{b}]}}"#)
         });

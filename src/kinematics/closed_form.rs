@@ -260,14 +260,14 @@ mod tests {
     use super::*;
     use crate::kinematics::{Axis, Joint, RobotSource};
 
-    fn arm(rows: [([f64; 3], [f64; 3]); 6]) -> Robot {
-        let joint = |(direction, point): ([f64; 3], [f64; 3])| {
-            let axis = Axis::through(direction.into(), point.into()).unwrap();
+    fn arm(rows: &[([f64; 3], [f64; 3]); 6]) -> Robot {
+        let joint = |(direction, point): &([f64; 3], [f64; 3])| {
+            let axis = Axis::through((*direction).into(), (*point).into()).unwrap();
             Joint::new("j", JointKind::Revolute, axis)
         };
         Robot {
             name: "arm".to_owned(),
-            joints: rows.into_iter().map(joint).collect(),
+            joints: rows.iter().map(joint).collect(),
             base_from_tool: Pose::from_parts(
                 Vector3::new(420.0, 15.0, 730.0).into(),
                 nalgebra::UnitQuaternion::from_euler_angles(0.3, -0.4, 0.5),
@@ -279,7 +279,7 @@ mod tests {
 
     /// A shoulder off the axis, a wrist off the plane, and one axis the other way round.
     fn wristed() -> Robot {
-        arm([
+        arm(&[
             ([0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
             ([0.0, 1.0, 0.0], [30.0, 0.0, 330.0]),
             ([0.0, -1.0, 0.0], [30.0, 0.0, 640.0]),
@@ -291,7 +291,7 @@ mod tests {
 
     /// Like a Universal Robots arm.
     fn parallel() -> Robot {
-        arm([
+        arm(&[
             ([0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
             ([0.0, 1.0, 0.0], [0.0, 138.0, 89.0]),
             ([0.0, 1.0, 0.0], [425.0, 18.0, 89.0]),

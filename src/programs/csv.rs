@@ -283,8 +283,14 @@ impl Table<'_> {
         };
         let mut target = Target::new(format!("row {number}"), row.line.start, shape);
         let joints = self.axes.joints();
-        target.circumstances.dir = vec![None; joints];
-        target.circumstances.speed = vec![None; joints];
+        // Only where there are such columns: a large table has hundreds of thousands of rows.
+        let mut known = self.columns.iter().flatten().map(|(quantity, _)| *quantity);
+        if known.clone().any(|q| matches!(q, Quantity::Direction(_))) {
+            target.circumstances.dir = vec![None; joints];
+        }
+        if known.any(|q| matches!(q, Quantity::Speed(_))) {
+            target.circumstances.speed = vec![None; joints];
+        }
         for (k, column) in self.columns.iter().enumerate() {
             let Some((quantity, unit)) = *column else {
                 continue;

@@ -255,7 +255,9 @@ mod tests {
         session.samples.select(&returns);
         let samples = &mut session.samples;
         for column in [&mut samples.x_mm, &mut samples.y_mm] {
-            column.iter_mut().for_each(|v| *v = v.round());
+            for v in column.iter_mut() {
+                *v = v.round();
+            }
         }
         samples
             .z_mm

@@ -84,9 +84,9 @@ mod tests {
     fn rounded(session: &mut Session, step: f64) {
         let samples = &mut session.samples;
         for column in [&mut samples.x_mm, &mut samples.y_mm] {
-            column
-                .iter_mut()
-                .for_each(|v| *v = (*v / step).round() * step);
+            for v in column.iter_mut() {
+                *v = (*v / step).round() * step;
+            }
         }
     }
 

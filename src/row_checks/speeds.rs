@@ -178,7 +178,9 @@ mod tests {
         assert_eq!(session.samples.speed[0], Some(speed(&session)));
         // The same with the directions turned.
         let side = session.samples.dir[0].as_mut().expect("there");
-        side.iter_mut().for_each(|s| *s = -*s);
+        for s in side.iter_mut() {
+            *s = -*s;
+        }
         let problems = turned_or_scaled(&session, JointValues::Commanded);
         assert!(
             problems[0].what.contains("direction of approach"),

@@ -433,6 +433,7 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
             frame: None,
             tool: None,
             measured_frame: false,
+            frames: truepose::programs::ProgramFrames::default(),
         };
         let answer = pipeline::compensate(&request).unwrap();
         let written = String::from_utf8(answer.bytes).unwrap();

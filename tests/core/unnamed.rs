@@ -191,6 +191,7 @@ fn the_hidden_robot_is_nearer_to_the_drawing_with_it() {
             frame: None,
             tool: None,
             measured_frame: false,
+            frames: truepose::programs::ProgramFrames::default(),
         };
         let answer = pipeline::compensate(&request).unwrap();
         let written = String::from_utf8(answer.bytes).unwrap();

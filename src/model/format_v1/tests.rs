@@ -137,7 +137,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
             } else {
                 SetUp::default()
             },
-            conditions: Default::default(),
+            conditions: crate::model::Conditions::default(),
             set_aside: None,
             history: vec![GapStep {
                 what: "nominal robot".to_owned(),

@@ -274,7 +274,9 @@ mod tests {
         let mut session = axis(60);
         // A large zero offset and a link of another length are no shift.
         let q = &mut session.samples.q[0];
-        q.iter_mut().for_each(|q| *q += 0.1);
+        for q in q.iter_mut() {
+            *q += 0.1;
+        }
         assert!(shifted(&session, JointValues::Commanded).is_empty());
     }
 }
