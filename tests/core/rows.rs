@@ -75,12 +75,16 @@ fn a_file_pasted_below_itself_is_copies() {
 fn speeds_and_loads_in_another_sign_and_unit_are_said() {
     let mut session = with_backlash();
     if let Some(speed) = &mut session.samples.speed[0] {
-        speed.iter_mut().for_each(|v| *v = -*v);
+        for v in speed.iter_mut() {
+            *v = -*v;
+        }
         said(&session, "speed");
     }
     let mut session = with_backlash();
     if let Some(load) = &mut session.samples.load_kg {
-        load.iter_mut().for_each(|v| *v *= 1000.0);
+        for v in load.iter_mut() {
+            *v *= 1000.0;
+        }
         said(&session, "load");
     }
 }

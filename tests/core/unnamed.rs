@@ -135,7 +135,7 @@ fn what_no_name_explains_predicts_poses_that_no_fit_has_seen() {
 #[test]
 fn with_nothing_hidden_there_is_nothing_without_a_name() {
     for seed in 0..4 {
-        let session = session(120, 20 + seed, |q| q.to_vec());
+        let session = session(120, 20 + seed, <[f64]>::to_vec);
         let found = diagnosed(&session, false);
         assert_eq!(found.unnamed, None, "{seed}");
     }
