@@ -38,7 +38,8 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
         found.fit = regression.fit(&regression.base, &shapes);
         return;
     }
-    if names < SEVERAL {
+    // A search that ended early leaves what it had no time for: that says nothing of the base.
+    if names < SEVERAL || regression.work.ended().is_some() {
         return;
     }
     let floor = floor(prepared, &found.fit);

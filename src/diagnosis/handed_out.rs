@@ -118,7 +118,9 @@ pub(crate) fn choose<'a>(
             return handed_out(own, Vec::new());
         }
     }
-    if found > 0 {
+    // A smooth correction is orthogonal to the names alone, as they are fitted beside this noise.
+    let for_a_curve = prepared.options().correct_unexplained && !with_shapes.shapes.is_empty();
+    if found > 0 || for_a_curve {
         for values in [corrected.clone(), raw] {
             let own = candidate(values.sure_as(unsure), names, Procedure::Names);
             if no_worse(&own) {

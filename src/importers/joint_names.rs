@@ -37,9 +37,9 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
     for (joint, (name, slides)) in joints.iter().enumerate() {
         let (own, suffix) = words_and_unit(&name.to_lowercase());
         // A name may end in what reads as a unit.
-        let own = match suffix {
-            Some(_) => split(&name.to_lowercase()),
-            None => own,
+        let (own, words, unit) = match suffix {
+            Some(_) => (split(&name.to_lowercase()), split(plain), None),
+            None => (own, words.clone(), unit),
         };
         let is_other = matches!(headings::understand(name), Role::Known(quantity, _) if !is_of_a_joint(quantity))
             || matches!(headings::understand(name), Role::Time(_) | Role::Point);
@@ -49,7 +49,7 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
         let Some(at) = words.windows(own.len()).position(|part| part == own) else {
             continue;
         };
-        let mut rest = words.clone();
+        let mut rest = words;
         rest.drain(at..at + own.len());
         let fits = match unit {
             Some(Unit::Length(_)) => *slides,

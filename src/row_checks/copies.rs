@@ -115,6 +115,14 @@ fn is_measured(samples: &Samples, row: usize) -> bool {
     seen || samples.observed.has(row) || samples.is_turned(row)
 }
 
+/// Whether a column has few different values for so many rows.
+fn recurs(column: &[f64]) -> bool {
+    let mut bits: Vec<u64> = column.iter().map(|v| v.to_bits()).collect();
+    bits.sort_unstable();
+    bits.dedup();
+    4 * bits.len() < column.len()
+}
+
 /// The chance that a return to the same pose reads the same along all axes.
 fn chance(session: &Session) -> f64 {
     let samples = &session.samples;
@@ -132,7 +140,14 @@ fn chance(session: &Session) -> f64 {
         let Some(column) = column.filter(|c| c.iter().any(|v| v.is_finite())) else {
             return 1.0;
         };
-        let digit = resolution_mm(column).unwrap_or(FINEST_MM);
+        // Of few different values the digit cannot be told: that they recur says nothing.
+        let digit = resolution_mm(column).unwrap_or_else(|| {
+            if recurs(column) {
+                f64::INFINITY
+            } else {
+                FINEST_MM
+            }
+        });
         let width = 2.0 * std::f64::consts::PI.sqrt() * noise(axis).max(1e-12);
         (digit / width).min(1.0)
     });

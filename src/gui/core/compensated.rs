@@ -7,11 +7,35 @@ use crate::kinematics::Pose;
 use crate::model::Calibration;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
-use crate::programs::{Answer, Holds, LANGUAGES, ProgramFrames, Request, language_of};
+use crate::programs::{
+    Answer, CompensateError, Differing, Holds, LANGUAGES, ProgramFrames, Request, language_of,
+};
 use crate::sessions::files::read_document;
 
 /// No robot carries more, kg.
 pub(crate) const MOST_KG: f64 = 10_000.0;
+
+/// Whose number of a tool or a frame holds where program and model differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Whose {
+    /// It is asked.
+    #[default]
+    Asked,
+    /// What the program calls its tool is the model's.
+    Model,
+    /// The program's, as it writes it.
+    Program,
+}
+
+impl Whose {
+    fn holds(self) -> Holds<Pose> {
+        match self {
+            Self::Asked => Holds::Unsettled,
+            Self::Model => Holds::Model,
+            Self::Program => Holds::Program,
+        }
+    }
+}
 
 /// What is to be corrected, and how.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,25 +45,40 @@ pub(crate) struct Wanted {
     pub(crate) load_kg: f64,
     /// Whether the frame in which the session was measured is the robot's base.
     pub(crate) measured_frame: bool,
+    /// Whose tool holds.
+    pub(crate) tool: Whose,
+    /// Whose frame (work object, base, user frame) holds.
+    pub(crate) frame: Whose,
 }
 
 impl Wanted {
-    /// Without a load, in the base frame.
+    /// Without a load, in the base frame; a tool or frame that differs is asked for.
     pub(crate) fn new(path: PathBuf) -> Self {
         Self {
             path,
             load_kg: 0.0,
             measured_frame: false,
+            tool: Whose::Asked,
+            frame: Whose::Asked,
         }
     }
+}
+
+/// Why nothing was corrected.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NotCorrected {
+    /// A line for each problem.
+    pub(crate) says: Vec<String>,
+    /// What is to be settled: whose tool, whose frame.
+    pub(crate) differs: Vec<Differing>,
 }
 
 /// A file of targets, and what became of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Compensated {
     pub(crate) wanted: Wanted,
-    /// What was made of it, or why nothing was, a line for each problem.
-    pub(crate) result: Result<Corrected, Vec<String>>,
+    /// What was made of it, or why nothing was.
+    pub(crate) result: Result<Corrected, NotCorrected>,
 }
 
 /// A corrected file.
@@ -89,19 +128,20 @@ fn corrected(
     calibration: &Calibration,
     model: &str,
     wanted: &Wanted,
-) -> Result<Corrected, Vec<String>> {
+) -> Result<Corrected, NotCorrected> {
     let path: &Path = &wanted.path;
-    let lines = |error: &dyn std::fmt::Display| -> Vec<String> {
-        error.to_string().lines().map(str::to_owned).collect()
+    let lines = |error: &dyn std::fmt::Display| NotCorrected {
+        says: error.to_string().lines().map(str::to_owned).collect(),
+        differs: Vec::new(),
     };
     let bytes = read_document(path).map_err(|error| lines(&error))?;
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
-        vec![say!(
+        lines(&say!(
             "compensated-neither-its-ending-nor-its",
             path = path.display(),
             all = all.join(", ")
-        )]
+        ))
     })?;
     let answer = pipeline::compensate(&Request {
         calibration,
@@ -112,14 +152,21 @@ fn corrected(
         start: None,
         frame: None,
         tool: None,
-        // What differs from the model is refused in words until the dialog asks for it.
         frames: ProgramFrames {
+            tool: wanted.tool.holds(),
+            frame: wanted.frame.holds(),
             load: Holds::Given(wanted.load_kg),
-            ..ProgramFrames::default()
         },
         measured_frame: wanted.measured_frame,
     })
-    .map_err(|error| lines(&error))?;
+    .map_err(|error| {
+        let mut not_corrected = lines(&error);
+        if let CompensateError::Differs(differences) = &error {
+            let what = differences.0.iter().map(|difference| difference.what);
+            not_corrected.differs = what.collect();
+        }
+        not_corrected
+    })?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let robot = &calibration.model.robot;
     let json = document(

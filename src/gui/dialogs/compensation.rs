@@ -5,7 +5,8 @@ use crate::gui::language::of_core;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, Corrected, MOST_KG, Wanted};
+use crate::gui::core::compensated::{Changed, Corrected, MOST_KG, Wanted, Whose};
+use crate::programs::Differing;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
@@ -33,10 +34,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui,
         &say!("compensation-compensate", name = name.to_string_lossy()),
     );
-    asked(ui, &compensated.wanted, commands);
+    let differs: &[Differing] = match &compensated.result {
+        Err(not_corrected) => &not_corrected.differs,
+        Ok(_) => &[],
+    };
+    asked(ui, &compensated.wanted, differs, commands);
     match &compensated.result {
-        Err(problems) => {
-            for problem in problems.iter().take(MOST_LEFT) {
+        Err(not_corrected) => {
+            for problem in not_corrected.says.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, problem);
             }
             ends::done(ui, commands);
@@ -58,8 +63,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
 }
 
-/// The load where the file says none, as what a robot carries bends it, and which frame is the base.
-fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
+/// The load where the file says none, as what a robot carries bends it, which frame is the base, and whose tool and
+/// frame hold where the program's are not the model's.
+fn asked(ui: &mut Ui, before: &Wanted, differs: &[Differing], commands: &mut Vec<Command>) {
     let mut wanted = before.clone();
     let field = DragValue::new(&mut wanted.load_kg)
         .range(0.0..=MOST_KG)
@@ -74,9 +80,36 @@ fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
     );
     let says = say!("compensation-the-measuring-frame");
     ui.checkbox(&mut wanted.measured_frame, says);
+    let tool = say!("compensation-tool-of-the-program");
+    if differs.contains(&Differing::Tool) || wanted.tool != Whose::Asked {
+        whose(ui, tool, &mut wanted.tool);
+    }
+    let frame = say!("compensation-frame-of-the-program");
+    if differs.contains(&Differing::Frame) || wanted.frame != Whose::Asked {
+        whose(ui, frame, &mut wanted.frame);
+    }
     if wanted != *before {
         commands.push(Command::Compensate(wanted));
     }
+}
+
+/// Whose tool or frame holds.
+fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label(of);
+        let choices = [
+            (Whose::Model, say!("compensation-as-modelled")),
+            (Whose::Program, say!("compensation-as-programmed")),
+        ];
+        for (choice, text) in choices {
+            let name = format!("{of}: {text}");
+            let radio = ui.radio(*holds == choice, text);
+            widgets::label(&radio, &name);
+            if radio.clicked() {
+                *holds = choice;
+            }
+        }
+    });
 }
 
 fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {

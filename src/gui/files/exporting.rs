@@ -109,7 +109,7 @@ pub(crate) fn write_targets(
     let beside = sidecar_of(path);
     let name = beside.file_name().unwrap_or_default().to_string_lossy();
     let written = match &compensated.result {
-        Err(problems) => Err(problems.join("\n")),
+        Err(not_corrected) => Err(not_corrected.says.join("\n")),
         Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {
             let documents = [
                 Document {

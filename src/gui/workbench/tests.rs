@@ -223,8 +223,6 @@ fn a_step_is_done_for_the_model_that_was_exported_alone() {
     assert_eq!(workbench.exported().count(), 0);
     workbench.execute(Command::Undo);
     workbench.receive();
-    workbench.execute(Command::Undo);
-    workbench.receive();
     assert_eq!(workbench.exported().count(), 1);
 }
 

@@ -54,6 +54,13 @@ fn read(text: &str) -> Option<Listed> {
         gather(node, None, &mut rows);
     }
     rows.retain(|row| !row.cells.is_empty());
+    // Words with their values, one below the other, are the head of something else.
+    if let [only] = &rows[..]
+        && !only.headings.is_empty()
+        && !only.cells.iter().all(|cell| shape(cell).is_some())
+    {
+        return None;
+    }
     let numbers = rows
         .iter()
         .flat_map(|row| &row.cells)

@@ -25,6 +25,8 @@ use super::DataProblem;
 
 /// Samples that a trial looks at.
 const MOST_SAMPLES: usize = 400;
+/// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
+const MOST_PLACES: usize = 64;
 /// With fewer samples nothing is told.
 const FEWEST_SAMPLES: usize = 16;
 /// The logarithm by which a place that is elsewhere has to make the samples likelier.

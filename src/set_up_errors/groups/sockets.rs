@@ -8,7 +8,7 @@ use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::sessions::{Mend, Session};
 
-use super::{MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
+use super::{MOST_PLACES, MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
 
 /// At most so many sockets are taken to have moved; of most of them none is known to stand still.
 const MOST_MOVED: usize = 4;
@@ -26,7 +26,10 @@ pub(super) fn moved(
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
     let sockets = session.samples.observed.socket.as_ref()?;
-    if session.samples.len() > MOST_SAMPLES * 4 || session.instrument.references.sockets.len() < 2 {
+    let several = 2..=MOST_PLACES;
+    if session.samples.len() > MOST_SAMPLES * 4
+        || !several.contains(&session.instrument.references.sockets.len())
+    {
         return None;
     }
     let rows_of = |socket: usize| -> Vec<usize> {

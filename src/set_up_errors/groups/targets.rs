@@ -10,7 +10,9 @@ use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::sessions::{Mend, Session};
 
-use super::{evidence, fitted, in_numbers, is_believed, start_of, thinned, trimmed_rms_mm};
+use super::{
+    MOST_PLACES, evidence, fitted, in_numbers, is_believed, start_of, thinned, trimmed_rms_mm,
+};
 
 /// A place is off beyond so many standard deviations of what is known of it.
 const OFF: f64 = 4.0;
@@ -34,7 +36,8 @@ pub(super) fn elsewhere(
     let sigma = session.instrument.targets_sigma_mm?;
     let targets = session.samples.target.as_deref()?;
     let first = *targets.first()?;
-    if session.targets.len() < 2 || targets.iter().all(|target| *target == first) {
+    let several = 2..=MOST_PLACES;
+    if !several.contains(&session.targets.len()) || targets.iter().all(|target| *target == first) {
         return None;
     }
     let part = thinned(session);
