@@ -2375,7 +2375,7 @@ core-poses = Posen
 
 # The core: what of a program is not corrected
 
-core-it-is-singular-a-small-correction = sie ist singulär: Eine kleine Korrektur bräuchte eine große Bewegung der Gelenke
+core-its-position-is-singular-a-small = seine Position ist singulär: Eine kleine Korrektur bräuchte eine große Bewegung der Gelenke
 core-no-correction-was-found-that-settles = es wurde keine Korrektur gefunden, die konvergiert: nahe einer singulären Pose
 core-the-real-tool-does-not-reach = das wirkliche Werkzeug erreicht es nicht: { $a } bleiben
 core-its-correction-would-lead-into-another = seine Korrektur führte in eine andere Konfiguration
@@ -2588,3 +2588,13 @@ core-three-angles-of-an-orientation-and = drei Winkel einer Orientierung; weder 
 core-the-angles-turn-in-the-order = die Winkel drehen in der Reihenfolge { $a }; ob um feste Achsen (des Messsystems) oder um mitgedrehte, ist nicht angegeben
 core-lists-read-as-a-table-of = Listen, gelesen als Tabelle mit { $a } Zeilen und { $b } Spalten
 core-no-header-the-columns-are-taken = keine Kopfzeile: Die Spalten gelten als { $a }
+core-target = Messpunkt { $a }
+core-fit-the-places-of-the-targets = Orte der Messpunkte mitschätzen
+core-target-is-elsewhere-from-its-stated = Messpunkt { $a } ist woanders: { $b } von seinem angegebenen Ort am Werkzeug
+core-its-place-is-fitted-moved-by = sein Ort wird mitgeschätzt (verschoben um { $a }, { $b }, { $c } mm); nachmessen oder targets_sigma_mm angeben
+core-the-base-model-leaves-as-it = das Grundmodell lässt { $a } wie angegeben und { $b } mit freiem Ort übrig; { $c }-mal wahrscheinlicher
+core-the-socket-that-the-target-sat = die Aufnahme, in der der Messpunkt in allen Zeilen saß, wo keine Spalte sie nennt: Gelenkwerte genügen dann
+core-the-plane-that-was-touched-in = die Ebene, die in allen Zeilen angetastet wurde, wo keine Spalte sie nennt: Gelenkwerte genügen dann
+core-known-distances-between-sockets-mm-such = bekannte Abstände zwischen Aufnahmen, mm, etwa S1-S2=400: einer davon legt die Größe des Roboters fest
+core-how-rx-ry-rz-or-euler1 = wie rx, ry, rz (oder euler1, euler2, euler3) eine Orientierung ergeben: eine Folge von Achsen und ob sie sich mitdrehen, etwa zyx-moving, xyz-fixed (= zyx-moving) oder zyz-moving; rpy (= xyz-fixed); rotvec
+core-its-position-is-nearly-singular-the = seine Position ist fast singulär: Die Korrektur würde das Werkzeug um { $a } drehen

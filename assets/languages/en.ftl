@@ -2375,7 +2375,7 @@ core-poses = Poses
 
 # The core: what of a program is not corrected
 
-core-it-is-singular-a-small-correction = it is singular: a small correction would take a large move of the joints
+core-its-position-is-singular-a-small = its position is singular: a small correction would take a large move of the joints
 core-no-correction-was-found-that-settles = no correction was found that settles: it is near a singular pose
 core-the-real-tool-does-not-reach = the real tool does not reach it: { $a } are left
 core-its-correction-would-lead-into-another = its correction would lead into another configuration
@@ -2588,3 +2588,13 @@ core-three-angles-of-an-orientation-and = three angles of an orientation, and ne
 core-the-angles-turn-in-the-order = the angles turn in the order { $a }, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said
 core-lists-read-as-a-table-of = lists, read as a table of { $a } rows and { $b } columns
 core-no-header-the-columns-are-taken = no header: the columns are taken as { $a }
+core-target = target { $a }
+core-fit-the-places-of-the-targets = Fit the places of the targets
+core-target-is-elsewhere-from-its-stated = target { $a } is elsewhere: { $b } from its stated place in the tool
+core-its-place-is-fitted-moved-by = its place is fitted (moved by { $a }, { $b }, { $c } mm); measure it, or state targets_sigma_mm
+core-the-base-model-leaves-as-it = the base model leaves { $a } as it stands and { $b } with the place free; { $c } times likelier
+core-the-socket-that-the-target-sat = the socket that the target sat in for all rows, where no column names it: joint values are enough then
+core-the-plane-that-was-touched-in = the plane that was touched in all rows, where no column names it: joint values are enough then
+core-known-distances-between-sockets-mm-such = known distances between sockets, mm, such as S1-S2=400: one of them sets the size of the robot
+core-how-rx-ry-rz-or-euler1 = how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec
+core-its-position-is-nearly-singular-the = its position is nearly singular: the correction would turn the tool by { $a }

@@ -2347,7 +2347,7 @@ core-poses = 位姿
 
 # The core: what of a program is not corrected
 
-core-it-is-singular-a-small-correction = 奇异：很小的修正需要关节大幅运动
+core-its-position-is-singular-a-small = 其位置奇异：很小的修正需要关节大幅运动
 core-no-correction-was-found-that-settles = 未找到收敛的修正：接近奇异位姿
 core-the-real-tool-does-not-reach = 真实工具到达不了：相差 { $a }
 core-its-correction-would-lead-into-another = 修正会导致不同的构型
@@ -2560,3 +2560,13 @@ core-three-angles-of-an-orientation-and = 姿态的三个角，但未说明轴�
 core-the-angles-turn-in-the-order = 角度按 { $a } 的顺序转动，但未说明是绕固定轴（测量坐标系）还是绕随动轴
 core-lists-read-as-a-table-of = 列表，按 { $a } 行 { $b } 列的表格读取
 core-no-header-the-columns-are-taken = 没有表头：各列视为 { $a }
+core-target = 靶标 { $a }
+core-fit-the-places-of-the-targets = 拟合靶标的位置
+core-target-is-elsewhere-from-its-stated = 靶标 { $a } 不在原处：距其在工具上标注的位置 { $b }
+core-its-place-is-fitted-moved-by = 其位置由拟合确定（移动 { $a }、{ $b }、{ $c } mm）；请重新测量，或给出 targets_sigma_mm
+core-the-base-model-leaves-as-it = 基础模型按原样剩余 { $a }，位置自由时剩余 { $b }；可能性高 { $c } 倍
+core-the-socket-that-the-target-sat = 没有列指明时，所有行中靶标所在的座：此时只需关节值
+core-the-plane-that-was-touched-in = 没有列指明时，所有行中接触的平面：此时只需关节值
+core-known-distances-between-sockets-mm-such = 座之间的已知距离，mm，例如 S1-S2=400：其中一个确定机器人的尺寸
+core-how-rx-ry-rz-or-euler1 = rx、ry、rz（或 euler1、euler2、euler3）如何构成姿态：轴的次序以及轴是否随动，例如 zyx-moving、xyz-fixed（= zyx-moving）或 zyz-moving；rpy（= xyz-fixed）；rotvec
+core-its-position-is-nearly-singular-the = 其位置接近奇异：修正会使工具转动 { $a }

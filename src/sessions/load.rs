@@ -299,8 +299,9 @@ fn samples_from(
 
 /// What is said where the samples beside a document are not those that it was written with.
 fn others_samples(found: &str, own: &str, file: &Place, named_at: &Place) -> Diagnostic {
-    let csv = file.file.as_deref().map(Path::display);
-    let csv = csv.map_or_else(String::new, |csv| csv.to_string());
+    // The place names the folder.
+    let csv = file.file.as_deref().and_then(Path::file_name);
+    let csv = csv.map_or_else(String::new, |csv| csv.to_string_lossy().into_owned());
     let found = format!(
         "the samples in {csv} are not those that this session was saved with: their sha256 is {}…, \
          the session's {}…",

@@ -6,11 +6,11 @@ use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use crate::gui::core::compensated::{Changed, Corrected, MOST_KG, Wanted, Whose};
-use crate::programs::Differing;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::programs::Differing;
 
 use super::ends;
 

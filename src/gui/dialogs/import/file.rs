@@ -1,12 +1,12 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
-use crate::gui::language::of_core;
 use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
+use crate::gui::language::of_core;
 use crate::gui::style::tokens::Palette;
 use crate::gui::widgets;
 use crate::importers::{
@@ -123,13 +123,14 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
-    widgets::form_row(ui, option.title, |ui| {
+    let title = of_core(option.title);
+    widgets::form_row(ui, &title, |ui| {
         let mut value = given.get(option.name).cloned().unwrap_or_default();
         let before = value.clone();
         if option.values.is_empty() {
             let field = TextEdit::singleline(&mut value).desired_width(300.0);
-            let field = ui.add(field.hint_text(option.help));
-            super::parts::name(ui, &field, option.title);
+            let field = ui.add(field.hint_text(of_core(option.help)));
+            super::parts::name(ui, &field, &title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
             let said = option.values.iter().copied().find(|v| *v == value);

@@ -209,7 +209,11 @@ impl Reader {
                 // Every channel has a copy of it.
                 if header.name.len() > LONGEST_TYPE {
                     let found = format!("a type whose name has {} bytes", header.name.len());
-                    return Err(Broken::new(byte, found, "a name such as sensor_msgs/msg/Joy"));
+                    return Err(Broken::new(
+                        byte,
+                        found,
+                        "a name such as sensor_msgs/msg/Joy",
+                    ));
                 }
                 self.schemas.insert(header.id, header.name);
             }
