@@ -104,7 +104,7 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
             let radio = ui.radio(*holds == choice, text);
-            widgets::label(&radio, &name);
+            widgets::label(&radio, name);
             if radio.clicked() {
                 *holds = choice;
             }
