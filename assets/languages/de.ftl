@@ -546,6 +546,7 @@ compensation-and-more-all-of-them = und { $more } weitere: Alle stehen in der Da
 
 ## import
 
+import-more-options = Weitere Angaben zu dieser Art von Datei
 import-not-imported = nicht importiert
 import-point-name = Punktname
 import-group-of-points = Punktgruppe
@@ -2376,7 +2377,6 @@ core-poses = Posen
 # The core: what of a program is not corrected
 
 core-its-position-is-singular-a-small = seine Position ist singulär: Eine kleine Korrektur bräuchte eine große Bewegung der Gelenke
-core-no-correction-was-found-that-settles = es wurde keine Korrektur gefunden, die konvergiert: nahe einer singulären Pose
 core-the-real-tool-does-not-reach = das wirkliche Werkzeug erreicht es nicht: { $a } bleiben
 core-its-correction-would-lead-into-another = seine Korrektur führte in eine andere Konfiguration
 core-with-its-correction = { $a } mit seiner Korrektur

@@ -546,6 +546,7 @@ compensation-and-more-all-of-them = and { $more } more: all of them stand in the
 
 ## import
 
+import-more-options = More options of this kind of file
 import-not-imported = not imported
 import-point-name = point name
 import-group-of-points = group of points
@@ -2376,7 +2377,6 @@ core-poses = Poses
 # The core: what of a program is not corrected
 
 core-its-position-is-singular-a-small = its position is singular: a small correction would take a large move of the joints
-core-no-correction-was-found-that-settles = no correction was found that settles: it is near a singular pose
 core-the-real-tool-does-not-reach = the real tool does not reach it: { $a } are left
 core-its-correction-would-lead-into-another = its correction would lead into another configuration
 core-with-its-correction = { $a } with its correction

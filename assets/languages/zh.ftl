@@ -534,6 +534,7 @@ compensation-and-more-all-of-them = 以及另外 { $more } 项：全部列在所
 
 ## import
 
+import-more-options = 此类文件的更多选项
 import-not-imported = 不导入
 import-point-name = 点名
 import-group-of-points = 点组
@@ -2348,7 +2349,6 @@ core-poses = 位姿
 # The core: what of a program is not corrected
 
 core-its-position-is-singular-a-small = 其位置奇异：很小的修正需要关节大幅运动
-core-no-correction-was-found-that-settles = 未找到收敛的修正：接近奇异位姿
 core-the-real-tool-does-not-reach = 真实工具到达不了：相差 { $a }
 core-its-correction-would-lead-into-another = 修正会导致不同的构型
 core-with-its-correction = 修正后{ $a }

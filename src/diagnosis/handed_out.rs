@@ -120,7 +120,16 @@ pub(crate) fn choose<'a>(
     }
     // A smooth correction is orthogonal to the names alone, as they are fitted beside this noise.
     let for_a_curve = prepared.options().correct_unexplained && !with_shapes.shapes.is_empty();
-    if found > 0 || for_a_curve {
+    if for_a_curve && found == 0 {
+        // They are the identification itself, beside this noise.
+        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
+        return HandedOut {
+            identified_mm: own.end_mm,
+            held_out_mm: own.held_out_mm.map(|own| [own, own]),
+            ..handed_out(own, Vec::new())
+        };
+    }
+    if found > 0 {
         for values in [corrected.clone(), raw] {
             let own = candidate(values.sure_as(unsure), names, Procedure::Names);
             if no_worse(&own) {

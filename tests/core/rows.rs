@@ -48,14 +48,23 @@ fn a_session_with_good_rows_has_nothing_to_say() {
 #[test]
 fn a_point_that_is_missing_shifts_the_rows_below() {
     let n = with_backlash().samples.len();
-    for row in [2, n / 3, n - 4] {
+    let mut seen = 0;
+    for row in [n / 4, n / 3, n / 2, 2 * n / 3, 3 * n / 4] {
         let mut session = with_backlash();
         for column in points(&mut session.samples) {
             column.remove(row);
             column.push(f64::NAN);
         }
-        said(&session, "rows shifted by one");
+        let answer = diagnosed(&session);
+        let shifted = |what: &str| what.contains("rows shifted by one");
+        seen += usize::from(answer.data_problems.iter().any(|p| shifted(&p.what)));
+        let gap = answer.gap.end_mm;
+        assert!(
+            gap < 0.1,
+            "row {row}: {gap} mm with the rows as they are said to be"
+        );
     }
+    assert!(seen >= 4, "{seen} of 5 said");
 }
 
 #[test]

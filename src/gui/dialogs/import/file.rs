@@ -7,7 +7,7 @@ use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
 use crate::gui::language::of_core;
-use crate::gui::style::tokens::Palette;
+use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator,
@@ -116,10 +116,23 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
-    for option in kind.map_or(&[][..], |importer| importer.options) {
-        own_option(ui, option, &mut reading.options);
+    let own = kind.map_or(&[][..], |importer| importer.options);
+    // Of several few are needed: below them the columns, which always are, would be out of sight.
+    if own.len() > FEW_OPTIONS {
+        widgets::folded(ui, say!("import-more-options"), size::SMALL, |ui| {
+            for option in own {
+                own_option(ui, option, &mut reading.options);
+            }
+        });
+    } else {
+        for option in own {
+            own_option(ui, option, &mut reading.options);
+        }
     }
 }
+
+/// So many options of a format are shown at once.
+const FEW_OPTIONS: usize = 2;
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
