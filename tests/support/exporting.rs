@@ -3,11 +3,13 @@
 #![allow(dead_code, reason = "each test uses a part")]
 #![allow(unreachable_pub, reason = "included in tests")]
 
-use truepose::effects::{Inputs, JointValues, Term};
+use truepose::compensation::VerifiedCalibration;
+use truepose::effects::{Inputs, JointValues, Owner, Term};
 use truepose::export::{Export, ExportError, Job, find};
 use truepose::fit::identify_exact;
 use truepose::kinematics::Range;
 use truepose::model::{Calibration, Model};
+use truepose::pipeline;
 use truepose::sessions::{Session, parse};
 
 /// Formats with a column for each direction, and those with one for both.
@@ -109,10 +111,12 @@ pub fn admitted(calibration: &Calibration) -> VerifiedCalibration {
         path: None,
     };
     if session.targets.is_empty() {
-        session.targets = truepose::sessions::default_targets();
+        session.targets = one_joint("revolute", [-90.0, 90.0]).targets;
     }
     let inputs = Inputs::new(&session, JointValues::Commanded);
-    let seen = calibration.model.without(|term| term.effect.about().owner == Owner::Session);
+    let seen = calibration
+        .model
+        .without(|term| term.effect.about().owner == Owner::Session);
     let seen = seen.predict(&inputs);
     session.samples.x_mm = seen.x_mm;
     session.samples.y_mm = seen.y_mm;
