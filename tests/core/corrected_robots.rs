@@ -598,6 +598,7 @@ fn identified_arms_become_descriptions_that_lead_where_their_models_lead() {
         let found = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = found.calibration(&session, &inputs);
+        let calibration = truepose::pipeline::hand_out(&calibration, &session).unwrap();
         let of_the_robot = Compensation::new(&calibration).robot;
         let home = of_the_robot.robot.base_from_tool * Point3::origin();
         for to in ["urdf", "mjcf", "dh"] {

@@ -10,7 +10,7 @@ use crate::hidden_robot::{Hidden, apart};
 use crate::rig::Random;
 use truepose::compensation::{NotHandedOut, VerifiedCalibration, verify};
 use truepose::diagnosis::{Diagnosis, Options};
-use truepose::effects::{JointValues, Term};
+use truepose::effects::JointValues;
 use truepose::export::{ExportError, Job};
 use truepose::model::{Calibration, Model, read_model};
 use truepose::pipeline::{self, Method, hand_out, identify_checked};
@@ -231,7 +231,7 @@ fn the_headline_of_a_check_is_over_all_its_samples() {
 }
 
 /// What a table of csv adds to a command in degrees, both columns being the same.
-fn table(calibration: &VerifiedCalibration) -> impl Fn(f64) -> f64 {
+fn table(calibration: &VerifiedCalibration) -> impl Fn(f64) -> f64 + use<> {
     let export = pipeline::export("csv", &Job::new(calibration, "table.csv")).unwrap();
     let read = export.reads_as.unwrap();
     move |q| read.correction_outer(q, 0.0)
@@ -279,7 +279,8 @@ fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error(
         );
         let calibration = found.calibration(&session);
         assert_as_said(&calibration, &session, found.gap.end_mm, what);
-        let by = table(&hand_out(&calibration, &session).unwrap());
+        let verified = hand_out(&calibration, &session).unwrap();
+        let by = table(&verified);
         let error = |sign: f64| driven(eccentric, raw, from_raw, &by, sign);
         let (before, after, turned) = (error(0.0), error(1.0), error(-1.0));
         assert!(after < 0.05 * before, "{what}: {before} → {after}");
@@ -467,12 +468,14 @@ fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_ou
     let good = found.calibration;
     hand_out(&good, &session).unwrap();
     // What every term does turned about: the sign that a table is wrong in.
-    let turned = good.model.terms().iter().map(|term| Term {
-        coefficients: term.coefficients.iter().map(|c| -c).collect(),
-        ..term.clone()
-    });
+    let mut turned = good.model.terms().to_vec();
+    for term in &mut turned {
+        for coefficient in &mut term.coefficients {
+            *coefficient = -*coefficient;
+        }
+    }
     let turned = Calibration {
-        model: Model::new(good.model.robot.clone(), turned.collect()),
+        model: Model::new(good.model.robot.clone(), turned),
         ..good.clone()
     };
     let refused = hand_out(&turned, &session).unwrap_err();

@@ -131,9 +131,10 @@ pub fn try_export(
 ) -> Result<Export, ExportError> {
     let format = find(format).expect("the format is there");
     let name = format!("pan.{}", format.extension);
+    let verified = admitted(calibration);
     let job = Job {
         step,
-        ..Job::new(&admitted(calibration), &name)
+        ..Job::new(&verified, &name)
     };
     format.exporter.export(&job)
 }
