@@ -8,7 +8,7 @@
 use truepose::diagnosis::Options;
 use truepose::effects::JointValues;
 use truepose::export::Job;
-use truepose::pipeline::{Method, diagnose, export, identify, load, verify};
+use truepose::pipeline::{Method, diagnose, export, hand_out, identify, load, verify};
 use truepose::sessions::Session;
 
 /// The calibration of one arm; an error names the file, the line and what was expected.
@@ -26,7 +26,8 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let checked = verify(&calibration, &session)?;
     println!("with corrected commands {:.3} mm", checked.model.rms_mm);
-    let urdf = export("urdf", &Job::new(&calibration, "arm.urdf"))?;
+    let verified = hand_out(&calibration, &session)?;
+    let urdf = export("urdf", &Job::new(&verified, "arm.urdf"))?;
     println!(
         "{} of {} bytes",
         urdf.documents[0].name,

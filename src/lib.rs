@@ -13,7 +13,7 @@
 //! use truepose::diagnosis::Options;
 //! use truepose::effects::JointValues;
 //! use truepose::export::Job;
-//! use truepose::pipeline::{Method, diagnose, export, identify, load, verify};
+//! use truepose::pipeline::{Method, diagnose, export, hand_out, identify, load, verify};
 //!
 //! // 1. A session holds the nominal robot, the commands and the measured points.
 //! let session = load("sessions/paper-30.json")?.session;
@@ -34,7 +34,9 @@
 //! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
 //!
 //! // 5. The table that a controller loads, in memory: the caller decides where it is written.
-//! let table = export("linuxcnc", &Job::new(&calibration, "pan.comp"))?;
+//! //    Files are made of a calibration that does on its own session what was said of it.
+//! let verified = hand_out(&calibration, &session)?;
+//! let table = export("linuxcnc", &Job::new(&verified, "pan.comp"))?;
 //! assert!(!table.documents[0].bytes.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -7,7 +7,7 @@
 //! ```
 //! use truepose::effects::JointValues;
 //! use truepose::export::Job;
-//! use truepose::pipeline::{Method, export, identify, load, verify};
+//! use truepose::pipeline::{Method, export, hand_out, identify, load, verify};
 //!
 //! let session = load("sessions/paper-30.json")?.session;
 //! let (found, calibration) = identify(&session, &Method::default(), JointValues::Commanded)?;
@@ -15,19 +15,23 @@
 //! assert_eq!((offset.effect, offset.name), ("joint-zero-offset", "offset_deg"));
 //! assert!((offset.value + 3.0).abs() < 1e-9, "the robot stands 3° behind its command");
 //! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
-//! let table = export("csv", &Job::new(&calibration, "table.csv"))?;
+//! let verified = hand_out(&calibration, &session)?;
+//! let table = export("csv", &Job::new(&verified, "table.csv"))?;
 //! assert_eq!(table.documents[0].name, "table.csv");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use crate::answers::identification::FULL_MODEL;
 use crate::compensation::decision::{Fitted, Measured};
-use crate::compensation::{NotHandedOut, Verification, VerifyError};
+use crate::compensation::{NotHandedOut, Verification, VerifiedCalibration, VerifyError};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
+use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues, Term};
-use crate::export::{Export, ExportError, Job, find};
+use crate::export::{Export, ExportError, Job, find, gaps_of_export};
+use crate::fit::gap::Spread;
 use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
 };
@@ -43,7 +47,7 @@ pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
 pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
-pub use crate::model::format_v1::{is_model, load_model, write_model};
+pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};
 pub use crate::programs::compensate;
 pub use crate::sessions::{
@@ -209,13 +213,29 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     crate::compensation::verify(calibration, &session)
 }
 
-/// The document of a model, from the raw session that it came from: the one way in which a model leaves the program.
+/// A calibration, verified on the raw session that it came from: the one value of which files are made.
 ///
 /// # Errors
 /// See [`NotHandedOut`].
-pub fn hand_out(calibration: &Calibration, session: &Session) -> Result<String, NotHandedOut> {
+pub fn hand_out(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<VerifiedCalibration, NotHandedOut> {
     let session = session.whole().map_err(VerifyError::from)?;
-    crate::compensation::hand_out(calibration, &session)
+    VerifiedCalibration::on(calibration, &session)
+}
+
+/// The calibration of a model file.
+///
+/// # Errors
+/// Everything in it that is no model.
+pub fn load_model(path: impl AsRef<Path>) -> Result<VerifiedCalibration, Rejected> {
+    VerifiedCalibration::load(path)
+}
+
+/// The model as the text of its file.
+pub fn write_model(calibration: &VerifiedCalibration) -> String {
+    calibration.document()
 }
 
 /// Accuracy and repeatability as ISO 230-2 and ISO 9283 have them, as measured and with the model's
@@ -253,6 +273,37 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
     format.exporter.export(job)
 }
 
+/// An export beside what it does to the session that it is held against.
+#[derive(Debug, Clone)]
+pub struct Checked {
+    /// The export.
+    pub export: Export,
+    /// RMS errors of the session as it stands and under the export, where both can be said.
+    pub gaps: Option<[Spread; 2]>,
+}
+
+/// Like [`export`], refusing what would make a session worse.
+///
+/// # Errors
+/// See [`ExportError`].
+pub fn export_for(format: &str, job: &Job, session: &Session) -> Result<Checked, ExportError> {
+    let export = export(format, job)?;
+    let gaps = gaps_of_export(job.calibration, session, &export);
+    match gaps {
+        Some([before, after]) if after.rms_mm > before.rms_mm => Err(ExportError::MakesWorse {
+            session: session.name.clone(),
+            what: if export.reads_as.is_some() {
+                "table"
+            } else {
+                "description of the robot"
+            },
+            before_mm: before.rms_mm,
+            after_mm: after.rms_mm,
+        }),
+        _ => Ok(Checked { export, gaps }),
+    }
+}
+
 /// The report of a session. `watch` is told of the diagnosis and may stop it.
 ///
 /// # Errors
@@ -272,11 +323,11 @@ pub fn report(
 /// the two differ the report says in what.
 ///
 /// # Errors
-/// If no sample can be used.
+/// If no sample can be used, or the model is not handed out.
 pub fn report_of_diagnosis(
     session: &Session,
     found: &Diagnosis,
-    in_use: Option<&Calibration>,
+    in_use: Option<&VerifiedCalibration>,
     options: &Options,
     extras: &Extras,
 ) -> Result<Report, ReportError> {
@@ -287,7 +338,7 @@ pub fn report_of_diagnosis(
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
     let mended = mend(session, options.joint_values).session;
-    let all_found = found.calibration(session);
+    let all_found = hand_out(&found.calibration(session), session)?;
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
         session: &mended,
@@ -302,7 +353,7 @@ pub fn report_of_diagnosis(
 }
 
 /// The report of a model alone.
-pub fn report_of_model(calibration: &Calibration, extras: &Extras) -> Report {
+pub fn report_of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Report {
     Report::of_model(calibration, extras)
 }
 

@@ -5,17 +5,20 @@
 #[path = "../../tests/support/compensating.rs"]
 mod compensating;
 
+#[path = "../../tests/support/exporting.rs"]
+mod exporting;
+
 use std::sync::OnceLock;
 
 use libfuzzer_sys::fuzz_target;
-use truepose::model::Calibration;
+use truepose::compensation::VerifiedCalibration;
 use truepose::programs::LANGUAGES;
 
 fuzz_target!(|data: &[u8]| {
-    static ARM: OnceLock<Calibration> = OnceLock::new();
+    static ARM: OnceLock<VerifiedCalibration> = OnceLock::new();
     if let [language, choice, bytes @ ..] = data {
         let language = &LANGUAGES[usize::from(*language) % LANGUAGES.len()];
-        let arm = ARM.get_or_init(compensating::calibration);
+        let arm = ARM.get_or_init(|| exporting::admitted(&compensating::calibration()));
         compensating::compensated(arm, language, bytes, *choice);
     }
 });

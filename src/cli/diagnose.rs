@@ -155,7 +155,8 @@ impl Diagnose {
         let session = &loaded.session;
         let (answer, start) = asked.of(session, &|_| true)?;
         if let Some(out) = &self.out {
-            let text = pipeline::hand_out(&answer.calibration(session), session)?;
+            let verified = pipeline::hand_out(&answer.calibration(session), session)?;
+            let text = pipeline::write_model(&verified);
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {

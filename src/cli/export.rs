@@ -7,9 +7,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde_json::json;
 
-use crate::export::{
-    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gaps_of_export,
-};
+use crate::export::{EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros};
 use crate::kinematics::DhConvention;
 use crate::pipeline;
 
@@ -95,29 +93,19 @@ impl Export {
             options,
             ..Job::new(&calibration, if to_stdout { "table" } else { file_name })
         };
-        let export = pipeline::export(&self.to, &job).map_err(|error| match error {
-            ExportError::Table(_) | ExportError::Refused(_) => {
-                Failure::WrongInput(error.to_string())
-            }
-            ExportError::ReadBack(_) => Failure::Failed(error.into()),
-        })?;
-        let mut notes = export.notes.clone();
+        let failure = |error| match error {
+            ExportError::ReadBack(_) => Failure::Failed(anyhow::Error::from(error)),
+            _ => Failure::WrongInput(error.to_string()),
+        };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
+        let (export, notes);
         if let Some(path) = &self.session {
             let loaded = output::session(path)?;
             inputs.extend(loaded.files);
             let session = loaded.session;
-            notes.push(match gaps_of_export(&calibration, &session, &export) {
-                Some([before, after]) if after.rms_mm > before.rms_mm => {
-                    return Err(Failure::WrongInput(format!(
-                        "with this {} the RMS error of '{}' would rise from {:.6} to {:.6} mm: nothing is written",
-                        if export.reads_as.is_some() { "table" } else { "description of the robot" },
-                        session.name,
-                        before.rms_mm,
-                        after.rms_mm
-                    )));
-                }
+            let checked = pipeline::export_for(&self.to, &job, &session).map_err(failure)?;
+            let says = match checked.gaps {
                 Some([_, gap]) => format!(
                     "of '{}' it leaves an RMS error of {:.6} mm (largest {:.6})",
                     session.name, gap.rms_mm, gap.max_mm
@@ -127,7 +115,12 @@ impl Export {
                      measured with a table active",
                     session.name
                 ),
-            });
+            };
+            export = checked.export;
+            notes = [export.notes.clone(), vec![says]].concat();
+        } else {
+            export = pipeline::export(&self.to, &job).map_err(failure)?;
+            notes = export.notes.clone();
         }
         let beside = self.out.parent().map(PathBuf::from).unwrap_or_default();
         let places = export.documents.iter().enumerate().map(|(k, document)| {

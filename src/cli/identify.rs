@@ -112,7 +112,7 @@ impl Identify {
             data_problems,
         } = pipeline::identify_checked(session, &method, values)?;
         if let Some(out) = &self.out {
-            let text = pipeline::hand_out(&calibration, session)?;
+            let text = pipeline::write_model(&pipeline::hand_out(&calibration, session)?);
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {

@@ -32,7 +32,7 @@ impl Standards {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = self.model.as_ref().map(pipeline::load_model).transpose()?;
         let loaded = output::session(&self.session)?;
-        let figures = pipeline::standards(&loaded.session, calibration.as_ref())
+        let figures = pipeline::standards(&loaded.session, calibration.as_deref())
             .map_err(|error| Failure::WrongInput(error.to_string()))?;
         if self.json {
             output::json(&document(&figures))

@@ -1,8 +1,12 @@
-//! The gate: a model leaves the program as a document that this function makes, and it makes none of a model
-//! that is not what was said of it on the very session that it came from.
+//! The gate: what leaves the program is made from a [`VerifiedCalibration`], and only this module makes one, of a
+//! calibration that does on the very session that it came from what was said of it.
 
+use std::ops::Deref;
+use std::path::Path;
+
+use crate::diagnostic::Rejected;
 use crate::effects::Inputs;
-use crate::model::{Calibration, write_model};
+use crate::model::{Calibration, GapStep, format_v1};
 use crate::sessions::Session;
 
 use super::verification::{VerifyError, verify};
@@ -10,12 +14,15 @@ use super::verification::{VerifyError, verify};
 /// The error on its own session may be so many times what was said: suspected outliers, and samples that lack
 /// a condition, are judged in one place and not in the other. A convention that is lost is far beyond.
 const MOST_TIMES: f64 = 2.0;
+/// It may be so many times the nominal robot's: where the robot is as it was drawn, a fit that weighs the
+/// coordinates unlike each other gains nothing and loses this much at most.
+const MOST_TIMES_NOMINAL: f64 = 1.05;
 /// Below this nothing is said, mm.
 const NOTHING_MM: f64 = 1e-3;
-/// With more samples a part of them tells as much.
-const MOST_SAMPLES: usize = 20_000;
+/// Two figures of one fit differ by rounding alone.
+const ROUNDING: f64 = 1e-9;
 
-/// Why a model is not handed out.
+/// Why a calibration is not handed out.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NotHandedOut {
     /// It does something else than was said.
@@ -29,6 +36,28 @@ pub enum NotHandedOut {
         /// Said, mm.
         said_mm: f64,
     },
+    /// The robot is better without it.
+    #[error(
+        "on the session that it came from the model leaves an RMS error of {found_mm:.6} mm, and the nominal robot \
+         {nominal_mm:.6} mm: it is not written"
+    )]
+    WorseThanNominal {
+        /// Verified, mm.
+        found_mm: f64,
+        /// Of the nominal robot, mm.
+        nominal_mm: f64,
+    },
+    /// An effect that was added to it made it worse.
+    #[error(
+        "the model leaves an RMS error of {said_mm:.6} mm, and the identification that it began with \
+         {identified_mm:.6} mm: it is not written"
+    )]
+    WorseThanIdentified {
+        /// Said, mm.
+        said_mm: f64,
+        /// Of the identification, mm.
+        identified_mm: f64,
+    },
     /// It predicts nothing somewhere.
     #[error("the model predicts no position at joint values {0:?} (rad, mm): it is not written")]
     PredictsNothing(Vec<f64>),
@@ -37,25 +66,143 @@ pub enum NotHandedOut {
     Verify(#[from] VerifyError),
 }
 
-/// The document of a model, from the raw session that it came from.
+/// A calibration that was verified on its own session, or read from the file of one that was. Files of models,
+/// tables, corrected programs, descriptions of robots and reports are made from it and from nothing else. It can
+/// be read like the [`Calibration`] that it is and not be changed:
 ///
-/// # Errors
-/// See [`NotHandedOut`].
-pub fn hand_out(calibration: &Calibration, session: &Session) -> Result<String, NotHandedOut> {
-    predicts_everywhere(calibration)?;
-    let said_mm = calibration.history.last().map(|step| step.gap_mm);
-    // The paper's method speaks of the plane of motion and of its regions.
-    if let Some(said_mm) = said_mm.filter(|_| calibration.regions.is_empty())
-        && session.samples.len() <= MOST_SAMPLES
-    {
-        let verified = verify(calibration, session)?;
-        let trimmed = verified.trimmed.map(|trimmed| trimmed.model_mm);
-        let found_mm = trimmed.unwrap_or(verified.model.rms_mm);
-        if found_mm > MOST_TIMES * said_mm + NOTHING_MM {
-            return Err(NotHandedOut::OtherThanSaid { found_mm, said_mm });
+/// ```compile_fail,E0423
+/// use truepose::compensation::VerifiedCalibration;
+/// # let calibration: truepose::model::Calibration = unimplemented!();
+/// let made = VerifiedCalibration(calibration);
+/// ```
+///
+/// ```compile_fail,E0594
+/// # let mut verified: truepose::compensation::VerifiedCalibration = unimplemented!();
+/// verified.samples_hash = String::new();
+/// ```
+///
+/// Nothing that writes takes a calibration that was not verified:
+///
+/// ```compile_fail,E0308
+/// # let calibration: truepose::model::Calibration = unimplemented!();
+/// let text = truepose::pipeline::write_model(&calibration);
+/// ```
+///
+/// ```compile_fail,E0308
+/// # let calibration: truepose::model::Calibration = unimplemented!();
+/// let job = truepose::export::Job::new(&calibration, "table.csv");
+/// ```
+///
+/// ```compile_fail,E0308
+/// # let calibration: truepose::model::Calibration = unimplemented!();
+/// let table = truepose::compensation::JointTable::new(&calibration, 0, 1.0, Default::default());
+/// ```
+///
+/// ```compile_fail,E0308
+/// # let calibration: truepose::model::Calibration = unimplemented!();
+/// let report = truepose::pipeline::report_of_model(&calibration, &Default::default());
+/// ```
+///
+/// ```compile_fail,E0603
+/// use truepose::model::format_v1::write_model;
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct VerifiedCalibration(Calibration);
+
+impl Deref for VerifiedCalibration {
+    type Target = Calibration;
+
+    fn deref(&self) -> &Calibration {
+        &self.0
+    }
+}
+
+impl VerifiedCalibration {
+    /// A calibration, verified on the raw session that it came from.
+    ///
+    /// # Errors
+    /// See [`NotHandedOut`].
+    pub fn on(calibration: &Calibration, session: &Session) -> Result<Self, NotHandedOut> {
+        predicts_everywhere(calibration)?;
+        // The paper's method speaks of the plane of motion and of its regions.
+        if calibration.regions.is_empty() {
+            no_worse_than_identified(&calibration.history)?;
+            as_said_and_no_worse_than_nominal(calibration, session)?;
+        }
+        Ok(Self(calibration.clone()))
+    }
+
+    /// The calibration of a model file in memory, which [`document`](Self::document) made once.
+    ///
+    /// # Errors
+    /// Everything in it that is no model.
+    pub fn read(text: &str) -> Result<Self, Rejected> {
+        format_v1::read_model(text).map(Self)
+    }
+
+    /// The calibration of a model file.
+    ///
+    /// # Errors
+    /// Everything in it that is no model.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Rejected> {
+        format_v1::load_model(path).map(Self)
+    }
+
+    /// The text of its model file.
+    pub fn document(&self) -> String {
+        format_v1::write_model(&self.0)
+    }
+
+    /// Any calibration, for tests of what is made from one.
+    #[cfg(test)]
+    pub(crate) fn unverified(calibration: Calibration) -> Self {
+        Self(calibration)
+    }
+}
+
+/// That what was found beyond the identification makes it no worse, on its samples and cross-validated.
+fn no_worse_than_identified(history: &[GapStep]) -> Result<(), NotHandedOut> {
+    let [_, identified, .., last] = history else {
+        return Ok(());
+    };
+    let pairs = [
+        (Some(identified.gap_mm), Some(last.gap_mm)),
+        (identified.held_out_mm, last.held_out_mm),
+    ];
+    for (identified_mm, said_mm) in pairs {
+        if let (Some(identified_mm), Some(said_mm)) = (identified_mm, said_mm)
+            && said_mm > identified_mm * (1.0 + ROUNDING) + ROUNDING
+        {
+            return Err(NotHandedOut::WorseThanIdentified {
+                said_mm,
+                identified_mm,
+            });
         }
     }
-    Ok(write_model(calibration))
+    Ok(())
+}
+
+fn as_said_and_no_worse_than_nominal(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<(), NotHandedOut> {
+    let verified = verify(calibration, session)?;
+    let trimmed = verified.trimmed.map(|trimmed| trimmed.model_mm);
+    let found_mm = trimmed.unwrap_or(verified.model.rms_mm);
+    let said_mm = calibration.history.last().map(|step| step.gap_mm);
+    if let Some(said_mm) = said_mm
+        && !(found_mm <= MOST_TIMES * said_mm + NOTHING_MM)
+    {
+        return Err(NotHandedOut::OtherThanSaid { found_mm, said_mm });
+    }
+    let nominal_mm = verified.nominal.rms_mm;
+    if !(found_mm <= MOST_TIMES_NOMINAL * nominal_mm + NOTHING_MM) {
+        return Err(NotHandedOut::WorseThanNominal {
+            found_mm,
+            nominal_mm,
+        });
+    }
+    Ok(())
 }
 
 /// That positions are finite at both ends of every joint's range, and at home.

@@ -42,7 +42,7 @@ pub(crate) mod table;
 pub(crate) mod verification;
 
 pub use conditions::{Conditions, Side};
-pub use hand_out::{NotHandedOut, hand_out};
+pub use hand_out::{NotHandedOut, VerifiedCalibration};
 pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;

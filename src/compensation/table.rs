@@ -19,6 +19,7 @@ use crate::model::{Calibration, Model, RawJoint};
 use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
+use super::hand_out::VerifiedCalibration;
 use super::interpolation::UniformTable;
 use super::inverse::{closest_commands, places};
 use super::plan::Compensation;
@@ -106,7 +107,7 @@ impl JointTable {
     /// # Errors
     /// See [`TableError`].
     pub fn new(
-        calibration: &Calibration,
+        calibration: &VerifiedCalibration,
         joint: usize,
         step_outer: f64,
         conditions: Conditions,

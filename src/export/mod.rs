@@ -38,7 +38,7 @@ pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
 pub use rules::{Directions, Rules, Says, Spacing};
 pub use sheet::Sheet;
 
-use crate::compensation::{Conditions, JointTable, TableError};
+use crate::compensation::{Conditions, JointTable, TableError, VerifiedCalibration};
 use crate::fit::gap::Spread;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
@@ -120,7 +120,7 @@ pub fn usual(robot: &Robot) -> &'static Format {
 #[derive(Debug, Clone, Copy)]
 pub struct Job<'a> {
     /// The model.
-    pub calibration: &'a Calibration,
+    pub calibration: &'a VerifiedCalibration,
     /// Joint, counted from 0.
     pub joint: usize,
     /// Step of the table, degrees or mm; `None`: what the format needs.
@@ -135,7 +135,7 @@ pub struct Job<'a> {
 
 impl<'a> Job<'a> {
     /// The first joint under the reference conditions, in the steps that it needs.
-    pub fn new(calibration: &'a Calibration, file_name: &'a str) -> Self {
+    pub fn new(calibration: &'a VerifiedCalibration, file_name: &'a str) -> Self {
         Self {
             calibration,
             joint: 0,
@@ -214,6 +214,20 @@ pub enum ExportError {
     /// The format cannot say it.
     #[error("{0}")]
     Refused(String),
+    /// The session is better without it.
+    #[error(
+        "with this {what} the RMS error of '{session}' would rise from {before_mm:.6} to {after_mm:.6} mm: nothing is written"
+    )]
+    MakesWorse {
+        /// Name of the session.
+        session: String,
+        /// Table, or description of the robot.
+        what: &'static str,
+        /// As it stands, mm.
+        before_mm: f64,
+        /// With the export, mm.
+        after_mm: f64,
+    },
     /// What was written does not read as what was meant: a bug, and nothing is written.
     #[error("the file does not read back as it should: {0}")]
     ReadBack(String),

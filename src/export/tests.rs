@@ -1,10 +1,11 @@
 use std::process::Command;
 
 use super::*;
+use crate::compensation::VerifiedCalibration;
 use crate::compensation::interpolation::UniformTable;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::{identify_exact, identify_regional};
-use crate::model::{Calibration, Model};
+use crate::model::Model;
 use crate::sessions::division::RegionChoice;
 use crate::simulation::{Scenario, load_scenario, simulate, unwatched};
 
@@ -20,13 +21,14 @@ fn session(name: &str) -> Session {
     simulate(&scenario, scenario.seed, unwatched).unwrap().0
 }
 
-fn calibration(session: &Session, effects: &[&str]) -> Calibration {
+fn calibration(session: &Session, effects: &[&str]) -> VerifiedCalibration {
     let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
     let found = identify_exact(session, &effects, JointValues::default()).unwrap();
-    found.calibration(session, &Inputs::new(session, JointValues::default()))
+    let inputs = Inputs::new(session, JointValues::default());
+    VerifiedCalibration::on(&found.calibration(session, &inputs), session).unwrap()
 }
 
-fn export(calibration: &Calibration, id: &str, name: &str, step: f64) -> Export {
+fn export(calibration: &VerifiedCalibration, id: &str, name: &str, step: f64) -> Export {
     let job = Job {
         step: Some(step),
         ..Job::new(calibration, name)
@@ -168,7 +170,9 @@ fn a_regional_model_has_a_table_too() {
     let session = session("paper-30");
     let found =
         identify_regional(&session, &RegionChoice::FromSession, JointValues::default()).unwrap();
-    let calibration = found.calibration(&session, &Inputs::new(&session, JointValues::default()));
+    let inputs = Inputs::new(&session, JointValues::default());
+    let calibration = VerifiedCalibration::on(&found.calibration(&session, &inputs), &session);
+    let calibration = calibration.unwrap();
     let export = export(&calibration, "csv", "t.csv", 6.0);
     let left = gap_after_export(&calibration, &session, &export).unwrap();
     // 5 mm of radius stay for any joint; beside it the ±2.9 mm that the paper's regions leave.
@@ -189,7 +193,12 @@ fn an_empty_or_odd_joint_name_still_makes_a_c_identifier() {
     ] {
         let mut robot = calibration.model.robot.clone();
         robot.joints[0].name = name.to_owned();
-        calibration.model = Model::new(robot, calibration.model.terms().to_vec());
+        let model = Model::new(robot, calibration.model.terms().to_vec());
+        let renamed = Calibration {
+            model,
+            ..Calibration::clone(&calibration)
+        };
+        calibration = VerifiedCalibration::unverified(renamed);
         let header = text(&export(&calibration, "c-header", "t.h", 30.0), 0);
         assert!(
             header.contains(&format!("{expected}_forward_deg[7]")),

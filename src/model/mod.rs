@@ -17,7 +17,7 @@ mod set_up;
 pub(crate) mod shapes;
 
 pub use calibration::{Calibration, Conditions, GapStep, RegionalCorrection};
-pub use format_v1::{is_model, load_model, model_hash, read_model, write_model};
+pub use format_v1::{is_model, load_model, model_hash, read_model};
 pub use set_up::{RawJoint, SetUp};
 pub use shapes::{Direction, Profile, Shape, Variable, Where};
 

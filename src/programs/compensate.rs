@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use crate::compensation::TableError;
+use crate::compensation::{TableError, VerifiedCalibration};
 use crate::diagnostic::Rejected;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Role, Term};
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-3;
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
     /// The model.
-    pub calibration: &'a Calibration,
+    pub calibration: &'a VerifiedCalibration,
     /// The file.
     pub bytes: &'a [u8],
     /// How to read it.

@@ -1,5 +1,6 @@
 //! The report of a model file: what it holds, and what only a session can show.
 
+use crate::compensation::VerifiedCalibration;
 use crate::compensation::decision::Outcome;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
@@ -17,7 +18,7 @@ use crate::present::numbers::{mm, plain};
 
 impl Report {
     /// The report of a model file.
-    pub fn of_model(calibration: &Calibration, extras: &Extras) -> Self {
+    pub fn of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Self {
         let hash = model_hash(calibration);
         let tolerance_mm = extras.details.tolerance_mm.or(calibration.tolerance_mm);
         let mut sections = vec![

@@ -43,6 +43,7 @@ pub use stages::{as_measured, stages};
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use crate::compensation::NotHandedOut;
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;
 use crate::fonts::Library;
@@ -100,7 +101,7 @@ pub struct Extras {
 }
 
 /// Why there is no report.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReportError {
     /// The session cannot be diagnosed.
     #[error(transparent)]
@@ -108,4 +109,7 @@ pub enum ReportError {
     /// The model cannot be held against the session.
     #[error(transparent)]
     Verify(#[from] VerifyError),
+    /// The model does not do what was said of it.
+    #[error(transparent)]
+    NotHandedOut(#[from] NotHandedOut),
 }

@@ -2,7 +2,7 @@
 
 use crate::compensation::decision::{Fitted, Measured, Outcome, Rule};
 use crate::compensation::verification::VerifyError;
-use crate::compensation::{Remainder, Verification};
+use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
 use crate::effects::{Inputs, JointValues};
 use crate::export::Job;
@@ -43,9 +43,9 @@ pub struct Evidence<'a> {
     /// What the diagnosis found.
     pub found: &'a Diagnosis,
     /// The model of everything that was found.
-    pub all_found: &'a Calibration,
+    pub all_found: &'a VerifiedCalibration,
     /// The model in use, from which tables are made; `None`: that one.
-    pub in_use: Option<&'a Calibration>,
+    pub in_use: Option<&'a VerifiedCalibration>,
     /// The model in use held against the session.
     pub verification: Verification,
     /// The figures of the standards with it, or why there are none.
@@ -76,7 +76,7 @@ impl Report {
             calibration,
             other: difference(calibration, all_found),
             verification,
-            model_hash: in_use.map_or_else(|| model_hash(&found.calibration(given)), model_hash),
+            model_hash: model_hash(calibration),
         };
         let mut sections: Vec<Section> = details(&extras.details).into_iter().collect();
         sections.extend([told.measured(&hash), told.result(), told.parameters()]);
@@ -142,7 +142,7 @@ pub(super) struct Told<'a> {
     pub(super) session: &'a Session,
     pub(super) given: &'a Session,
     pub(super) found: &'a Diagnosis,
-    calibration: &'a Calibration,
+    calibration: &'a VerifiedCalibration,
     /// In what that model is not the one that was found.
     other: Option<String>,
     verification: &'a Verification,

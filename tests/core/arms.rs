@@ -9,7 +9,8 @@ use std::path::PathBuf;
 use truepose::effects::{Inputs, JointValues, MEASURING_FRAME, Survey, Term};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
-use truepose::model::{read_model, write_model};
+use truepose::model::read_model;
+use truepose::pipeline::hand_out;
 use truepose::sessions::{Session, load};
 
 const KINDS: [&str; 5] = ["six", "parallel", "seven", "scara", "positioner"];
@@ -106,7 +107,7 @@ fn a_model_that_is_read_back_predicts_the_same_to_the_last_bit() {
         let session = session(&format!("{kind}-60"));
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = identified(&session).calibration(&session, &inputs);
-        let read = read_model(&write_model(&calibration)).unwrap();
+        let read = read_model(&hand_out(&calibration, &session).unwrap().document()).unwrap();
         assert_eq!(
             read.model.predict(&inputs),
             calibration.model.predict(&inputs),

@@ -3,14 +3,17 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use crate::exporting::admitted;
 use proptest::prelude::*;
 use truepose::compensation::{
-    Compensation, Conditions, JointTable, Remainder, Side, Verification, verify,
+    Compensation, Conditions, JointTable, Remainder, Side, Verification, VerifiedCalibration,
+    verify,
 };
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{identify_exact, identify_regional};
+use truepose::model::model_hash;
 use truepose::model::{Calibration, Model};
-use truepose::model::{model_hash, read_model, write_model};
+use truepose::pipeline;
 use truepose::sessions::RegionChoice;
 use truepose::sessions::Session;
 use truepose::simulation::{
@@ -93,7 +96,7 @@ fn corrected(scenario: &Scenario, table: &JointTable) -> Scenario {
 fn the_corrected_robot_is_off_along_the_radius_and_nowhere_else() {
     let scenario = column(SEVERAL, "");
     let calibration = exact(&play(&scenario), &THEIR_NAMES);
-    let table = JointTable::new(&calibration, 0, 6.0, Conditions::default()).unwrap();
+    let table = JointTable::new(&admitted(&calibration), 0, 6.0, Conditions::default()).unwrap();
     let commanded = play(&scenario).samples;
     let reached = play(&corrected(&scenario, &table)).samples;
     for i in 0..reached.len() {
@@ -151,7 +154,7 @@ fn what_stays_is_said_in_the_words_of_the_controllers_data() {
 fn a_session_under_this_models_table_is_not_compensated_again() {
     let scenario = column(SEVERAL, "");
     let calibration = exact(&play(&scenario), &THEIR_NAMES);
-    let table = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap();
+    let table = JointTable::new(&admitted(&calibration), 0, 1.0, Conditions::default()).unwrap();
     // The robot was told q + c by the controller; the session holds q.
     let mut session = play(&corrected(&scenario, &table));
     session.samples.q = play(&scenario).samples.q;
@@ -281,7 +284,7 @@ fn an_arm_reaches_its_points_and_its_tables_hold_each_joints_own_part() {
     // All but the poses near full stretch are reached exactly.
     assert!(compensated.gap.rms_mm < 0.3, "{compensated:?}");
 
-    let table = JointTable::new(&calibration, 2, 10.0, Conditions::default()).unwrap();
+    let table = JointTable::new(&admitted(&calibration), 2, 10.0, Conditions::default()).unwrap();
     for (forward, reverse) in table.forward.iter().zip(&table.reverse) {
         assert!((deg_from_rad(*forward) - 0.33).abs() < 1e-9, "{forward}");
         assert!((deg_from_rad(*reverse) - 0.27).abs() < 1e-9, "{reverse}");
@@ -291,16 +294,18 @@ fn an_arm_reaches_its_points_and_its_tables_hold_each_joints_own_part() {
         "{:?}",
         table.notes
     );
-    let silent = JointTable::new(&calibration, 1, 10.0, Conditions::default()).unwrap();
+    let silent = JointTable::new(&admitted(&calibration), 1, 10.0, Conditions::default()).unwrap();
     assert!(silent.forward.iter().all(|c| c.abs() < 1e-12));
 }
 
 #[test]
 fn a_model_from_a_file_compensates_the_same() {
     let calibration = exact(&play(&bundled("lamp-commissioning")), &THEIR_NAMES);
-    let read = read_model(&write_model(&calibration)).unwrap();
-    let table = |c: &Calibration| JointTable::new(c, 0, 5.0, Conditions::default()).unwrap();
-    assert_eq!(table(&read), table(&calibration));
+    let verified = admitted(&calibration);
+    let read = VerifiedCalibration::read(&verified.document()).unwrap();
+    let table =
+        |c: &VerifiedCalibration| JointTable::new(c, 0, 5.0, Conditions::default()).unwrap();
+    assert_eq!(table(&read), table(&verified));
 }
 
 proptest! {
@@ -352,9 +357,12 @@ fn no_table_is_made_from_what_another_table_left() {
     let mut session = play(&column("", ""));
     session.compensated_by = Some("0123abcd".to_owned());
     let calibration = exact(&session, &["joint-zero-offset", "link-length"]);
-    let refused = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap_err();
+    let refused =
+        JointTable::new(&admitted(&calibration), 0, 1.0, Conditions::default()).unwrap_err();
     assert!(refused.to_string().contains("0123abcd"), "{refused}");
-    let text = truepose::model::write_model(&calibration);
+    let text = pipeline::hand_out(&calibration, &session)
+        .unwrap()
+        .document();
     let back = truepose::model::read_model(&text).unwrap();
     assert_eq!(back.compensated_by, calibration.compensated_by);
 }

@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 use serde_json::Value;
 use truepose::compensation::Compensation;
+use truepose::compensation::VerifiedCalibration;
 use truepose::effects::{Inputs, JointValues};
 use truepose::export::{Export, ExportError, Job, Motors, Options, Reference, Zeros, find};
 use truepose::fit::{DEFAULT_EFFECTS, identify_exact};
 use truepose::kinematics::{DhConvention, JointKind};
-use truepose::model::Calibration;
-use truepose::model::load_model;
+use truepose::pipeline::load_model;
 
 type Pose = Isometry3<f64>;
 
@@ -25,11 +25,15 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/robots")
 }
 
-fn model(name: &str) -> Calibration {
+fn model(name: &str) -> VerifiedCalibration {
     load_model(folder().join(format!("{name}.model.json"))).unwrap()
 }
 
-fn made(calibration: &Calibration, to: &str, options: Options) -> Result<Export, ExportError> {
+fn made(
+    calibration: &VerifiedCalibration,
+    to: &str,
+    options: Options,
+) -> Result<Export, ExportError> {
     let job = Job {
         options,
         ..Job::new(calibration, "out")
@@ -594,6 +598,7 @@ fn identified_arms_become_descriptions_that_lead_where_their_models_lead() {
         let found = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = found.calibration(&session, &inputs);
+        let calibration = truepose::pipeline::hand_out(&calibration, &session).unwrap();
         let of_the_robot = Compensation::new(&calibration).robot;
         let home = of_the_robot.robot.base_from_tool * Point3::origin();
         for to in ["urdf", "mjcf", "dh"] {

@@ -160,7 +160,8 @@ fn the_model_of_a_sag_is_read_back_as_it_was_written() {
     assert_eq!(before.coefficients.len(), 6, "moments alone");
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("sag.model.json");
-    let text = pipeline::write_model(&answer.calibration(&session));
+    let verified = pipeline::hand_out(&answer.calibration(&session), &session).expect("verified");
+    let text = pipeline::write_model(&verified);
     std::fs::write(&path, text).expect("written");
     let read = pipeline::load_model(&path).expect("read");
     assert_eq!(term(&read.model).coefficients, before.coefficients);

@@ -9,7 +9,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::exporting::{export, identified, known, one_joint, text};
+use crate::exporting::{admitted, export, identified, known, one_joint, text};
 use crate::rig::{Design, Hidden, Random, Rig};
 use truepose::effects::Term;
 use truepose::export::{Export, gap_after_export};
@@ -363,7 +363,7 @@ fn the_locale_does_not_reach_the_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = one_joint("revolute", [-90.0, 90.0]);
     let zero: &[(&str, f64)] = &[("offset_deg", 0.1234)];
-    let model = truepose::model::write_model(&known(&session, &[("joint-zero-offset", zero)]));
+    let model = admitted(&known(&session, &[("joint-zero-offset", zero)])).document();
     let model_path = folder.path().join("m.json");
     std::fs::write(&model_path, model).expect("it can be written");
     let suits = |format: &&truepose::export::Format| (format.suits)(&session.robot);

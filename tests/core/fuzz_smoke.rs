@@ -308,7 +308,7 @@ proptest! {
 
 #[test]
 fn the_programs_that_are_to_be_damaged_are_corrected() {
-    let calibration = compensating::calibration();
+    let calibration = crate::exporting::admitted(&compensating::calibration());
     // What the caller states so that everything can be corrected: frame and start, or tool, or all of it.
     let choices = [0b011, 0b100, 0b100, 0b110, 0b001];
     for ((language, bytes), choice) in HELD.into_iter().zip(choices) {
@@ -337,7 +337,7 @@ proptest! {
     ) {
         let (language, bytes) = HELD[which];
         let language = truepose::programs::find(language).unwrap();
-        let calibration = compensating::calibration();
+        let calibration = crate::exporting::admitted(&compensating::calibration());
         compensating::compensated(&calibration, language, &changed(bytes, &changes), choice);
     }
 }

@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 
 use crate::hidden_robot::{Hidden, apart};
 use crate::rig::Random;
-use truepose::compensation::verify;
+use truepose::compensation::{NotHandedOut, VerifiedCalibration, verify};
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::effects::JointValues;
-use truepose::export::Job;
-use truepose::model::{Calibration, read_model, write_model};
-use truepose::pipeline::{self, Method, identify_checked};
+use truepose::export::{ExportError, Job};
+use truepose::model::{Calibration, Model, read_model};
+use truepose::pipeline::{self, Method, hand_out, identify_checked};
 use truepose::programs::{Request, find};
 use truepose::sessions::{Session, load, parse};
 
@@ -49,7 +49,7 @@ fn sessions() -> Vec<PathBuf> {
 
 /// That `verify` on the raw session gives what was said, by the model as it is written.
 fn assert_as_said(calibration: &Calibration, session: &Session, said_mm: f64, what: &str) {
-    let read = read_model(&write_model(calibration)).unwrap();
+    let read = read_model(&hand_out(calibration, session).unwrap().document()).unwrap();
     assert_eq!(read.set_up, calibration.set_up, "{what}");
     let verified = verify(&read, session).unwrap();
     let (found, within) = match verified.trimmed {
@@ -231,7 +231,7 @@ fn the_headline_of_a_check_is_over_all_its_samples() {
 }
 
 /// What a table of csv adds to a command in degrees, both columns being the same.
-fn table(calibration: &Calibration) -> impl Fn(f64) -> f64 {
+fn table(calibration: &VerifiedCalibration) -> impl Fn(f64) -> f64 + use<> {
     let export = pipeline::export("csv", &Job::new(calibration, "table.csv")).unwrap();
     let read = export.reads_as.unwrap();
     move |q| read.correction_outer(q, 0.0)
@@ -279,7 +279,8 @@ fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error(
         );
         let calibration = found.calibration(&session);
         assert_as_said(&calibration, &session, found.gap.end_mm, what);
-        let by = table(&calibration);
+        let verified = hand_out(&calibration, &session).unwrap();
+        let by = table(&verified);
         let error = |sign: f64| driven(eccentric, raw, from_raw, &by, sign);
         let (before, after, turned) = (error(0.0), error(1.0), error(-1.0));
         assert!(after < 0.05 * before, "{what}: {before} → {after}");
@@ -424,7 +425,7 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
             wanted.push(q);
         }
         let request = Request {
-            calibration,
+            calibration: &hand_out(calibration, &session).unwrap(),
             bytes: text.as_bytes(),
             language: find("csv").unwrap(),
             file: None,
@@ -457,4 +458,59 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
             "{name}: {before} → {doubled}"
         );
     }
+}
+
+#[test]
+fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_out() {
+    let session = one_axis(1, 60, NOTHING, as_it_is, |q| q);
+    let method = Method::default();
+    let found = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+    let good = found.calibration;
+    hand_out(&good, &session).unwrap();
+    // What every term does turned about: the sign that a table is wrong in.
+    let mut turned = good.model.terms().to_vec();
+    for term in &mut turned {
+        for coefficient in &mut term.coefficients {
+            *coefficient = -*coefficient;
+        }
+    }
+    let turned = Calibration {
+        model: Model::new(good.model.robot.clone(), turned),
+        ..good.clone()
+    };
+    let refused = hand_out(&turned, &session).unwrap_err();
+    assert!(
+        matches!(refused, NotHandedOut::OtherThanSaid { .. }),
+        "{refused}"
+    );
+    let silent = Calibration {
+        history: Vec::new(),
+        ..turned
+    };
+    let refused = hand_out(&silent, &session).unwrap_err();
+    assert!(
+        matches!(refused, NotHandedOut::WorseThanNominal { .. }),
+        "{refused}"
+    );
+    let mut worse = good.clone();
+    let last = worse.history.last().unwrap().clone();
+    worse.history.push(truepose::model::GapStep {
+        gap_mm: 1.5 * last.gap_mm,
+        ..last
+    });
+    let refused = hand_out(&worse, &session).unwrap_err();
+    assert!(
+        matches!(refused, NotHandedOut::WorseThanIdentified { .. }),
+        "{refused}"
+    );
+    // A table that makes the session worse it is held against is none, whatever model it is of.
+    let other = one_axis(2, 60, |_| -0.6, as_it_is, |q| q);
+    let verified = hand_out(&good, &session).unwrap();
+    let job = Job::new(&verified, "table.csv");
+    assert!(pipeline::export_for("csv", &job, &session).is_ok());
+    let refused = pipeline::export_for("csv", &job, &other).unwrap_err();
+    assert!(
+        matches!(refused, ExportError::MakesWorse { .. }),
+        "{refused}"
+    );
 }

@@ -175,7 +175,7 @@ const STEPS: [(&str, &str); 29] = [
     ("sessions", "write_inline"),
     ("model", "is_model"),
     ("model", "load_model"),
-    ("model", "write_model"),
+    ("compensation", "VerifiedCalibration::on"),
     ("fit", "identify_exact"),
     ("fit", "identify_regional"),
     ("fit", "identify_watched"),

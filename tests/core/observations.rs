@@ -10,7 +10,8 @@ use nalgebra::{Matrix3, Vector3};
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
-use truepose::model::{read_model, write_model};
+use truepose::model::read_model;
+use truepose::pipeline::hand_out;
 use truepose::sessions::{Session, Sigma, load, parse_with_csv, save};
 
 const CASES: [&str; 18] = [
@@ -412,7 +413,7 @@ fn sessions_and_models_come_back_as_they_were() {
         let answer = identified(&session);
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = answer.calibration(&session, &inputs);
-        let read = read_model(&write_model(&calibration)).unwrap();
+        let read = read_model(&hand_out(&calibration, &session).unwrap().document()).unwrap();
         assert_eq!(
             read.model.predict(&inputs),
             answer.model.predict(&inputs),
@@ -781,7 +782,7 @@ fn a_model_is_verified_on_other_measurements() {
         let answer = identified(&session);
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = answer.calibration(&session, &inputs);
-        let read = read_model(&write_model(&calibration)).unwrap();
+        let read = read_model(&hand_out(&calibration, &session).unwrap().document()).unwrap();
         let verified = truepose::compensation::verify(&read, &session).unwrap();
         assert_eq!(verified.samples, 150, "{name}");
         let after = answer.gap.after.rms_mm;

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use crate::hidden_robot::{Hidden, Matrix, apart, times};
+use truepose::compensation::VerifiedCalibration;
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::identify_exact;
 use truepose::kinematics::{Pose, pose_from_parts};
-use truepose::model::Calibration;
 use truepose::pipeline;
 use truepose::programs::{
     Answer, CompensateError, Differing, Holds, ModelTool, ProgramFrames, Request, find,
@@ -31,13 +31,14 @@ fn hidden() -> (Hidden, Vec<Vec<f64>>) {
     (Hidden::new(&all["arm"]), q.collect())
 }
 
-fn arm() -> &'static Calibration {
-    static ARM: OnceLock<Calibration> = OnceLock::new();
+fn arm() -> &'static VerifiedCalibration {
+    static ARM: OnceLock<VerifiedCalibration> = OnceLock::new();
     ARM.get_or_init(|| {
         let session = load(folder().join("arm.json")).unwrap().session;
         let effects = ["joint-zero-offset", "link-length", "joint-compliance"].map(str::to_owned);
         let answer = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
-        answer.calibration(&session, &Inputs::new(&session, JointValues::Commanded))
+        let inputs = Inputs::new(&session, JointValues::Commanded);
+        pipeline::hand_out(&answer.calibration(&session, &inputs), &session).unwrap()
     })
 }
 

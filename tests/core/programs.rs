@@ -8,11 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use crate::hidden_robot::{Hidden, Matrix, apart, times};
-use truepose::compensation::verify;
+use truepose::compensation::{VerifiedCalibration, verify};
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::identify_exact;
 use truepose::kinematics::Pose;
-use truepose::model::Calibration;
 use truepose::pipeline;
 use truepose::programs::{
     Answer, CompensateError, ModelTool, ProgramFrames, Reason, Request, find, language_of,
@@ -34,20 +33,25 @@ fn hidden(robot: &str) -> (Hidden, serde_json::Value) {
     (Hidden::new(&all[robot]), all[robot].clone())
 }
 
-fn identified(name: &str, effects: &[&str]) -> Calibration {
+fn identified(name: &str, effects: &[&str]) -> VerifiedCalibration {
     let session = load(folder().join(name)).unwrap().session;
     let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
     let answer = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
-    answer.calibration(&session, &Inputs::new(&session, JointValues::Commanded))
+    let inputs = Inputs::new(&session, JointValues::Commanded);
+    pipeline::hand_out(&answer.calibration(&session, &inputs), &session).unwrap()
 }
 
-fn arm() -> &'static Calibration {
-    static ARM: OnceLock<Calibration> = OnceLock::new();
+fn arm() -> &'static VerifiedCalibration {
+    static ARM: OnceLock<VerifiedCalibration> = OnceLock::new();
     let effects = ["joint-zero-offset", "link-length", "joint-compliance"];
     ARM.get_or_init(|| identified("arm.json", &effects))
 }
 
-fn request<'a>(calibration: &'a Calibration, bytes: &'a [u8], language: &str) -> Request<'a> {
+fn request<'a>(
+    calibration: &'a VerifiedCalibration,
+    bytes: &'a [u8],
+    language: &str,
+) -> Request<'a> {
     Request {
         calibration,
         bytes,

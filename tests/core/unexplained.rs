@@ -15,8 +15,9 @@ use truepose::fit::identify_exact;
 use truepose::inside::Problem;
 use truepose::inside::solve;
 use truepose::model::Model;
-use truepose::model::{read_model, write_model};
+use truepose::model::read_model;
 use truepose::pipeline::diagnose;
+use truepose::pipeline::hand_out;
 use truepose::sessions::{Session, parse};
 
 fn session(rig: &Rig) -> Session {
@@ -236,7 +237,13 @@ fn a_table_with_it_brings_the_real_robot_closer() {
     // axis, mm.
     let off = |d: &Diagnosis| -> f64 {
         let calibration = d.calibration(&session);
-        let table = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap();
+        let table = JointTable::new(
+            &hand_out(&calibration, &session).unwrap(),
+            0,
+            1.0,
+            Conditions::default(),
+        )
+        .unwrap();
         let table = table.lookup(Side::Forward);
         let shots = elsewhere();
         let square = |shot: &Shot| -> f64 {
@@ -253,7 +260,13 @@ fn a_table_with_it_brings_the_real_robot_closer() {
     assert!(verified.model.rms_mm < 1.02 * FLOOR_MM, "{verified:?}");
     // The end of the measured range is held over the rest of the limits.
     let calibration = d.calibration(&session);
-    let table = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap();
+    let table = JointTable::new(
+        &hand_out(&calibration, &session).unwrap(),
+        0,
+        1.0,
+        Conditions::default(),
+    )
+    .unwrap();
     assert_eq!(table.forward[0], table.forward[5]);
     let part = |note: &&String| note.contains("unexplained smooth correction");
     assert_eq!(
@@ -294,7 +307,16 @@ fn the_table_of_an_arms_joint_takes_the_part_along_its_motion() {
     calibration.model = calibration
         .model
         .with_term(Term::unexplained(1, curve.clone()));
-    let table = |joint| JointTable::new(&calibration, joint, 5.0, Conditions::default()).unwrap();
+    let verified = hand_out(&calibration, &session);
+    let table = |joint| {
+        JointTable::new(
+            verified.as_ref().unwrap(),
+            joint,
+            5.0,
+            Conditions::default(),
+        )
+        .unwrap()
+    };
     let own = table(1);
     for (q, by) in own.commanded_outer.iter().zip(&own.forward) {
         // Outside the samples the end of their range is held.
@@ -351,10 +373,10 @@ fn a_model_with_it_is_read_back_to_the_last_bit() {
         let rig = measured(&design(), &[(id, 2000.0), ("backlash", 400.0)], 13);
         let session = session(&rig);
         let calibration = corrected(&session).calibration(&session);
-        let text = write_model(&calibration);
+        let text = hand_out(&calibration, &session).unwrap().document();
         let read = read_model(&text).unwrap();
         assert_eq!(read, calibration);
-        assert_eq!(write_model(&read), text);
+        assert_eq!(hand_out(&read, &session).unwrap().document(), text);
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let bits = |model: &Model| -> Vec<u64> {
             let all = model.predict(&inputs);
@@ -371,7 +393,7 @@ fn bad_knots_are_refused_with_their_place() {
     let rig = measured(&design(), &[("sawtooth", 2000.0)], 13);
     let session = session(&rig);
     let calibration = corrected(&session).calibration(&session);
-    let good = write_model(&calibration);
+    let good = hand_out(&calibration, &session).unwrap().document();
     let mut terms = calibration.model.terms().iter();
     let own = terms.position(|t| t.curve.is_some()).unwrap();
     let key = |key: &str| {

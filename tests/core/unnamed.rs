@@ -11,7 +11,7 @@ use truepose::compensation::verify;
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::effects::{Inputs, JointValues};
 use truepose::export::Job;
-use truepose::model::{Calibration, read_model, write_model};
+use truepose::model::{Calibration, read_model};
 use truepose::pipeline;
 use truepose::programs::{Request, find};
 use truepose::sessions::{Session, Sigma, load};
@@ -147,7 +147,7 @@ fn a_model_that_is_read_back_predicts_the_same_to_the_last_bit_and_verify_says_w
     let found = diagnosed(&measured, false);
     let made = calibration(&found, &measured);
     assert!(made.model.terms().iter().any(|t| t.rest().is_some()));
-    let read = read_model(&write_model(&made)).unwrap();
+    let read = read_model(&pipeline::hand_out(&made, &measured).unwrap().document()).unwrap();
     assert_eq!(read.model, made.model);
     let inputs = Inputs::new(&measured, JointValues::Commanded);
     assert_eq!(read.model.predict(&inputs), made.model.predict(&inputs));
@@ -182,7 +182,7 @@ fn the_hidden_robot_is_nearer_to_the_drawing_with_it() {
     }
     let driven = |found: &Diagnosis| {
         let request = Request {
-            calibration: &calibration(found, &measured),
+            calibration: &pipeline::hand_out(&calibration(found, &measured), &measured).unwrap(),
             bytes: text.as_bytes(),
             language: find("csv").unwrap(),
             file: None,
@@ -217,6 +217,7 @@ fn a_chain_that_cannot_hold_it_is_that_of_the_geometry_without_it() {
     let measured = session(260, 3, turned);
     let urdf = |without: bool| {
         let made = calibration(&diagnosed(&measured, without), &measured);
+        let made = pipeline::hand_out(&made, &measured).unwrap();
         pipeline::export("urdf", &Job::new(&made, "arm.urdf")).unwrap()
     };
     let (with, without) = (urdf(false), urdf(true));

@@ -2,6 +2,7 @@
 wrongly: numpy, exact geometry, nothing shared with src/. The arms are those of arms.py.
 
     python tests/reference/wild_leaving.py BINARY [--count 100] [--rows one,arms,checks] [--seed 1]
+                                           [--only coupled,exchanged]
 
 one     one axis, radius 320 mm, two reflectors, sigma 0.02 mm, 130 poses: the azimuth circle of the tracker
         is eccentric; coordinates rounded to 0.1 mm; the arm grows at 35 degrees and the bracket of the
@@ -235,14 +236,23 @@ def arm_robot(name, arm):
     return {"name": name, "joints": joints, "tool": {"position_mm": arm.tool.tolist(), "quaternion_wxyz": [1, 0, 0, 0]}}
 
 
-def arms(binary, folder, count, seed):
+KINDS = ["none", "inches", "metres", "x", "sign", "home", "coupled", "exchanged"]
+
+
+def of_kind(kind, k):
+    """The k-th session of a kind: its arm, and the mistake on the next of the joints that may have it."""
+    able = [n for n in ARMS if any(m[0].split(" ")[0] == kind for m in mistakes(Arm(n)))]
+    name = able[k % len(able)]
+    own = [m for m in mistakes(Arm(name)) if m[0].split(" ")[0] == kind]
+    return name, own[(k // len(able)) % len(own)]
+
+
+def arms(binary, folder, count, seed, only=None):
     totals = {}
-    for k in range(count):
-        rng = np.random.default_rng([seed, k, 7])
-        name = list(ARMS)[k % len(ARMS)]
+    for kind, k in [(kind, k) for kind in only or KINDS for k in range(count)]:
+        rng = np.random.default_rng([seed, k, 7, KINDS.index(kind)])
+        name, (what, to_raw, to_seen) = of_kind(kind, k)
         arm = Arm(name)
-        kinds = mistakes(arm)
-        what, to_raw, to_seen = kinds[(k // len(ARMS)) % len(kinds)]
         x = np.zeros(arm.size)
         for i in range(arm.n):
             x[6 * i : 6 * i + 3] = rng.normal(0, 0.5e-3, 3)
@@ -265,7 +275,7 @@ def arms(binary, folder, count, seed):
         heading = [f"q{i + 1}_{u}" for i, u in enumerate(unit)] + ["x_mm", "y_mm", "z_mm", "target"]
         rows = [[*(f"{v:.6f}" for v in raw[i]), *(f"{v:.6f}" for v in seen[i]), f"T{target[i] + 1}"] for i in range(120)]
         path = write(folder, f"arm-{k}", arm_robot(name, arm), TARGETS, 0.03, heading, rows)
-        row = totals.setdefault(what.split(" ")[0], dict(n=0, wrong=0, said=[], verified=[], targets=0, worse=0, before=[], after=[]))
+        row = totals.setdefault(what.split(" ")[0], dict(n=0, wrong=0, gross=0, said=[], verified=[], targets=0, worse=0, before=[], after=[]))
         for command, key in (("identify", "after_mm"), ("diagnose", "end_mm")):
             model = folder / f"model-{command}.json"
             said = answer(binary, command, path, "--out", model, "--force")
@@ -278,6 +288,10 @@ def arms(binary, folder, count, seed):
                 continue
             figure, within = figure_of(verified, said)
             row["wrong"] += abs(figure / said["gap"][key] - 1) > within
+            # More than a hundredth of the error that the set-up error makes: it was not recognised.
+            if command == "identify" and said["gap"][key] > 1 and what != "metres":
+                row["gross"] += 1
+                print(f"not recognised: {name}, {what}, session {k}: {said['gap'][key]:.1f} mm", file=sys.stderr)
             row["said"].append(said["gap"][key])
             row["verified"].append(verified["gap"]["model_mm"])
         # Raw joint targets, through the robot that was measured, where its joints can correct a whole pose.
@@ -316,7 +330,7 @@ def arms(binary, folder, count, seed):
     for what, row in totals.items():
         median = lambda v: f"{np.median(v):.3f}" if v else "-"
         print(
-            f"| {what} | {row['wrong']} of {row['n']} | {median(row['said'])} | {median(row['verified'])} "
+            f"| {what} | {row['wrong']} of {row['n']} | {row['gross']} | {median(row['said'])} | {median(row['verified'])} "
             f"| {row['worse']} of {row['targets']} | {median(row['before'])} → {median(row['after'])} |",
             flush=True,
         )
@@ -374,7 +388,7 @@ def checks(binary, folder, count, seed):
 
 HEADS = {
     "one": "| hidden | RMS error above identify's | held-out above | verify differs | table worse | left by the table, mm |",
-    "arms": "| set-up error | verify differs | said, mm | verified, mm | targets worse | before → after, mm |",
+    "arms": "| set-up error | verify differs | not recognised | said, mm | verified, mm | targets worse | before → after, mm |",
     "checks": "| check | headline wrong | said, mm | true, mm | a finding |",
 }
 
@@ -385,12 +399,17 @@ def main():
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--rows", default="one,arms,checks")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", help="set-up errors of the row arms")
     wanted = parser.parse_args()
     for row in wanted.rows.split(","):
         head = HEADS[row]
         print(f"\n{head}\n|{' --- |' * (head.count('|') - 1)}", flush=True)
         with tempfile.TemporaryDirectory() as folder:
-            {"one": one, "arms": arms, "checks": checks}[row](wanted.binary, Path(folder), wanted.count, wanted.seed)
+            given = wanted.binary, Path(folder), wanted.count, wanted.seed
+            if row == "arms":
+                arms(*given, wanted.only and wanted.only.split(","))
+            else:
+                {"one": one, "checks": checks}[row](*given)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
     reason = "included in a test and in the fuzzer alike"
 )]
 
+use truepose::compensation::VerifiedCalibration;
 use truepose::effects::{Term, find as effect};
 use truepose::kinematics::{Pose, Range, pose_from_parts};
 use truepose::model::{Calibration, Model};
@@ -87,7 +88,7 @@ fn placed(mm: [f64; 3]) -> Pose {
 /// # Panics
 /// If a promise is broken.
 pub fn compensated(
-    calibration: &Calibration,
+    calibration: &VerifiedCalibration,
     language: &'static Language,
     bytes: &[u8],
     choice: u8,

@@ -11,7 +11,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::effects::JointValues;
 use truepose::export::Job;
 use truepose::gui::Runner;
-use truepose::pipeline::{Method, export, identify, load};
+use truepose::pipeline::{Method, export, hand_out, identify, load};
 
 const ARM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
 
@@ -521,7 +521,8 @@ fn a_joint_without_limits_gives_a_worked_line_with_sensible_digits() {
     let session = load(&path).expect("a session").session;
     let identified = identify(&session, &Method::default(), JointValues::Commanded);
     let (_, calibration) = identified.expect("identified");
-    let export = export("csv", &Job::new(&calibration, "table.csv")).expect("a table");
+    let verified = hand_out(&calibration, &session).expect("it does what was said");
+    let export = export("csv", &Job::new(&verified, "table.csv")).expect("a table");
     let line = export
         .notes
         .iter()

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::window::{STEPS, bundled, open, press, says, window};
 use egui_kittest::kittest::Queryable;
 use truepose::effects::JointValues;
-use truepose::model::write_model;
-use truepose::pipeline::{Method, identify};
+use truepose::pipeline::{Method, hand_out, identify};
 use truepose::sessions::load;
 
 /// A model of this session, in a file.
@@ -15,7 +14,8 @@ fn model_of(session: &str, folder: &Path) -> PathBuf {
     let identified = identify(&loaded.session, &Method::default(), JointValues::default());
     let (_, calibration) = identified.expect("it can be identified");
     let path = folder.join("kept.model.json");
-    std::fs::write(&path, write_model(&calibration)).expect("the model is written");
+    let verified = hand_out(&calibration, &loaded.session).expect("it does what was said");
+    std::fs::write(&path, verified.document()).expect("the model is written");
     path
 }
 

@@ -1,14 +1,17 @@
 //! An answer to a question, made ready for drawing.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+
+use crate::compensation::VerifiedCalibration;
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::document::Question;
+use crate::gui::core::document::{Asks, Question};
 use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::numeric::Ascending;
+use crate::pipeline;
 
 use super::cloud::{Cloud, Remainder};
 
@@ -20,6 +23,8 @@ pub(crate) struct Outcome {
     pub(crate) answer: Result<Answer, String>,
     /// What follows from it for drawing.
     pub(crate) after: Option<After>,
+    /// What files are made of, or why none are; worked out when it is first asked for.
+    handed_out: OnceLock<Result<Arc<VerifiedCalibration>, String>>,
 }
 
 /// What every frame needs to know of an answer, worked out once.
@@ -61,6 +66,22 @@ impl Outcome {
             question,
             answer,
             after,
+            handed_out: OnceLock::new(),
         }
+    }
+
+    /// The model that files are made of: verified on the session that it came from, or read from a file.
+    /// Takes its time with many samples.
+    pub(crate) fn handed_out(&self) -> Result<Arc<VerifiedCalibration>, String> {
+        let verified = || {
+            let answer = self.answer.as_ref().map_err(Clone::clone)?;
+            if let Asks::Given(given) = &self.question.asks {
+                return Ok(Arc::new(given.calibration.clone()));
+            }
+            let session = &self.question.subject.session;
+            let verified = pipeline::hand_out(&answer.calibration, session);
+            verified.map(Arc::new).map_err(|error| error.to_string())
+        };
+        self.handed_out.get_or_init(verified).clone()
     }
 }

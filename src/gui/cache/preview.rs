@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
-use crate::export::{Document, Export, Job, gap_after_export};
+use crate::export::{Document, Export, Job};
 use crate::fit::gap::Spread;
 use crate::pipeline;
 
@@ -65,9 +65,8 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
         choice,
         name,
     } = wanted;
-    let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
-    let calibration = &answer.calibration;
+    let calibration = &*outcome.handed_out()?;
     let name = name.clone();
     let name = name.unwrap_or_else(|| choice.file_name(&session.name));
     let job = Job {
@@ -80,7 +79,8 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
     } else {
         Inputs::new(session, JointValues::Commanded)
     };
-    let export = pipeline::export(choice.format, &job).map_err(|e| e.to_string())?;
+    let made = pipeline::export_for(choice.format, &job, session).map_err(|e| e.to_string())?;
+    let export = made.export;
     let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
     let said: Option<serde_json::Value> =
         sidecar.and_then(|d: &Document| serde_json::from_slice(&d.bytes).ok());
@@ -92,7 +92,7 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
         sign: text("/sign"),
         example: text("/example/says"),
         remainder: Remainder::new(calibration, &inputs),
-        gap: gap_after_export(calibration, session, &export),
+        gap: made.gaps.map(|[_, after]| after),
         joint: session.robot.joints[choice.joint].name.clone(),
         said: lines(said.as_ref()),
         export,

@@ -3,8 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::compensation::VerifiedCalibration;
 use crate::kinematics::Pose;
-use crate::model::Calibration;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
@@ -105,8 +105,17 @@ pub(crate) struct Changed {
 
 impl Compensated {
     /// Reads and corrects a file; `model` is what the model's file is called.
-    pub(crate) fn of(calibration: &Calibration, model: &str, wanted: Wanted) -> Self {
+    pub(crate) fn of(calibration: &VerifiedCalibration, model: &str, wanted: Wanted) -> Self {
         let result = corrected(calibration, model, &wanted);
+        Self { wanted, result }
+    }
+
+    /// Nothing is corrected: the model is not handed out.
+    pub(crate) fn refused(wanted: Wanted, says: String) -> Self {
+        let result = Err(NotCorrected {
+            says: vec![says],
+            differs: Vec::new(),
+        });
         Self { wanted, result }
     }
 
@@ -125,7 +134,7 @@ impl Compensated {
 }
 
 fn corrected(
-    calibration: &Calibration,
+    calibration: &VerifiedCalibration,
     model: &str,
     wanted: &Wanted,
 ) -> Result<Corrected, NotCorrected> {

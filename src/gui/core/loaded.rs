@@ -19,7 +19,7 @@ pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
 pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String> {
-    let calibration = given.calibration.clone();
+    let calibration = Calibration::clone(&given.calibration);
     let mut loaded = Loaded {
         file: given.file_name(),
         verification: None,
@@ -60,7 +60,7 @@ fn identification(
 ) -> Identification {
     let Calibration {
         model, covariance, ..
-    } = &given.calibration;
+    } = &*given.calibration;
     let nothing = Spread {
         rms_mm: 0.0,
         max_mm: 0.0,

@@ -6,6 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::compensation::VerifiedCalibration;
 use crate::model::Calibration;
 use crate::sessions::{Instrument, Samples, Session, hash_of_samples};
 
@@ -14,7 +15,7 @@ use super::loaded_session::{Origin, Subject};
 /// A model and the file that it was read from.
 #[derive(Debug, Clone)]
 pub(crate) struct Given {
-    pub(crate) calibration: Calibration,
+    pub(crate) calibration: VerifiedCalibration,
     pub(crate) path: PathBuf,
 }
 
@@ -26,7 +27,7 @@ impl PartialEq for Given {
 
 impl Given {
     /// A model that was read from a file.
-    pub(crate) fn new(calibration: Calibration, path: &Path) -> Self {
+    pub(crate) fn new(calibration: VerifiedCalibration, path: &Path) -> Self {
         Self {
             calibration,
             path: path.to_path_buf(),
@@ -50,7 +51,7 @@ impl Given {
 
     /// The model's robot with no sample measured on it.
     pub(crate) fn alone(&self) -> Subject {
-        let Calibration { model, targets, .. } = &self.calibration;
+        let Calibration { model, targets, .. } = &*self.calibration;
         let joints = model.robot.joints.len();
         let session = Session {
             name: self.calibration.session.clone(),

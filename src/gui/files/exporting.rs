@@ -36,21 +36,22 @@ fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, 
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or(say!("file-expected-the-name"))?;
     let choice = wanted.choice;
-    let answer = wanted.outcome.answer.as_ref().map_err(Clone::clone)?;
+    let verified = wanted.outcome.handed_out()?;
     if what == What::Model {
         return Ok(vec![Document {
             name: name.to_owned(),
-            bytes: pipeline::write_model(&answer.calibration).into_bytes(),
+            bytes: pipeline::write_model(&verified).into_bytes(),
         }]);
     }
     // Not as it is shown: the documents say what the file is called.
     let job = Job {
         joint: choice.joint,
         step: choice.step,
-        ..Job::new(&answer.calibration, name)
+        ..Job::new(&verified, name)
     };
-    let export = pipeline::export(choice.format, &job).map_err(|e| e.to_string())?;
-    Ok(export.documents)
+    let session = &wanted.outcome.question.subject.session;
+    let export = pipeline::export_for(choice.format, &job, session).map_err(|e| e.to_string())?;
+    Ok(export.export.documents)
 }
 
 fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), String> {

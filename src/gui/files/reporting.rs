@@ -67,10 +67,7 @@ fn make(
         tables: named_tables(&wanted.tables, details),
     };
     let report = match &wanted.source {
-        Source::Model(outcome) => {
-            let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
-            pipeline::report_of_model(&answer.calibration, &extras)
-        }
+        Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
             let options = search::options();
@@ -85,9 +82,9 @@ fn make(
                     .map_err(|e| e.to_string())?;
                 &made
             };
-            let in_use = in_use.as_ref().and_then(|o| o.answer.as_ref().ok());
-            let in_use = in_use.map(|answer| &answer.calibration);
-            pipeline::report_of_diagnosis(&session, found, in_use, &options, &extras)
+            let in_use = in_use.as_ref().filter(|o| o.answer.is_ok());
+            let in_use = in_use.map(|o| o.handed_out()).transpose()?;
+            pipeline::report_of_diagnosis(&session, found, in_use.as_deref(), &options, &extras)
                 .map_err(|e| e.to_string())?
         }
     };

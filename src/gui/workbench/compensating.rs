@@ -48,8 +48,10 @@ impl Workbench {
             .to_string_lossy();
         let says = say!("message-correcting-the-targets", name = name);
         let work = move |_: &Watch| {
-            let answer = outcome.answer.as_ref().ok()?;
-            Some(Compensated::of(&answer.calibration, &model, wanted))
+            Some(match outcome.handed_out() {
+                Ok(verified) => Compensated::of(&verified, &model, wanted),
+                Err(says) => Compensated::refused(wanted, says),
+            })
         };
         self.jobs
             .start(Kind::Once, says, work, |bench: &mut Self, compensated| {

@@ -20,7 +20,8 @@ mod term;
 
 pub(crate) use term::term;
 
-pub use read::{is_model, load_model, model_hash, read_model, write_model};
+pub(crate) use read::write_model;
+pub use read::{is_model, load_model, model_hash, read_model};
 
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-model/1";

@@ -125,8 +125,8 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
     at.object(blank, calibration)
 }
 
-/// The model as the text of its file.
-pub fn write_model(calibration: &Calibration) -> String {
+/// The model as the text of its file: the gate (`compensation::VerifiedCalibration`) is its only way out.
+pub(crate) fn write_model(calibration: &Calibration) -> String {
     text_of(&written(calibration.clone(), self::calibration))
 }
 

@@ -10,6 +10,8 @@ use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::sessions::{Mend, Session};
 
+use super::super::GROSS_SHARE;
+use super::super::as_it_stands::reach_mm;
 use super::{
     MOST_PLACES, evidence, fitted, in_numbers, is_believed, start_of, thinned, trimmed_rms_mm,
 };
@@ -58,6 +60,10 @@ fn of_an_arm(
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
     let before = as_stated_mm(part, values)?;
+    // A robot that is this far off is not one with a target elsewhere: free places would only hide a wrong unit.
+    if before > GROSS_SHARE * reach_mm(part) {
+        return None;
+    }
     let mut free = part.clone();
     Mend::FreeTargets.apply(&mut free);
     let (model, after) = fitted(&free, values)?;
