@@ -1,12 +1,13 @@
 //! The set of names that a search ends with, tested once more: each name against the rest, with the
 //! null of this very fit. A name that entered early may be worth nothing beside what came later.
 
-use crate::effects::Term;
+use crate::effects::{Over, Term};
 
 use super::aliases;
+use super::held_out::Folds;
 use super::prepare::Prepared;
 use super::regression::Fit;
-use super::search::{CHANCE, Found, needed};
+use super::search::{CHANCE, Found, mean_sigma_mm, needed};
 use super::significance::Significance;
 use super::steps::{Next, Step, steps};
 use super::{Cancelled, Progress, Watch};
@@ -134,11 +135,40 @@ pub(crate) fn as_said(
             held_out.is_some_and(|h| h[1] >= h[0])
         };
         let steps = steps(prepared, &base, &alone);
-        let Some(step) = steps.into_iter().rev().find(idle) else {
+        if let Some(step) = steps.into_iter().rev().find(idle) {
+            found.fit = regression.without_term(&found.fit, &step.term);
+        } else if let Some(rest) = denied_by_stretches(prepared, &found.fit) {
+            found.fit = rest;
+        } else {
             return Ok(());
-        };
-        found.fit = regression.without_term(&found.fit, &step.term);
+        }
     }
+}
+
+/// Stretches deny a name by so much more of a sum of squares, in units of the noise, that noise alone seldom
+/// does: twice the logarithm of odds of 20.
+const CLEARLY_DENIED: f64 = 6.0;
+
+/// The fit without the name over the joint's value that predicts stretches of it which no fit has seen worst,
+/// where they are predicted clearly better without it. Between turns that were seen a wrong order predicts as well as the right
+/// one.
+fn denied_by_stretches(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+    let regression = &prepared.regression;
+    let of_angle = |t: &&Term| t.effect.about().over == Over::Angle;
+    let terms: Vec<&Term> = regression.added(fit).into_iter().filter(of_angle).collect();
+    if terms.is_empty() || !fit.shapes.is_empty() || regression.noise.slow.is_some() {
+        return None;
+    }
+    let stretches = Folds::stretches(regression)?;
+    let left = |fit: &Fit| {
+        let unseen = stretches.unseen(regression, fit).rms_mm / mean_sigma_mm(regression);
+        unseen * unseen * regression.rows.lengths() as f64
+    };
+    let with_all = left(fit);
+    let rests = terms.iter().map(|t| regression.without_term(fit, t));
+    let denied = rests.map(|rest| (with_all - left(&rest), rest));
+    let worst = denied.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (worst.0 > CLEARLY_DENIED).then_some(worst.1)
 }
 
 /// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its

@@ -97,7 +97,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
 }
 
 /// Whether an effect is a function of this joint's value alone.
-fn follows_only(term: &Term, joint: usize) -> bool {
+pub(crate) fn follows_only(term: &Term, joint: usize) -> bool {
     let about = term.effect.about();
     about.over == Over::Angle && (term.joint == joint || !about.per_joint)
 }
@@ -106,7 +106,7 @@ fn settings(term: &Term) -> usize {
     usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
-fn with_curve(
+pub(crate) fn with_curve(
     regression: &Regression,
     rest: &Fit,
     joint: usize,

@@ -89,6 +89,29 @@ impl Folds {
         Self { fold, count, how }
     }
 
+    /// Whole stretches of the only joint, each of which a fit has to predict from beyond; `None` of several
+    /// joints, or with few samples.
+    pub(crate) fn stretches(regression: &Regression) -> Option<Self> {
+        let [q] = regression.rows.inputs.q.as_slice() else {
+            return None;
+        };
+        let n = regression.rows.samples.len();
+        if n < FEW {
+            return None;
+        }
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+        let mut fold = vec![0; n];
+        for (rank, sample) in order.into_iter().enumerate() {
+            fold[sample] = rank * FOLDS / n;
+        }
+        Some(Self {
+            fold,
+            count: FOLDS,
+            how: String::new(),
+        })
+    }
+
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(super) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);

@@ -33,6 +33,7 @@ mod memo;
 mod of_base;
 mod placed;
 pub(crate) mod smooth;
+mod smooth_rival;
 
 mod base_misfit;
 pub(crate) mod classes;
@@ -279,6 +280,7 @@ fn against_rivals<'a>(
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
+    smooth_rival::rival(&prepared, &mut found);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
@@ -334,6 +336,7 @@ fn settled_search<'a>(
         found = prepared.search_on(&found, watch)?;
     }
     free_curve::rival(&prepared, &mut found);
+    smooth_rival::rival(&prepared, &mut found);
     Ok((prepared, found))
 }
 

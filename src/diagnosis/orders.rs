@@ -18,6 +18,7 @@ use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
 
+use super::candidates::Candidate;
 use super::prepare::thinned;
 use super::regression::{Fit, Regression};
 
@@ -51,6 +52,13 @@ pub(super) fn together(regression: &Regression, fit: Fit) -> Fit {
         && whole.ln_evidence > best.ln_evidence
     {
         best = whole;
+    }
+    for joint in 0..regression.base.robot.joints.len() {
+        if let Some(whole) = whole_set(regression, &best, joint)
+            && whole.ln_evidence > best.ln_evidence + 1e-3
+        {
+            best = whole;
+        }
     }
     for _ in 0..ROUNDS {
         let before = best.ln_evidence;
@@ -92,6 +100,91 @@ fn all_whole(regression: &Regression, fit: &Fit, orders: &[Term]) -> Option<Fit>
     let absent = |t: &Term| Term::absent(t.effect, t.joint, t.setting);
     let model = whole.iter().fold(rest, |m, t| m.with_term(absent(t)));
     Some(regression.fit(&model, &fit.shapes))
+}
+
+/// Orders that are at most so far apart are of one set …
+const TOGETHER: f64 = 4.0;
+/// … and so far around them whole numbers are tried in their place …
+const AROUND: f64 = 3.0;
+/// … of sets of so many at most.
+const MOST_OF_A_SET: usize = 4;
+
+/// The fit with the likeliest set of whole orders in the place of neighbouring ones of which some are fractions:
+/// as many, or one more. One order that stands between two is no step away from them.
+fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
+    let added = regression.added(fit).into_iter();
+    let mut own: Vec<Term> = added
+        .filter(|t| t.joint == joint && takes_fractions(t))
+        .cloned()
+        .collect();
+    own.sort_by(|a, b| a.setting.total_cmp(&b.setting));
+    let first = own.iter().position(is_fraction)?;
+    let near = |t: &Term| (t.setting - own[first].setting).abs() <= TOGETHER;
+    let set: Vec<Term> = own.iter().filter(|t| near(t)).cloned().collect();
+    let (low, high) = (set.first()?.setting, set.last()?.setting);
+    if set.len() > MOST_OF_A_SET {
+        return None;
+    }
+    let model = fit.model.without(|t| set.iter().any(|s| s.same_column(t)));
+    let rest = regression.fit(&model, &fit.shapes);
+    let there = regression.added(&rest);
+    let candidates: Vec<&Candidate> = regression
+        .table
+        .candidates
+        .iter()
+        .filter(|c| {
+            c.what.term().is_some_and(|t| {
+                let inside = t.setting >= low - AROUND && t.setting <= high + AROUND;
+                let free = !there.iter().any(|o| o.same_column(t));
+                inside && free && t.joint == joint && takes_fractions(t)
+            })
+        })
+        .collect();
+    let terms: Vec<&Term> = candidates.iter().filter_map(|c| c.what.term()).collect();
+    let mut free = regression.white_columns(&candidates);
+    let along = rest.basis.q.tr_mul(&free);
+    free.gemm(-1.0, &rest.basis.q, &along, 1.0);
+    let gram = free.tr_mul(&free);
+    let pulls = free.tr_mul(&rest.residual);
+    let gain = |of: &[usize]| {
+        let at: Vec<usize> = of.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
+        let own = gram.select_rows(&at).select_columns(&at);
+        let pull = pulls.select_rows(&at);
+        own.cholesky().map_or(0.0, |c| pull.dot(&c.solve(&pull)))
+    };
+    let mut best: Option<Fit> = None;
+    for count in set.len().max(2)..=(set.len() + 1).min(MOST_OF_A_SET) {
+        let sets = sets_of(terms.len(), count).into_iter();
+        let Some((_, likeliest)) = sets
+            .map(|s| (gain(&s), s))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+        else {
+            continue;
+        };
+        let with = likeliest.iter().map(|k| terms[*k].clone());
+        let model = with.fold(rest.model.clone(), |m, t| m.with_term(t));
+        let next = regression.fit(&model, &rest.shapes);
+        if best
+            .as_ref()
+            .is_none_or(|b| next.ln_evidence > b.ln_evidence)
+        {
+            best = Some(next);
+        }
+    }
+    best
+}
+
+/// Every choice of `count` of so many, each in ascending order.
+fn sets_of(of: usize, count: usize) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = all.iter().flat_map(|set| {
+            let from = set.last().map_or(0, |last| last + 1);
+            (from..of).map(|next| [set.as_slice(), &[next]].concat())
+        });
+        all = longer.collect();
+    }
+    all
 }
 
 fn at(term: &Term, setting: f64) -> Term {

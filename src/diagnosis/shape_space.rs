@@ -51,6 +51,7 @@ impl ShapeSpace {
             Direction::Radial => across[0],
             Direction::Axial => across[1],
             Direction::Frame => self.frame_axes(),
+            Direction::Along(axis) => usize::from(axis < self.frame_axes()),
             Direction::Body => usize::from(!self.tangential.is_empty()) + across[0] + across[1],
         };
         shape.profile.count() * directions
@@ -68,6 +69,7 @@ impl ShapeSpace {
             Direction::Radial => self.radial.iter().cloned().collect(),
             Direction::Axial => self.axial.iter().cloned().collect(),
             Direction::Frame => (0..self.frame_axes()).map(|a| self.frame_axis(a)).collect(),
+            Direction::Along(axis) => vec![self.frame_axis(axis)],
             Direction::Body => {
                 let across = [self.radial.as_ref(), self.axial.as_ref()];
                 let mut all: Vec<DVector<f64>> =
@@ -134,7 +136,7 @@ impl ShapeSpace {
         columns
     }
 
-    fn frame_axes(&self) -> usize {
+    pub(crate) fn frame_axes(&self) -> usize {
         if self.frame.is_empty() {
             self.axes.len()
         } else {

@@ -196,6 +196,23 @@ fn over_conditions(space: &ShapeSpace, survey: &Survey, all: &mut Vec<Shape>) {
             push(*variable, Direction::Axial, Profile::Ramp);
         }
         push(*variable, Direction::Frame, Profile::Ramp);
+        // What a recorded condition does to the measuring frame and the body need not be straight, and along
+        // one axis it is one number.
+        if matches!(variable, Variable::Load | Variable::Warmth) {
+            let bent = distinct.len() > 2;
+            if bent && space.radial.is_some() {
+                push(*variable, Direction::Radial, Profile::Square);
+            }
+            if bent && space.axial.is_some() {
+                push(*variable, Direction::Axial, Profile::Square);
+            }
+            for axis in 0..space.frame_axes() {
+                push(*variable, Direction::Along(axis), Profile::Ramp);
+                if bent {
+                    push(*variable, Direction::Along(axis), Profile::Square);
+                }
+            }
+        }
     }
     let tried = own.len() as f64;
     all.extend(own.into_iter().map(|shape| Shape { tried, ..shape }));

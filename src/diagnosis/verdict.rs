@@ -22,6 +22,7 @@ use crate::observations::figures::{LeftOfKind, left_of_kinds};
 use super::floor::{PureError, pure_error};
 use super::prepare::Prepared;
 use super::search::{CHANCE, Found};
+use super::smooth_rival;
 use super::values::Values;
 use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
@@ -95,6 +96,21 @@ pub(crate) fn judge(
                 other.withheld, other.said
             );
             unexplained.resembles.push(other.said);
+        } else if let Some(curve) = smooth_rival::as_likely(prepared, &found.fit) {
+            let robot = &prepared.regression.base.robot;
+            let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = format!(
+                "a smooth curve over joint {} explains as much as {} together",
+                curve.joint + 1,
+                names.join(", ")
+            );
+            unexplained.resembles.extend(names);
+        } else if let Some(wander) = wanders(values, names, floor) {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = wander;
         }
         if unexplained.present && unexplained.rms_mm == 0.0 {
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
@@ -109,6 +125,20 @@ pub(crate) fn judge(
         unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
     }
     of(names == 0, unexplained.present)
+}
+
+/// What is said of names beside a frame that wanders: an error above the floor is not explained by them.
+/// Without any name the wander is the whole answer.
+fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<String> {
+    let over = values.rms_mm() / floor.mm.max(f64::MIN_POSITIVE);
+    let stated = floor.from != FloorFrom::Estimated;
+    (names > 0 && stated && values.noise_is_slow() && over > MOST_OVER_THE_FLOOR).then(|| {
+        format!(
+            "the remaining error is {over:.2} times the floor ({:.4} mm): the measuring frame wanders, or \
+             something changes as slowly",
+            floor.mm
+        )
+    })
 }
 
 /// The short answer: whether no name is found, and whether something is left.

@@ -39,6 +39,8 @@ pub enum Direction {
     Axial,
     /// x, y, z of the measuring frame: three columns.
     Frame,
+    /// One of the measured axes of the measuring frame.
+    Along(usize),
     /// Tangential, radial and axial: three columns.
     Body,
 }
@@ -253,7 +255,7 @@ impl Shape {
             Direction::Tangential(j) => format!("along the motion of joint {}", j + 1),
             Direction::Radial => "along the radius".to_owned(),
             Direction::Axial => "along the axis".to_owned(),
-            Direction::Frame => "in the measuring frame".to_owned(),
+            Direction::Frame | Direction::Along(_) => "in the measuring frame".to_owned(),
             Direction::Body => "with the moving body".to_owned(),
         };
         let what = match self.profile {

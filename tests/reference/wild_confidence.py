@@ -10,11 +10,18 @@ program's own binary:
     nearly      the same with the controller's rounding on every step
     encoder     1024 cycles a turn at equal steps: never said without its aliases
     screw       a screw's lead, set points on a grid: the truth among what is said, aliases said
+    low         once or twice a turn at equal steps, half of them a gear's order that looks the same: the
+                truth among what is said, uneven poses proposed
+    lowfree     the same waves at uneven poses: right and alone
     uneven      a gear's order at uneven poses: no alias is said, the order is right
     near        three neighbouring orders: the 95 % intervals of their amplitudes hold
+    wheel       orders 20, 21, 22 of 0.015, 0.03, 0.012° over 180 to 340°: these three orders are found
     cable       a smooth pull at both ends: no three names are "explained"
+    pull        other smooth curves, a pull at one end, a soft step, a cubic: no three names are "explained"
     three       three true names over the same joint at uneven poses: they keep their names
-    smooth      three true names that are all smooth (a curve may be as likely: for comparison)
+    smooth      three true names that are all smooth: exactly those
+    small       the same near the limit of detection: exactly those (a curve may be said beside them)
+    drift       a true name beside a frame that wanders: never "explained" above 1.15
     warm        what follows the recorded temperature without being in the catalogue: not "explained" above 1.15
     load        the same with the recorded load, changed every few minutes
     wander      a frame that wanders, temperature recorded: not unexplained
@@ -199,6 +206,14 @@ def uneven_gear(rng, folder, name):
     return path, judge
 
 
+# Leads of ball screws (ISO 3408-2) of which 600 mm are enough turns.
+NOMINAL_LEADS = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0]
+
+
+def distance(value):
+    return abs(value - round(value))
+
+
 def screw(rng, folder, name):
     """A stage on set points of a grid, measured along its travel by an interferometer."""
     sigma = 0.002
@@ -206,10 +221,8 @@ def screw(rng, folder, name):
     q = np.concatenate([np.arange(0, 601, step), np.arange(0, 601, step)[::-1]])
     if len(q) < 60:
         q = np.concatenate([q, q])
-    lead = float(rng.choice([4.0, 6.0, 8.0, 12.0, 16.0]))
-    ratio = step / lead
-    if abs(ratio - round(ratio)) < 1e-9 or abs(2 * ratio - round(2 * ratio)) < 1e-9:
-        lead = lead * 1.25 if abs(step / (lead * 1.25) * 2 % 1) > 1e-9 else lead * 0.9
+    lead = float(rng.choice([v for v in NOMINAL_LEADS if distance(2 * step / v) > 1e-9]))
+    same = [v for v in NOMINAL_LEADS if v != lead and min(distance(step / v - step / lead), distance(step / v + step / lead)) < 1e-9]
     x = 100 + q * (1 + rng.normal() * 2e-5) + rng.normal() * 0.05
     x = x + rng.uniform(0.003, 0.008) * np.sin(2 * np.pi * q / lead + rng.uniform(0, 6.28))
     x = x + rng.normal(size=len(q)) * sigma
@@ -236,8 +249,50 @@ def screw(rng, folder, name):
         said = orders_said(a)
         truth = any(abs(v - lead) < 0.02 * lead for v in said)
         denied = any(f["held_out_before_mm"] is not None and f["held_out_after_mm"] >= f["held_out_before_mm"] for f in a["found"])
-        lonely = bool(a["found"]) and not alias_said(a)
-        return not denied and not lonely and (truth or not a["found"]), f"lead {lead} step {step}: {said} {[f['effect'] for f in a['found']]} {a['verdict']}"
+        named = any(f["effect"] == "screw-pitch" for f in a["found"])
+        lonely = named and not all(any(abs(v - o) < 0.02 * o for v in said) for o in same)
+        return not denied and not lonely and (truth or not named), f"lead {lead} step {step} same {same}: {said} {[f['effect'] for f in a['found']]} {a['verdict']}"
+
+    return path, judge
+
+
+def low(rng, folder, name, even=True):
+    step = float(rng.choice([5.0, 6.0, 7.5, 10.0]))
+    axis = Axis(rng, out_and_back(step) if even else uneven(rng))
+    turns = int(rng.integers(1, 3))
+    order = turns
+    if even and rng.uniform() < 0.5:
+        order = int(360 / step) * int(rng.integers(1, 3)) + turns * int(rng.choice([-1, 1]))
+    axis.theta += rng.uniform(0.008, 0.03) * DEG * np.sin(order * axis.q * DEG + rng.uniform(0, 6.28))
+    path = axis.write(folder, name)
+    wave = ["encoder-eccentricity", "encoder-two-cycle"][turns - 1]
+
+    def judge(a):
+        names = [f["effect"] for f in a["found"]]
+        orders = [o for e in a["equivalent"] if e["explanation"] == [wave] for o in e.get("orders") or []]
+        text = f"order {order} step {step}: {names} {a['verdict']} {orders[:6]} poses {len(a['next_poses'])}"
+        if not even:
+            return names == [wave] and not orders and a["verdict"] == "explained", text
+        truth = order == turns or any(abs(o - order) < 0.6 for o in orders + orders_said(a))
+        return names == [wave] and truth and len(orders) > 1 and len(a["next_poses"]) > 0, text
+
+    return path, judge
+
+
+def lowfree(rng, folder, name):
+    return low(rng, folder, name, even=False)
+
+
+def wheel(rng, folder, name):
+    axis = Axis(rng, uneven(rng, 240, rng.uniform(90, 170)))
+    for order, size in ((20, 0.015), (21, 0.03), (22, 0.012)):
+        axis.theta += size * DEG * np.sin(order * axis.q * DEG + rng.uniform(0, 6.28))
+    path = axis.write(folder, name)
+
+    def judge(a):
+        orders = sorted(o for o in orders_said({**a, "equivalent": []}))
+        right = len(orders) == 3 and all(abs(o - t) < 0.15 for o, t in zip(orders, (20, 21, 22)))
+        return right, f"{np.ptp(axis.q):.0f}°: {orders} {a['verdict']} {[f['effect'] for f in a['found'] if 'gear' not in f['effect']]}"
 
     return path, judge
 
@@ -285,6 +340,27 @@ def cable(rng, folder, name):
     return path, judge
 
 
+def pull(rng, folder, name):
+    axis = Axis(rng, uneven(rng))
+    u = axis.q / 170
+    kind = int(rng.integers(0, 3))
+    size = rng.uniform(0.03, 0.08) * rng.choice([-1, 1])
+    if kind == 0:
+        curve = np.exp((axis.q - 170) / rng.uniform(25, 60))
+    elif kind == 1:
+        curve = np.tanh((axis.q - rng.uniform(-80, 80)) / rng.uniform(20, 50))
+    else:
+        curve = u**3 + rng.uniform(-0.5, 0.5) * u**2
+    axis.theta += size * curve * DEG
+    path = axis.write(folder, name)
+
+    def judge(a):
+        names = [f["effect"] for f in a["found"]]
+        return not (a["verdict"] == "explained" and len(names) > 2), f"kind {kind}: {a['verdict']} {names} {a['unexplained']['resembles']}"
+
+    return path, judge
+
+
 def three(rng, folder, name):
     axis = Axis(rng, uneven(rng, 160))
     q = axis.q * DEG
@@ -302,19 +378,41 @@ def three(rng, folder, name):
     return path, judge
 
 
-def smooth(rng, folder, name):
+def smooth(rng, folder, name, by=1.0):
     """Three true names that are smooth over the joint."""
     axis = Axis(rng, uneven(rng, 160))
     q = axis.q * DEG
-    size = lambda: rng.uniform(0.01, 0.05) * DEG
+    size = lambda: by * rng.uniform(0.01, 0.05) * DEG
     axis.theta += size() * np.sin(q - rng.uniform(0, 6.28)) + size() * np.sin(2 * q + rng.uniform(0, 6.28))
-    axis.theta += q * rng.uniform(1e-4, 5e-4) * rng.choice([-1, 1])
+    axis.theta += q * by * rng.uniform(1e-4, 5e-4) * rng.choice([-1, 1])
     path = axis.write(folder, name)
     wanted = {"encoder-eccentricity", "encoder-two-cycle", "joint-scale"}
 
     def judge(a):
         names = [f["effect"] for f in a["found"]]
         return set(names) == wanted and len(names) == 3, f"{names} {a['verdict']} {a['unexplained']['resembles']}"
+
+    return path, judge
+
+
+def small(rng, folder, name):
+    return smooth(rng, folder, name, by=0.3)
+
+
+def drift(rng, folder, name):
+    axis = Axis(rng, rng.permutation(uneven(rng)))
+    keep, w = np.exp(-8.0 / rng.uniform(60, 400)), np.zeros((len(axis.q), 3))
+    for i in range(1, len(w)):
+        w[i] = keep * w[i - 1] + np.sqrt(1 - keep**2) * rng.normal(size=3)
+    axis.shift += rng.uniform(0.005, 0.03) * w
+    axis.theta += rng.uniform(0.01, 0.03) * DEG * np.sin(axis.q * DEG)
+    path = axis.write(folder, name)
+
+    def judge(a):
+        over = a["gap"]["end_mm"] / a["floor"]["mm"]
+        names = [f["effect"] for f in a["found"]]
+        right = a["verdict"] == "explained" and over < 1.15 or a["verdict"] == "partly-explained"
+        return right and names == ["encoder-eccentricity"], f"{a['verdict']} {over:.2f} {names} {a['unexplained']['says'][:80]}"
 
     return path, judge
 
@@ -518,7 +616,7 @@ def groups(rng, folder, name):
 ROWS = {
     "grid": grid, "nearly": nearly, "encoder": encoder, "screw": screw, "uneven": uneven_gear, "near": near, "cable": cable,
     "three": three, "warm": warm, "load": load, "wander": wander, "mixed": mixed, "groups": groups,
-    "smooth": smooth,
+    "smooth": smooth, "low": low, "lowfree": lowfree, "wheel": wheel, "pull": pull, "small": small, "drift": drift,
 }
 
 
@@ -528,13 +626,14 @@ def main():
     rows = sys.argv[3:] or list(ROWS)
     details = "DETAILS" in os.environ
     keep = os.environ.get("SESSIONS")
+    first = int(os.environ.get("FIRST", "0"))
     print("| row | as it should be |\n| --- | --- |")
     for row in rows:
         good, of, failed = 0, 0, 0
         with tempfile.TemporaryDirectory() as temporary:
             folder = keep or temporary
             for k in range(count):
-                rng = np.random.default_rng([list(ROWS).index(row), k])
+                rng = np.random.default_rng([list(ROWS).index(row), first + k])
                 path, judge = ROWS[row](rng, folder, f"{row}{k}")
                 run = subprocess.run([binary, "diagnose", path, "--json"], capture_output=True, text=True)
                 if run.returncode != 0:
