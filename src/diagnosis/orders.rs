@@ -47,17 +47,14 @@ pub(super) fn together(regression: &Regression, fit: Fit) -> Fit {
     if own.len() < 2 || !own.iter().any(is_fraction) {
         return fit;
     }
+    // Sets before single orders: rounded one by one, an order that stands between two keeps both away.
+    let joints = 0..regression.base.robot.joints.len();
+    let sets = joints.filter_map(|joint| whole_set(regression, &fit, joint));
+    let whole: Vec<Fit> = sets.chain(all_whole(regression, &fit, &own)).collect();
     let mut best = fit;
-    if let Some(whole) = all_whole(regression, &best, &own)
-        && whole.ln_evidence > best.ln_evidence
-    {
-        best = whole;
-    }
-    for joint in 0..regression.base.robot.joints.len() {
-        if let Some(whole) = whole_set(regression, &best, joint)
-            && whole.ln_evidence > best.ln_evidence + 1e-3
-        {
-            best = whole;
+    for next in whole {
+        if next.ln_evidence > best.ln_evidence + 1e-3 {
+            best = next;
         }
     }
     for _ in 0..ROUNDS {
