@@ -103,6 +103,34 @@ pub struct Found {
     pub check: &'static str,
 }
 
+/// Why a search ended before it had looked for everything. What is said then is proven as ever; more may be
+/// there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stopped {
+    /// The watcher asked for what was proven until then.
+    Asked,
+    /// The budget of the search is spent.
+    Budget,
+}
+
+impl Stopped {
+    /// In documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Asked => "asked",
+            Self::Budget => "budget",
+        }
+    }
+
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::Asked => "the search was stopped: this is what was proven until then",
+            Self::Budget => "the search stopped at its budget: this is what was proven until then",
+        }
+    }
+}
+
 /// Another set of names that the samples cannot rule out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equivalent {
@@ -189,6 +217,8 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// Blunders and losses.
     pub data_problems: Vec<DataProblem>,
+    /// Why something that might have been found was not looked for; `None` where everything was.
+    pub stopped: Option<Stopped>,
     /// The noise floor.
     pub floor: Floor,
     /// Gaps over the samples that were fitted.

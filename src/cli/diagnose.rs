@@ -6,7 +6,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict, Watch};
+use crate::diagnosis::{
+    Allowed, DiagnoseError, Diagnosis, Limit, Options, Progress, Sight, Stopped, Verdict, Watch,
+};
 use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::paper::RegionalStart;
 use crate::pipeline;
@@ -20,6 +22,8 @@ use crate::sessions::Session;
 
 use super::failure::Failure;
 use super::identify::Values;
+use super::interrupt::Stopping;
+use super::progress_line::ProgressLine;
 use super::{fleet, geometry, output};
 
 /// Rivals, outliers and combinations that are listed; an answer about an arm fits on a page.
@@ -122,6 +126,9 @@ impl Diagnose {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
+        // Of several sessions each has its line: an interrupt ends them.
+        let one_session =
+            self.sessions.len() == 1 && !self.json_lines && !self.sessions[0].is_dir();
         let asked = Asked {
             options: Options {
                 allowed: Allowed {
@@ -133,7 +140,7 @@ impl Diagnose {
                 seed: self.seed,
                 joint_values: self.joint_values.into(),
                 correct_unexplained: self.correct_unexplained,
-                keep_when_stopped: false,
+                keep_when_stopped: one_session,
                 without_unnamed: self.no_unnamed,
             },
             start: self.start,
@@ -153,7 +160,7 @@ impl Diagnose {
         };
         let loaded = output::session(one)?;
         let session = &loaded.session;
-        let (answer, start) = asked.of(session, &|_| true)?;
+        let (answer, start) = answer_of(&asked, session)?;
         if let Some(out) = &self.out {
             let verified = pipeline::hand_out(&answer.calibration(session), session)?;
             let text = pipeline::write_model(&verified);
@@ -167,6 +174,37 @@ impl Diagnose {
             let start = start.map_or_else(String::new, |s| start_in_words(&s));
             output::text(&(start + &in_words(&answer)))
         }
+    }
+}
+
+/// The answer about one session; at an interrupt what is proven until then.
+fn answer_of(
+    asked: &Asked,
+    session: &Session,
+) -> Result<(Diagnosis, Option<RegionalStart>), Failure> {
+    let stopping = Stopping::at_interrupt();
+    let line = ProgressLine::new();
+    asked.of(session, &|progress| {
+        line.says(&doing(progress));
+        !stopping.is_asked()
+    })
+}
+
+/// What is being done, and how far it is.
+fn doing(progress: &Progress) -> String {
+    match progress {
+        Progress::Checking => "checking for set-up errors".to_owned(),
+        Progress::Preparing => "fitting the geometry, preparing the candidates".to_owned(),
+        Progress::Searching { found, percent } => {
+            let names = if found.is_empty() {
+                "nothing found yet".to_owned()
+            } else {
+                format!("{} found so far: {}", found.len(), found.join(", "))
+            };
+            format!("searching, {percent} % of the budget: {names}")
+        }
+        Progress::Comparing => "comparing with other explanations".to_owned(),
+        Progress::Planning => "looking for poses to measure next".to_owned(),
     }
 }
 
@@ -205,6 +243,12 @@ fn in_words(d: &Diagnosis) -> String {
         Verdict::Unexplained => "something is left that no name explains",
     };
     let _ = writeln!(text, "{verdict}");
+    if d.stopped == Some(Stopped::Asked) {
+        let _ = writeln!(
+            text,
+            "stopped on request: this is what was proven until then"
+        );
+    }
     if !d.tested_anything() {
         let _ = writeln!(
             text,

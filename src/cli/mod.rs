@@ -17,10 +17,12 @@ mod identify;
 mod import;
 mod in_order;
 mod integrate;
+mod interrupt;
 mod levels;
 mod output;
 mod own_options;
 mod plan;
+mod progress_line;
 mod record;
 mod report;
 mod simulate;
@@ -113,7 +115,7 @@ pub fn run() -> ExitCode {
 }
 
 /// At SIGINT and SIGTERM unfinished files are removed, and the program ends as it would have without
-/// this, at once, whatever it is at.
+/// this, at once, whatever it is at; but for the first SIGINT of a command that has an answer so far.
 #[cfg(unix)]
 fn end_at_signals() -> std::io::Result<()> {
     use signal_hook::consts::{SIGINT, SIGTERM};
@@ -129,7 +131,8 @@ fn end_at_signals() -> std::io::Result<()> {
     let heard = |signal: &i32| (ignored.unwrap_or(0) >> (signal - 1)) & 1 == 0;
     let mut signals = Signals::new([SIGINT, SIGTERM].into_iter().filter(heard))?;
     Builder::new().name("signals".to_owned()).spawn(move || {
-        if let Some(signal) = signals.forever().next() {
+        let ends = |signal: &i32| *signal != SIGINT || !interrupt::is_answered();
+        if let Some(signal) = signals.forever().find(ends) {
             unfinished::remove_all();
             let _ = emulate_default_handler(signal);
         }

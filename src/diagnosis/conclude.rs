@@ -184,6 +184,7 @@ pub(crate) fn answer(
             equal_steps.as_slice(),
         ]
         .concat(),
+        stopped: regression.work.ended(),
         floor,
         gap,
         held_out,
@@ -242,7 +243,7 @@ fn tell_what_is_open(prepared: &Prepared, dropped: &[Term], unexplained: &mut Un
         unexplained.present = true;
         let before = std::mem::take(&mut unexplained.says);
         let apart = if before.is_empty() { "" } else { "; " };
-        unexplained.says = format!("{why}{apart}{before}");
+        unexplained.says = format!("{}{apart}{before}", why.says());
     }
     !dropped.is_empty() || ended.is_some()
 }

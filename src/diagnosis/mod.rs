@@ -76,13 +76,15 @@ pub(crate) mod work;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
-    NotTestable, Unexplained, Unnamed, Verdict,
+    NotTestable, Stopped, Unexplained, Unnamed, Verdict,
 };
 pub use crate::answers::limits::{Limit, Sight};
 pub use crate::answers::pose::NextPose;
 pub use crate::sessions::Mend;
 pub use candidates::Allowed;
 pub(crate) use conclude::Planner;
+
+use std::cell::Cell;
 
 use crate::effects::Owner;
 use crate::effects::{JointValues, Term};
@@ -126,6 +128,8 @@ pub enum Progress {
         /// Names of the effects so far, in the order in which they act, of several joints each with
         /// its joint.
         found: Vec<String>,
+        /// Share of the most that a search may cost, percent; it may end at any.
+        percent: u8,
     },
     /// Comparing with other explanations.
     Comparing,
@@ -179,6 +183,13 @@ pub(crate) fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
+    let stopped = Cell::new(false);
+    let asked = |progress: &Progress| {
+        let goes_on = !stopped.get() && watch(progress);
+        stopped.set(!goes_on);
+        goes_on
+    };
+    let watch: Watch = &asked;
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
     let told = until_stopped(&prepared.regression.work, options, watch);
@@ -203,21 +214,15 @@ fn until_stopped<'w>(
     }
 }
 
-fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
-    if watch(progress) {
-        Ok(())
-    } else {
-        Err(Cancelled)
-    }
-}
-
 /// The session without its blunders.
 pub(crate) fn checked<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
 ) -> Result<Mended<'a>, Cancelled> {
-    tell(watch, &Progress::Checking)?;
+    if !watch(&Progress::Checking) && !options.keep_when_stopped {
+        return Err(Cancelled);
+    }
     Ok(set_up_errors::mend(session, options.joint_values))
 }
 
@@ -229,9 +234,16 @@ pub(crate) fn searched<'a>(
     options: &Options,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    tell(watch, &Progress::Preparing)?;
+    let goes_on = watch(&Progress::Preparing);
+    if !goes_on && !options.keep_when_stopped {
+        return Err(DiagnoseError::Cancelled);
+    }
     let mut prepared = Prepared::new(session, options)?;
     let work = prepared.regression.work.clone();
+    if !goes_on {
+        // Geometry alone is an answer too.
+        work.stop();
+    }
     let told = until_stopped(&work, options, watch);
     let watch: Watch = &told;
     work.up_to(FIRST_SEARCH);

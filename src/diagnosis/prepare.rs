@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
-use crate::fit::gap::suspects;
+use crate::fit::gap::suspects_beside;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::observed;
 use crate::fit::problem::Problem;
@@ -178,7 +178,7 @@ impl<'a> Prepared<'a> {
         } else {
             let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
             let left = deviations_beside(&self.problem, &columns, &found.fit);
-            let suspected = suspects(&self.problem, &left);
+            let suspected = suspects_beside(&self.problem, left, found.fit.basis.rank());
             let kept = self.problem.fit.iter().zip(suspected);
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }

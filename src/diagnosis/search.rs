@@ -78,7 +78,10 @@ pub(crate) const UNSEEN_KEPT: usize = 64;
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<Found, Cancelled> {
         let base = self.regression.fit(&self.regression.base, &[]);
-        self.tell(&Progress::Searching { found: Vec::new() })?;
+        self.tell(&Progress::Searching {
+            found: Vec::new(),
+            percent: 0,
+        })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
         names_only = self.pairs(names_only)?;
         // Names first, then what they leave; and everything at once from the start.
@@ -142,6 +145,7 @@ impl Search<'_, '_> {
             found: names
                 .map(|term| term.name_on(&self.regression.base.robot))
                 .collect(),
+            percent: (100.0 * self.regression.work.spent()) as u8,
         })
     }
 

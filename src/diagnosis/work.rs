@@ -7,6 +7,8 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use crate::answers::diagnosis::Stopped;
+
 /// Products of numbers for a whole diagnosis, and so many more for each sample that is searched.
 const PRODUCTS: f64 = 6.0e9;
 const FOR_A_SAMPLE: f64 = 1.2e7;
@@ -86,14 +88,17 @@ impl Work {
     }
 
     /// Why something that might have been found was not looked for; `None` where everything was.
-    pub(crate) fn ended(&self) -> Option<&'static str> {
+    pub(crate) fn ended(&self) -> Option<Stopped> {
         if self.was_stopped() {
-            Some("the search was stopped: this is what was proven until then")
-        } else if self.0.ended.get() {
-            Some("the search stopped at its budget: this is what was proven until then")
+            Some(Stopped::Asked)
         } else {
-            None
+            self.0.ended.get().then_some(Stopped::Budget)
         }
+    }
+
+    /// Which part of all that it may cost is done, 0 to 1.
+    pub(crate) fn spent(&self) -> f64 {
+        (self.0.done.get() / self.0.most).min(1.0)
     }
 }
 
@@ -112,11 +117,12 @@ mod tests {
         // Nobody was kept from looking so far.
         assert!(work.ended().is_none());
         assert!(shared.is_over());
-        assert!(work.ended().is_some_and(|why| why.contains("budget")));
+        assert_eq!(work.ended(), Some(Stopped::Budget));
+        assert!(work.spent() > 0.5 && work.spent() < 0.7);
         work.up_to(1.0);
         assert!(!work.is_over());
         work.stop();
         assert!(work.is_over());
-        assert!(work.ended().is_some_and(|why| why.contains("stopped: ")));
+        assert_eq!(work.ended(), Some(Stopped::Asked));
     }
 }

@@ -180,6 +180,12 @@ impl Torque {
         (tau, slope)
     }
 
+    /// What a moment's product with is its torque at an angle, where gravity is that of this one.
+    fn arm(&self, theta: f64) -> [f64; 3] {
+        let (sin, cos) = sin_cos(theta);
+        turned(cross(self.gravity, self.axis), self.axis, -sin, cos)
+    }
+
     /// The derivative of the torque by the command of another joint, N·m/rad or N·m/mm: a joint
     /// behind moves what hangs on it, one before turns gravity as this joint sees it.
     fn by_other(&self, block: &Block, joint: usize, other: usize, lane: usize, theta: f64) -> f64 {

@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 
 use super::gap::deviations;
-use super::gap::suspects;
+use super::gap::suspects_beside;
 use super::noise::Noise;
 use super::problem::Problem;
 use super::regression::Rows;
@@ -37,7 +37,8 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        let suspected = suspects(problem, &deviations(problem, &solution.model));
+        let left = deviations(problem, &solution.model);
+        let suspected = suspects_beside(problem, left, solution.spectrum.rank());
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;

@@ -6,7 +6,7 @@ pub(crate) use crate::answers::errors::Spread;
 use crate::model::Model;
 use crate::observations::figures;
 pub(crate) use crate::observations::figures::Deviations;
-use crate::observations::outliers::suspected;
+use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
 
@@ -49,6 +49,26 @@ pub(crate) fn deviations(problem: &Problem, model: &Model) -> Deviations {
         }
     });
     deviations
+}
+
+/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out.
+pub(crate) fn suspects_beside(
+    problem: &Problem,
+    mut deviations: Deviations,
+    rank: usize,
+) -> Vec<bool> {
+    if problem.session.robot.joints.len() > 1 {
+        let axes = problem.axis_weights.iter().filter(|w| **w > 0.0).count();
+        let used = problem.used.iter().filter(|used| **used).count();
+        let factor = as_if_seen(rank, axes * used);
+        for axis in &mut deviations.axes_mm {
+            let unseen = axis.iter_mut().zip(&problem.used);
+            for (value, _) in unseen.filter(|(_, used)| !**used) {
+                *value *= factor;
+            }
+        }
+    }
+    suspects(problem, &deviations)
 }
 
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do

@@ -3,7 +3,7 @@
 use crate::lanes::LANES;
 use crate::model::Model;
 
-use super::outliers::suspected;
+use super::outliers::{as_if_seen, suspected};
 use super::{Item, KINDS, Layer, Looks};
 
 /// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
@@ -105,7 +105,13 @@ const CLEARLY: f64 = 3.0;
 /// stated one may be an effect that is still missing, and changes no weight.
 pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let left = left(layer, model);
-    let marked = apart(layer, &left.rows);
+    // What the fit has not seen is farther off for that.
+    let factor = as_if_seen(rank, layer.used_rows());
+    let seen = left.rows.iter().zip(&layer.used);
+    let as_seen: Vec<[f64; 3]> = seen
+        .map(|(row, used)| if *used { *row } else { row.map(|e| e * factor) })
+        .collect();
+    let marked = apart(layer, &as_seen);
     let kept = layer
         .fit
         .iter()

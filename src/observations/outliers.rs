@@ -83,6 +83,19 @@ pub(crate) fn suspected(
         .collect()
 }
 
+/// What a sample that a fit has not seen deviates by, as if it had: with `h` coefficients for each row
+///
+/// ```text
+/// e_seen ≈ σ √(1 − h),   e_unseen ≈ σ √(1 + h)
+/// ```
+///
+/// on the average of the leverages. Without it a sample that was left out of a short session stays out for being
+/// left out, and takes others along.
+pub(crate) fn as_if_seen(rank: usize, rows: usize) -> f64 {
+    let h = (rank as f64 / rows.max(1) as f64).min(0.9);
+    ((1.0 - h) / (1.0 + h)).sqrt()
+}
+
 /// Size of one axis: first from the median, then from what is not suspected.
 fn size(e: &[f64], kept: &[usize], robust: bool) -> f64 {
     let of = if robust {

@@ -22,6 +22,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         "session": &d.session,
         "samples": d.samples,
         "verdict": d.verdict.name(),
+        "stopped": given(d.stopped.map(crate::diagnosis::Stopped::name)),
         "data_problems": problems(&d.data_problems),
         "floor": object! {
             "mm": d.floor.mm,

@@ -3,7 +3,7 @@
 //! The full table of rates comes from `cargo run --release --example hidden_effects`.
 
 use crate::rig::{Design, Hidden, Kind, NAMES, Random, Rig};
-use truepose::diagnosis::{Allowed, Diagnosis, Options, Progress, Verdict};
+use truepose::diagnosis::{Allowed, Diagnosis, Options, Progress, Stopped, Verdict};
 use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 
@@ -329,7 +329,7 @@ fn a_search_that_is_stopped_says_what_is_proven_until_then_where_that_is_wanted(
     };
     let asked = std::cell::Cell::new(0);
     let stopped = diagnose(&session(&rig), &options, &|progress| {
-        let found = matches!(progress, Progress::Searching { found } if !found.is_empty());
+        let found = matches!(progress, Progress::Searching { found, .. } if !found.is_empty());
         asked.set(asked.get() + usize::from(found));
         !found
     })
@@ -339,6 +339,7 @@ fn a_search_that_is_stopped_says_what_is_proven_until_then_where_that_is_wanted(
     for found in &stopped.found {
         assert!(["backlash", "encoder-eccentricity"].contains(&found.effect));
     }
+    assert_eq!(stopped.stopped, Some(Stopped::Asked));
     assert!(stopped.unexplained.present);
     assert!(
         stopped

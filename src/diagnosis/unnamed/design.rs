@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::curve::DIRECTIONS;
 use crate::effects::{EACH_DIRECTION, Term};
+use crate::fit::base_model;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -63,12 +64,16 @@ impl<'a> Design<'a> {
             .fold(model.clone(), |m, probe| m.with_term(probe.clone()));
         let (residual, all) = rows.extract(&with);
         let is_probe = |t: &Term| probes.iter().any(|p| p.same_column(t));
+        // Names keep their values, here as in what is handed out.
+        let is_fitted = |term: &Term, coefficient: usize| {
+            base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
+        };
         let mut own = Vec::new();
         let mut unit = Vec::new();
         for (k, (term, coefficient)) in with.columns().enumerate() {
             if is_probe(term) {
                 unit.push(k);
-            } else if !term.held.contains(coefficient) {
+            } else if is_fitted(term, coefficient) {
                 own.push((k, term.clone(), coefficient));
             }
         }
@@ -96,7 +101,7 @@ impl<'a> Design<'a> {
             y[m + row] = -value / sigma;
         }
         let of_model = model.columns().enumerate();
-        let of_model = of_model.filter(|(_, (term, k))| !term.held.contains(*k));
+        let of_model = of_model.filter(|(_, (term, k))| is_fitted(term, *k));
         let of_model: Vec<usize> = of_model.map(|(at, _)| at).collect();
         for row in 0..left.len() {
             y[m + known.len() + row] = left[row];
@@ -215,7 +220,7 @@ impl<'a> Design<'a> {
             DVector::zeros(0)
         } else {
             let remaining = Remaining::of(products)?;
-            remaining.solved(&family, strengths)?.coefficients
+            remaining.coefficients(&family, strengths)?
         };
         let geometry = products.geometry(&coefficients)?;
         let both = geometry.iter().chain(coefficients.iter());

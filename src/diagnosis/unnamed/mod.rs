@@ -29,6 +29,10 @@ use design::Design;
 const FEWEST_ROWS: usize = 60;
 /// The gain on unseen samples has to be so many times its own standard deviation …
 const SURE: f64 = 2.5;
+/// … or so many where the samples are so much likelier with it, as a logarithm, that no noise does that: of few
+/// samples a few that were far off make the gain of all uncertain …
+const SURE_ENOUGH: f64 = 1.5;
+const BEYOND_DOUBT: f64 = 50.0;
 /// … and this share of the error at least.
 const WORTH: f64 = 0.005;
 /// No family: the samples have to be so much likelier with all of them, as a logarithm.
@@ -119,7 +123,12 @@ fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitte
         }
     }
     let worth = gains.after_mm < (1.0 - WORTH) * gains.before_mm;
-    if !worth || gains.sigmas < SURE || !gains.after_mm.is_finite() {
+    let sure = if likelier > BEYOND_DOUBT {
+        SURE_ENOUGH
+    } else {
+        SURE
+    };
+    if !worth || gains.sigmas < sure || !gains.after_mm.is_finite() {
         return None;
     }
     let (terms, over) = design.terms(&strengths)?;

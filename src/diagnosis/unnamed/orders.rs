@@ -44,17 +44,19 @@ pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
         let count = ((TO - FROM) / step).ceil().clamp(1.0, 4000.0);
         tried += count / STEPS;
         let mut peak = (0.0, 0.0);
+        let mut waves = Waves::new(q, FROM, step);
         for k in 0..count as usize {
-            let order = FROM + k as f64 * step;
-            let gain = sums.gain(q, order);
+            let gain = sums.gain(&waves.sin, &waves.cos);
             if gain > peak.1 {
-                peak = (order, gain);
+                peak = (FROM + k as f64 * step, gain);
             }
+            waves.next();
         }
         let mut by = 0.5 * step;
         for _ in 0..5 {
             for order in [peak.0 - by, peak.0 + by] {
-                let gain = sums.gain(q, order);
+                let waves = Waves::new(q, order, 0.0);
+                let gain = sums.gain(&waves.sin, &waves.cos);
                 if gain > peak.1 {
                     peak = (order, gain);
                 }
@@ -96,22 +98,58 @@ impl Sums {
         }
     }
 
-    /// By how much a sine and a cosine of this order lower the sum of squares.
-    fn gain(&self, q: &[f64], order: f64) -> f64 {
-        let (mut a, mut b) = (0.0, 0.0);
-        let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
-        for ((q, left), own) in q.iter().zip(&self.with_left).zip(&self.with_itself) {
-            let (sin, cos) = (order * q).sin_cos();
-            a += left * sin;
-            b += left * cos;
-            aa += own * sin * sin;
-            ab += own * sin * cos;
-            bb += own * cos * cos;
+    /// By how much these sines and cosines lower the sum of squares.
+    fn gain(&self, sin: &[f64], cos: &[f64]) -> f64 {
+        let mut sums = [[0.0; LANES]; 5];
+        let pad = |all: &[f64]| -> [f64; LANES] {
+            std::array::from_fn(|k| all.get(k).copied().unwrap_or(0.0))
+        };
+        let chunks = (self.with_left.chunks(LANES)).zip(self.with_itself.chunks(LANES));
+        let waves = sin.chunks(LANES).zip(cos.chunks(LANES));
+        for ((left, own), (sin, cos)) in chunks.zip(waves) {
+            let (left, own, sin, cos) = (pad(left), pad(own), pad(sin), pad(cos));
+            for k in 0..LANES {
+                let (s, c) = (sin[k], cos[k]);
+                sums[0][k] += left[k] * s;
+                sums[1][k] += left[k] * c;
+                sums[2][k] += own[k] * s * s;
+                sums[3][k] += own[k] * s * c;
+                sums[4][k] += own[k] * c * c;
+            }
         }
+        let [a, b, aa, ab, bb] = sums.map(|lanes| lanes.iter().sum::<f64>());
         let determinant = aa * bb - ab * ab;
         if determinant <= 1e-6 * aa * bb {
             return 0.0;
         }
         (a * a * bb - 2.0 * a * b * ab + b * b * aa) / determinant
+    }
+}
+
+/// Sums that run side by side.
+const LANES: usize = 8;
+
+/// Sines and cosines of one order after the other, each from the last by a turn.
+struct Waves {
+    sin: Vec<f64>,
+    cos: Vec<f64>,
+    turn: Vec<(f64, f64)>,
+}
+
+impl Waves {
+    fn new(q: &[f64], order: f64, step: f64) -> Self {
+        let at = |q: &f64| (order * q).sin_cos();
+        let (sin, cos) = q.iter().map(at).unzip();
+        let turn = q.iter().map(|q| (step * q).sin_cos()).collect();
+        Self { sin, cos, turn }
+    }
+
+    fn next(&mut self) {
+        let waves = self.sin.iter_mut().zip(&mut self.cos);
+        for ((sin, cos), (by_sin, by_cos)) in waves.zip(&self.turn) {
+            let (s, c) = (*sin, *cos);
+            *sin = s * by_cos + c * by_sin;
+            *cos = c * by_cos - s * by_sin;
+        }
     }
 }

@@ -9,7 +9,7 @@
 //! the samples determine (`MacKay` 1992; Harville 1977). A family whose strength falls to nothing is left
 //! out, and one without which the samples are nearly as likely as well.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
 
@@ -22,6 +22,9 @@ const NOTHING: f64 = 0.05;
 /// A family has to make the samples so much likelier, as a logarithm: twenty times.
 const WORTH: f64 = 3.0;
 
+/// A factor of `I + V^½ S V^½`, `V^½ g`, and `V^½`.
+type Factor = (Cholesky<f64, Dyn>, DVector<f64>, Vec<f64>);
+
 /// What is left once the geometry has taken its part.
 pub(super) struct Remaining {
     s: DMatrix<f64>,
@@ -30,15 +33,80 @@ pub(super) struct Remaining {
     freedom: f64,
 }
 
-/// Coefficients under given strengths.
-pub(super) struct Solved {
-    pub(super) coefficients: DVector<f64>,
-    /// Noise of a row, squared.
-    variance: f64,
-    /// Columns that the samples determine, by family.
-    determined: Vec<f64>,
-    squares: Vec<f64>,
-    pub(super) ln_evidence: f64,
+/// What the families are under given strengths.
+struct Solved {
+    /// `R⁻¹` of `I + V^½ S V^½ = R Rᵀ`.
+    inverse: DMatrix<f64>,
+    /// Coefficients in units of their standard deviations, and these.
+    unit: DVector<f64>,
+    root: Vec<f64>,
+    /// Sum of squares that is left, and logarithm of the determinant.
+    left: f64,
+    ln_determinant: f64,
+    freedom: f64,
+}
+
+impl Solved {
+    fn ln_evidence(&self) -> f64 {
+        -0.5 * self.ln_determinant - 0.5 * self.freedom * self.left.ln()
+    }
+
+    /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
+    /// of the whole less what these take (Schur).
+    fn ln_evidence_without(&self, first: usize, count: usize) -> Option<f64> {
+        let own = self.inverse.columns(first, count);
+        let factor = own.tr_mul(&own).cholesky()?;
+        let unit = self.unit.rows(first, count);
+        let left = self.left + unit.dot(&factor.solve(&unit));
+        let l = factor.l_dirty();
+        let ln: f64 = (0..count).map(|k| 2.0 * l[(k, k)].ln()).sum();
+        Some(-0.5 * (self.ln_determinant + ln) - 0.5 * self.freedom * left.ln())
+    }
+
+    /// The strength of the family whose columns these are that fits its coefficients; nothing where the samples
+    /// determine none of them.
+    fn next_strength(&self, first: usize, count: usize) -> f64 {
+        let columns = first..first + count;
+        let known = |k: usize| 1.0 - self.inverse.column(k).norm_squared();
+        let determined: f64 = columns.clone().map(known).sum();
+        if determined < NOTHING {
+            return 0.0;
+        }
+        let square = |k: usize| (self.root[k] * self.unit[k]).powi(2);
+        let squares: f64 = columns.map(square).sum();
+        squares / (self.left / self.freedom * determined)
+    }
+}
+
+/// The inverse of a lower triangle.
+fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = l.nrows();
+    let mut inverse = DMatrix::identity(n, n);
+    for mut own in inverse.column_iter_mut() {
+        let own = own.as_mut_slice();
+        let first = own.iter().position(|v| *v != 0.0).unwrap_or(n);
+        for i in first..n {
+            let x = own[i] / l[(i, i)];
+            own[i] = x;
+            let below = l.column(i);
+            for (value, l) in own[i + 1..].iter_mut().zip(&below.as_slice()[i + 1..]) {
+                *value -= x * l;
+            }
+        }
+    }
+    inverse
+}
+
+/// Of each family that has columns: its number, its first column and how many it has.
+fn families(family: &[usize]) -> Vec<(usize, usize, usize)> {
+    let mut all: Vec<(usize, usize, usize)> = Vec::new();
+    for (k, f) in family.iter().enumerate() {
+        match all.last_mut() {
+            Some((last, _, count)) if last == f => *count += 1,
+            _ => all.push((*f, k, 1)),
+        }
+    }
+    all
 }
 
 impl Remaining {
@@ -63,34 +131,37 @@ impl Remaining {
     }
 
     /// `family` is that of each column.
-    pub(super) fn solved(&self, family: &[usize], strengths: &[f64]) -> Option<Solved> {
+    pub(super) fn coefficients(&self, family: &[usize], strengths: &[f64]) -> Option<DVector<f64>> {
+        let (factor, scaled, root) = self.factor(family, strengths)?;
+        let unit = factor.solve(&scaled);
+        Some(DVector::from_fn(root.len(), |k, _| root[k] * unit[k]))
+    }
+
+    fn factor(&self, family: &[usize], strengths: &[f64]) -> Option<Factor> {
         let n = family.len();
         let root: Vec<f64> = family.iter().map(|f| strengths[*f].sqrt()).collect();
         let m = DMatrix::from_fn(n, n, |a, b| {
             root[a] * self.s[(a, b)] * root[b] + if a == b { 1.0 } else { 0.0 }
         });
-        let factor = m.cholesky()?;
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
+        Some((m.cholesky()?, scaled, root))
+    }
+
+    fn solved(&self, family: &[usize], strengths: &[f64]) -> Option<Solved> {
+        let (factor, scaled, root) = self.factor(family, strengths)?;
         let unit = factor.solve(&scaled);
         let left = self.yy - scaled.dot(&unit);
         if left.is_nan() || left <= 0.0 {
             return None;
         }
         let l = factor.l_dirty();
-        let ln_determinant: f64 = (0..n).map(|k| 2.0 * l[(k, k)].ln()).sum();
-        let inverse = factor.inverse();
-        let mut determined = vec![0.0; strengths.len()];
-        let mut squares = vec![0.0; strengths.len()];
-        for (k, f) in family.iter().enumerate() {
-            determined[*f] += 1.0 - inverse[(k, k)];
-            squares[*f] += strengths[*f] * unit[k] * unit[k];
-        }
         Some(Solved {
-            coefficients: DVector::from_fn(n, |k, _| root[k] * unit[k]),
-            variance: left / self.freedom,
-            determined,
-            squares,
-            ln_evidence: -0.5 * ln_determinant - 0.5 * self.freedom * left.ln(),
+            ln_determinant: (0..root.len()).map(|k| 2.0 * l[(k, k)].ln()).sum(),
+            inverse: inverse_of_lower(l),
+            unit,
+            root,
+            left,
+            freedom: self.freedom,
         })
     }
 
@@ -134,15 +205,10 @@ impl Remaining {
             let own: Vec<usize> = columns.iter().map(|k| family[*k]).collect();
             let solved = self.only(&columns).solved(&own, &strengths)?;
             let mut moved = 0.0_f64;
-            for (f, strength) in strengths.iter_mut().enumerate().filter(|s| *s.1 > 0.0) {
-                let determined = solved.determined[f];
-                let next = if determined < NOTHING {
-                    0.0
-                } else {
-                    solved.squares[f] / (solved.variance * determined)
-                };
-                moved = moved.max((next / *strength).max(1e-12).ln().abs());
-                *strength = next;
+            for (f, first, count) in families(&own) {
+                let next = solved.next_strength(first, count);
+                moved = moved.max((next / strengths[f]).max(1e-12).ln().abs());
+                strengths[f] = next;
             }
             if moved < 0.05 {
                 break;
@@ -157,22 +223,18 @@ impl Remaining {
         let first = self.first(family, count);
         let mut strengths = self.refined(family, first, ROUNDS)?;
         loop {
-            let evidence = |strengths: &[f64]| -> Option<f64> {
-                let columns: Vec<usize> = (0..family.len())
-                    .filter(|k| strengths[family[*k]] > 0.0)
-                    .collect();
-                if columns.is_empty() {
-                    return Some(self.alone());
-                }
-                let own: Vec<usize> = columns.iter().map(|k| family[*k]).collect();
-                Some(self.only(&columns).solved(&own, strengths)?.ln_evidence)
-            };
-            let here = evidence(&strengths)?;
+            let columns: Vec<usize> = (0..family.len())
+                .filter(|k| strengths[family[*k]] > 0.0)
+                .collect();
+            if columns.is_empty() {
+                return Some((strengths, 0.0));
+            }
+            let own: Vec<usize> = columns.iter().map(|k| family[*k]).collect();
+            let solved = self.only(&columns).solved(&own, &strengths)?;
+            let here = solved.ln_evidence();
             let mut least: Option<(usize, f64)> = None;
-            for f in (0..count).filter(|f| strengths[*f] > 0.0) {
-                let mut without = strengths.clone();
-                without[f] = 0.0;
-                let worth = here - evidence(&without)?;
+            for (f, first, count) in families(&own) {
+                let worth = here - solved.ln_evidence_without(first, count)?;
                 if least.is_none_or(|l| worth < l.1) {
                     least = Some((f, worth));
                 }
@@ -185,5 +247,49 @@ impl Remaining {
                 _ => return Some((strengths, here - self.alone())),
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Products of made-up columns of three families with a residual.
+    fn remaining() -> (Remaining, Vec<usize>) {
+        let family = vec![0, 0, 1, 2, 2, 2];
+        let x = DMatrix::from_fn(40, 6, |i, k| ((i * (k + 2)) as f64 * 0.37 + k as f64).sin());
+        let y = DVector::from_fn(40, |i, _| {
+            x[(i, 0)] - 0.4 * x[(i, 4)] + (i as f64 * 1.7).sin()
+        });
+        let remaining = Remaining {
+            s: x.tr_mul(&x),
+            g: x.tr_mul(&y),
+            yy: y.norm_squared(),
+            freedom: 40.0,
+        };
+        (remaining, family)
+    }
+
+    #[test]
+    fn the_evidence_without_a_family_is_that_of_the_others_alone() {
+        let (remaining, family) = remaining();
+        let strengths = [0.3, 0.05, 0.7];
+        let all = remaining.solved(&family, &strengths).unwrap();
+        for (f, first, count) in families(&family) {
+            let mut without = strengths;
+            without[f] = 0.0;
+            let alone = remaining.solved(&family, &without).unwrap().ln_evidence();
+            let by_update = all.ln_evidence_without(first, count).unwrap();
+            assert!((alone - by_update).abs() < 1e-9, "{f}: {alone} {by_update}");
+        }
+    }
+
+    #[test]
+    fn the_inverse_of_a_triangle_is_its_inverse() {
+        let (remaining, family) = remaining();
+        let (factor, ..) = remaining.factor(&family, &[1.0, 2.0, 3.0]).unwrap();
+        let l = factor.l();
+        let product = &l * inverse_of_lower(factor.l_dirty());
+        assert!((product - DMatrix::identity(6, 6)).norm() < 1e-12);
     }
 }

@@ -83,7 +83,8 @@ fn figures<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> Vec<F
 
 /// With `N` coefficients, C first where there is one more than the parts have.
 fn act<const N: usize>(me: &Placed, block: &mut Block) {
-    let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, lane));
+    let parts = Parts::of(block.robot, me.joint);
+    let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, &parts, lane));
     block.turn(me, |start, at| {
         let sag = &sags[at.lane];
         let mut theta = start;
@@ -92,11 +93,11 @@ fn act<const N: usize>(me: &Placed, block: &mut Block) {
             theta -= (theta - start - angle) / (1.0 - slope);
         }
         let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
-        let by = |part: &Torque| part.at(theta).0 * gain;
+        let arm = sag.whole.arm(theta);
         Turned::<N> {
             value: theta,
             by_input: gain,
-            by_coefficient: std::array::from_fn(|k| by(&sag.by[k])),
+            by_coefficient: std::array::from_fn(|k| dot(sag.by[k], arm) * gain),
         }
     });
     if block.by_command() {
@@ -128,8 +129,8 @@ struct Sag<const N: usize> {
     whole: Torque,
     /// The load's torque, N·m.
     load: Torque,
-    /// By each coefficient: the load's torque where C is one, and one for each direction of a part.
-    by: [Torque; N],
+    /// Moments by each coefficient: the load's where C is one, and one for each direction of a part.
+    by: [[f64; 3]; N],
 }
 
 /// Whether C is the first of so many coefficients.
@@ -138,27 +139,70 @@ const fn with_load(coefficients: usize) -> bool {
 }
 
 impl<const N: usize> Sag<N> {
-    fn of(block: &Block, me: &Placed, lane: usize) -> Self {
+    fn of(block: &Block, me: &Placed, parts: &Parts, lane: usize) -> Self {
         let load = Torque::of(block, me.joint, lane);
         let per_g = 1.0 / length(load.gravity).max(f64::MIN_POSITIVE);
-        let part = |k: usize| Torque {
-            moment: match (with_load(N), k) {
-                (true, 0) => load.moment,
-                (true, _) => direction(block, me.joint, k - 1, lane, None).map(|v| v * per_g),
-                (false, _) => direction(block, me.joint, k, lane, None).map(|v| v * per_g),
-            },
-            ..load
-        };
-        let by: [Torque; N] = std::array::from_fn(part);
+        let links = parts.carried(block, lane);
+        let by: [[f64; 3]; N] = std::array::from_fn(|k| match (with_load(N), k) {
+            (true, 0) => load.moment,
+            (true, _) => links[k - 1].map(|v| v * per_g),
+            (false, _) => links[k].map(|v| v * per_g),
+        });
         let mut moment = [0.0; 3];
         for (coefficient, part) in me.coefficients.iter().zip(&by) {
-            moment = add_scaled(moment, part.moment, *coefficient);
+            moment = add_scaled(moment, *part, *coefficient);
         }
         Self {
             whole: Torque { moment, ..load },
             load,
             by,
         }
+    }
+}
+
+/// What sags with a joint, as it is at home.
+struct Parts {
+    joint: usize,
+    /// Directions across the axis of each part's joint; none where there is no such part.
+    across: [Option<[[f64; 3]; 2]>; PARTS],
+}
+
+impl Parts {
+    fn of(robot: &Robot, joint: usize) -> Self {
+        let turns = |k: usize| {
+            robot
+                .joints
+                .get(k)
+                .is_some_and(|j| j.kind == JointKind::Revolute)
+        };
+        let across = std::array::from_fn(|part| {
+            turns(joint + part).then(|| {
+                let frame = JointFrame::new(robot, joint + part);
+                [frame.across_1, frame.across_2]
+            })
+        });
+        Self { joint, across }
+    }
+
+    /// The directions as the joint carries them with the joint itself at zero, two for each part.
+    fn carried(&self, block: &Block, lane: usize) -> [[f64; 3]; OF_PARTS] {
+        let mut all = [[0.0; 3]; OF_PARTS];
+        // From the outermost joint inwards each turns what it carries.
+        for part in (0..PARTS).rev() {
+            if let Some(own) = self.across[part] {
+                all[2 * part] = own[0];
+                all[2 * part + 1] = own[1];
+                if part > 0 {
+                    let k = self.joint + part;
+                    let axis = block.robot.joints[k].axis.direction.into_inner().into();
+                    let (sin, cos) = sin_cos(block.command(k, lane));
+                    for v in &mut all[2 * part..] {
+                        *v = turned(*v, axis, sin, cos);
+                    }
+                }
+            }
+        }
+        all
     }
 }
 
@@ -171,11 +215,12 @@ fn sag_rms<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> f64 {
         0.0
     };
     let mut block = Block::new(robot, 0, false);
+    let parts = Parts::of(robot, me.joint);
     let (mut sum, mut squares) = (0.0, 0.0);
     for start in (0..inputs.len()).step_by(LANES) {
         block.load(inputs, start);
         for lane in 0..LANES.min(inputs.len() - start) {
-            let sag = Sag::<N>::of(&block, me, lane);
+            let sag = Sag::<N>::of(&block, me, &parts, lane);
             let theta = block.command(me.joint, lane);
             let links = sag.whole.at(theta).0 - compliance * sag.load.at(theta).0;
             sum += links;

@@ -51,6 +51,7 @@ pub(crate) fn options() -> Options {
         correct_unexplained: true,
         // Names are added one by one here; what predicts without one is a part of a whole model.
         without_unnamed: true,
+        keep_when_stopped: true,
         ..Options::default()
     }
 }
@@ -58,17 +59,21 @@ pub(crate) fn options() -> Options {
 /// Passes on how far a search is, and whether it was cancelled.
 pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
     |progress| {
+        let mut share = 0.0;
         let stage = match progress {
             Progress::Checking => 0,
             Progress::Preparing => 1,
-            Progress::Searching { found } => {
+            Progress::Searching { found, percent } => {
                 watch.found(found);
+                share = f64::from(*percent) / 100.0;
                 SEARCHING
             }
             Progress::Comparing => 3,
             Progress::Planning => 4,
         };
-        watch.done(BEGUN[stage]);
+        // Of a stage that says how far it is, the part that is done.
+        let until = BEGUN.get(stage + 1).copied().unwrap_or(1.0);
+        watch.done(BEGUN[stage] + share * (until - BEGUN[stage]));
         watch.reached(stage);
         !watch.stopped()
     }

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::diagnosis::Options;
 use crate::fonts;
 use crate::history::History;
 use crate::pipeline;
@@ -70,7 +71,11 @@ fn make(
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
-            let options = search::options();
+            // A report that is cancelled is none.
+            let options = Options {
+                keep_when_stopped: false,
+                ..search::options()
+            };
             let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
             let made;
             let found = if let Some(found) = there {

@@ -150,8 +150,15 @@ impl Workbench {
         );
     }
 
-    /// Ends the search; the names that it had found until then stay in sight.
+    /// Asks the search to end with what is proven until then; asked again, it is cancelled.
     pub(super) fn stop_search(&mut self) {
+        if !self.jobs.ask_to_end(Kind::Searches) {
+            self.cancel_search();
+        }
+    }
+
+    /// Cancels the search; the names that it had found until then stay in sight.
+    fn cancel_search(&mut self) {
         let found = self.searching().map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
         if let Some(found) = found {
@@ -168,7 +175,7 @@ impl Workbench {
     /// Drops the newest job that the status bar names.
     pub(super) fn cancel_newest(&mut self) {
         if self.jobs.newest().is_some_and(Running::searches) {
-            return self.stop_search();
+            return self.cancel_search();
         }
         match self.jobs.cancel(Kind::has_a_name) {
             Some(Kind::Identifies) => {

@@ -7,6 +7,7 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::Fate;
 use crate::gui::file_state::watcher::Seen;
 
+use crate::diagnosis::Stopped;
 use crate::fit::Estimate;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
@@ -303,6 +304,33 @@ fn a_search_ends_where_another_session_is_opened() {
     let other = Subject::new(session, Vec::new(), Origin::Imported("other.txt".into()));
     workbench.execute(Command::Edit(Edit::Open(Arc::new(other))));
     assert!(workbench.searching().is_none());
+}
+
+#[test]
+fn a_search_that_is_stopped_answers_with_what_is_proven_so_far() {
+    let mut workbench = workbench();
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::Search);
+    workbench.execute(Command::StopSearch);
+    for _ in 0..2000 {
+        workbench.receive();
+        if workbench.searching().is_none() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let answer = workbench.diagnosis().expect("the answer so far");
+    assert_eq!(answer.stopped, Some(Stopped::Asked));
+    assert!(answer.unexplained.present);
+    assert!(workbench.stopped().is_none(), "the answer says it");
+    // Stopped twice it is cancelled: there is no answer.
+    let mut workbench = self::workbench();
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::Search);
+    workbench.execute(Command::StopSearch);
+    workbench.execute(Command::StopSearch);
+    assert!(workbench.searching().is_none() && workbench.diagnosis().is_none());
+    assert!(workbench.stopped().is_some());
 }
 
 #[test]

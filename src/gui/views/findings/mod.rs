@@ -8,7 +8,7 @@ mod next;
 
 use egui::{RichText, Ui};
 
-use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
+use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::{Command, Workbench};
@@ -127,6 +127,10 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     widgets::card(ui, |ui| {
         let says = RichText::new(says).font(strong(size::HEADING));
         ui.label(says.color(color));
+        if d.stopped == Some(Stopped::Asked) {
+            let says = say!("diagnosis-diagnosis-stopped");
+            ui.label(RichText::new(says).color(palette.warning));
+        }
         if !d.tested_anything() {
             let none = say!("diagnosis-these-samples-can-show-no");
             ui.label(RichText::new(none).color(palette.warning));

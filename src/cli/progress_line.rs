@@ -1,0 +1,47 @@
+//! How far long work is: one line on standard error that is written over, where that is a terminal.
+
+use std::cell::RefCell;
+use std::io::{IsTerminal, Write, stderr};
+
+use super::output::plain;
+
+/// Longer ones would wrap, and could not be written over.
+const WIDEST: usize = 78;
+
+/// The line, gone when it is dropped.
+pub(crate) struct ProgressLine {
+    shown: RefCell<String>,
+    is_seen: bool,
+}
+
+impl ProgressLine {
+    pub(crate) fn new() -> Self {
+        Self {
+            shown: RefCell::default(),
+            is_seen: stderr().is_terminal(),
+        }
+    }
+
+    /// Shows this in place of what was there.
+    pub(crate) fn says(&self, text: &str) {
+        if !self.is_seen {
+            return;
+        }
+        let text: String = plain(text).chars().take(WIDEST).collect();
+        let mut shown = self.shown.borrow_mut();
+        if *shown != text {
+            // Nobody is told where standard error takes nothing.
+            let _ = write!(stderr(), "\r\u{1b}[K{text}");
+            let _ = stderr().flush();
+            *shown = text;
+        }
+    }
+}
+
+impl Drop for ProgressLine {
+    fn drop(&mut self) {
+        if !self.shown.borrow().is_empty() {
+            let _ = write!(stderr(), "\r\u{1b}[K");
+        }
+    }
+}
