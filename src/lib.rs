@@ -99,7 +99,7 @@
 //!
 //! What these pages show is the library's promise and follows semantic versioning; so do the formats
 //! of its files, whose number stands in their `format`. With `default-features = false` nothing of
-//! the window is built.
+//! the window and of the terminal is built, and nothing that only they need.
 
 #![cfg_attr(
     not(feature = "gui"),
@@ -180,6 +180,7 @@ pub mod inside {
     pub use crate::sincos::{sin_cos, sin_cos_all};
 }
 
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
 #[cfg(feature = "gui")]
