@@ -114,6 +114,7 @@
 mod named;
 
 pub(crate) mod atomic;
+pub(crate) mod decompose;
 pub mod diagnostic;
 pub(crate) mod distributions;
 pub(crate) mod document;
