@@ -1,7 +1,7 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --example gallery`; with `-- arm` only the pictures of the arm; with `-- looks FOLDER [de|zh]` every
+//! `cargo run --features window-tests --example gallery`; with `-- arm` only the pictures of the arm; with `-- looks FOLDER [de|zh]` every
 //! step of three robots at four sizes into that folder, to be looked at
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes

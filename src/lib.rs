@@ -101,7 +101,7 @@
 //!
 //! What these pages show is the library's promise and follows semantic versioning; so do the formats
 //! of its files, whose number stands in their `format`. With `default-features = false` nothing of
-//! the window is built.
+//! the window and of the terminal is built, and nothing that only they need.
 
 #![cfg_attr(
     not(feature = "gui"),
@@ -116,6 +116,7 @@
 mod named;
 
 pub(crate) mod atomic;
+pub(crate) mod decompose;
 pub mod diagnostic;
 pub(crate) mod distributions;
 pub(crate) mod document;
@@ -182,6 +183,7 @@ pub mod inside {
     pub use crate::sincos::{sin_cos, sin_cos_all};
 }
 
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
 #[cfg(feature = "gui")]

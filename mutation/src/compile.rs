@@ -80,6 +80,8 @@ fn cargo(copy: &Path, arguments: &[&str]) -> Outcome<Built> {
         .args(arguments)
         .args([
             "--no-default-features",
+            "--features",
+            "cli",
             "--message-format",
             "json",
             "--locked",

@@ -121,7 +121,7 @@ fn step(model: &Model, session: &Session, problem: &Problem) -> Option<Vector3<f
             }
         }
     });
-    let eigen = normal.symmetric_eigen();
+    let eigen = crate::decompose::eigen(normal);
     let most = eigen.eigenvalues.max();
     let mut step = Vector3::zeros();
     for k in 0..3 {

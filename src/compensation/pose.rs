@@ -30,6 +30,7 @@ use std::borrow::Cow;
 
 use nalgebra::{DMatrix, Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
+use crate::decompose;
 use crate::effects::Inputs;
 use crate::kinematics::screw::Twist;
 use crate::kinematics::{JointKind, Pose, Robot};
@@ -360,7 +361,7 @@ impl<'r> Scale<'r> {
         };
         let rank = |rows: std::ops::Range<usize>, jacobian: &DMatrix<f64>| {
             let part = jacobian.rows_range(rows).into_owned();
-            part.rank(1e-6)
+            decompose::rank(part, 1e-6)
         };
         for seed in 1..=3 {
             let q: Vec<f64> = (0..robot.joints.len())
@@ -476,7 +477,7 @@ impl<'r> Scale<'r> {
             spread += free * free.transpose();
         }
         let rest = turn - turned;
-        let eigen = spread.symmetric_eigen();
+        let eigen = decompose::eigen(spread);
         let mut pull = Vector3::zeros();
         state.damped = false;
         for k in 0..3 {
@@ -504,7 +505,7 @@ impl<'r> Scale<'r> {
     /// The inverse of Jp Jpᵀ over the directions in which the tool moves well; `None` where they are fewer
     /// than in a generic pose.
     fn position_inverse(&self, gram: &Matrix3<f64>) -> Option<Matrix3<f64>> {
-        let eigen = gram.symmetric_eigen();
+        let eigen = decompose::eigen(*gram);
         let most = eigen.eigenvalues.max();
         let mut inverse = Matrix3::zeros();
         let mut good = 0;

@@ -5,7 +5,7 @@
 //! where their columns, without what the base model explains, have a canonical correlation r near
 //! one: the part √(1 − r²) of an effect is all that tells it from the other.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use crate::effects::Term;
 use crate::sessions::Session;
@@ -142,6 +142,8 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
 }
 
 fn largest_singular_value(cross: &DMatrix<f64>) -> f64 {
-    let values: DVector<f64> = cross.clone().singular_values();
-    values.iter().copied().fold(0.0, f64::max).min(1.0)
+    // Where there are none, nothing tells the two apart.
+    let svd = crate::decompose::svd(cross.clone());
+    let largest = svd.map(|svd| svd.singular_values.iter().copied().fold(0.0, f64::max));
+    largest.map_or(1.0, |largest| largest.min(1.0))
 }

@@ -57,6 +57,7 @@ pub fn plan_session(
     watch: Watch,
 ) -> Result<Plan, PlanError> {
     options.check()?;
+    PlanOptions::check_robot(&session.robot)?;
     let between = options.between(&session.robot)?;
     let arm = only_arms(&session.robot, options)?;
     let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
@@ -216,6 +217,7 @@ fn of_arm(
 /// If an option makes no sense.
 pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
     options.check()?;
+    PlanOptions::check_robot(robot)?;
     let between = options.between(robot)?;
     only_arms(robot, options)?;
     let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);

@@ -101,7 +101,11 @@ impl Workspace {
         let scaled = DMatrix::from_fn(p, p, |i, j| {
             gram[(i, j)] * self.steps[i] * self.steps[j] * mm
         });
-        let mut squares: Vec<f64> = scaled.symmetric_eigenvalues().iter().copied().collect();
+        let mut squares: Vec<f64> = crate::decompose::eigen(scaled)
+            .eigenvalues
+            .iter()
+            .copied()
+            .collect();
         squares.sort_by(|a, b| b.total_cmp(a));
         squares
     }

@@ -305,7 +305,7 @@ impl Pair {
             return (0.0, DVector::from_element(k, 1.0));
         }
         // Directions of which nothing is left beside the base do not count against the other.
-        let spectrum = alone.symmetric_eigen();
+        let spectrum = crate::decompose::eigen(alone);
         let mut best = (1.0_f64, spectrum.eigenvectors.column(0).into_owned());
         let kept: Vec<usize> = (0..k)
             .filter(|i| spectrum.eigenvalues[*i] > 1e-9 * mean)
@@ -313,7 +313,7 @@ impl Pair {
         let basis = DMatrix::from_fn(k, kept.len(), |i, j| {
             spectrum.eigenvectors[(i, kept[j])] / spectrum.eigenvalues[kept[j]].sqrt()
         });
-        let shares = (basis.tr_mul(&(left * &basis))).symmetric_eigen();
+        let shares = crate::decompose::eigen(basis.tr_mul(&(left * &basis)));
         for (i, share) in shares.eigenvalues.iter().enumerate() {
             if i == 0 || *share < best.0 {
                 let direction = &basis * shares.eigenvectors.column(i);

@@ -20,6 +20,9 @@ pub(crate) const USUAL_SIGMA_MM: f64 = 0.03;
 /// Poses that a plan holds at most.
 pub(crate) const MOST_POSES: usize = 2000;
 
+/// Joints of a robot for which poses are planned: the work grows with their square and more.
+pub(crate) const MOST_JOINTS: usize = 30;
+
 /// What the plan is to do.
 #[derive(Debug, Clone, Default)]
 pub struct PlanOptions {
@@ -92,6 +95,9 @@ pub enum PlanError {
     /// A load that makes no sense.
     #[error("--load is {0}; expected a mass above 0 in kg, such as 3")]
     Load(f64),
+    /// A robot with more joints than poses are planned for.
+    #[error("a robot with {0} joints; poses are planned for at most {MOST_JOINTS}")]
+    Joints(usize),
     /// An accuracy that makes no sense.
     #[error("--accuracy is {0}; expected a length above 0 in mm, such as 0.1")]
     Accuracy(f64),
@@ -166,6 +172,14 @@ impl PlanOptions {
         match self.load_kg.filter(|l| !above_zero(l)) {
             Some(load) => Err(PlanError::Load(load)),
             None => Ok(self.diagnosis.check()?),
+        }
+    }
+
+    /// Whether a plan for this robot comes to an end.
+    pub(crate) fn check_robot(robot: &Robot) -> Result<(), PlanError> {
+        match robot.joints.len() {
+            joints if joints > MOST_JOINTS => Err(PlanError::Joints(joints)),
+            _ => Ok(()),
         }
     }
 

@@ -24,6 +24,8 @@ use crate::model::Model;
 
 /// A file that is read back leads to the same place up to this, mm.
 const SAME_MM: f64 = 1e-9;
+/// Of a robot whose axes are kilometres away the last digits are lost: this share of its reach.
+const ROUNDING: f64 = 1e-13;
 
 pub(super) struct Chain {
     pub(super) corrected: Corrected,
@@ -123,7 +125,7 @@ impl Chain {
     /// Refuses a written chain that leads elsewhere: a bug.
     pub(super) fn check(&self, job: &Job, written: &Robot) -> Result<(), ExportError> {
         let off = self.farthest(job, written);
-        if off <= SAME_MM {
+        if off <= SAME_MM.max(ROUNDING * written.reach_mm()) {
             return Ok(());
         }
         Err(ExportError::ReadBack(format!(

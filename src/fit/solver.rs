@@ -11,7 +11,7 @@
 //! A long session is solved on evenly spaced blocks first. One pass over all samples from there
 //! is as good as many from afar, and a last pass with the same Gram matrix polishes it.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Role;
 use crate::effects::block::Block;
@@ -94,7 +94,7 @@ impl Spectrum {
                 determined: Vec::new(),
             };
         }
-        let eigen = SymmetricEigen::new(scaled);
+        let eigen = crate::decompose::eigen(scaled);
         let values = eigen.eigenvalues;
         Self {
             scale,

@@ -10,10 +10,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-use fontdb::{Database, FaceInfo, Source, Style};
-use ttf_parser::{Face, Permissions};
-
+use super::face::Face;
 use super::is_worth_a_font;
+use fontdb::{Database, FaceInfo, Source, Style};
 
 /// More faces than this are not taken for one text: each is held in memory.
 pub const MOST_FACES: usize = 4;
@@ -54,9 +53,6 @@ const FAMILIES: [(&str, Language); 30] = [
 
 /// Fonts that have every character, as a box or as nothing.
 const WITHOUT_LETTERS: [&str; 4] = ["LastResort", "Last Resort", "Adobe Blank", "Adobe NotDef"];
-
-/// Outlines of newer variable fonts.
-const CFF2: ttf_parser::Tag = ttf_parser::Tag::from_bytes(b"CFF2");
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Language {
@@ -106,18 +102,9 @@ pub enum Purpose {
 
 impl Purpose {
     fn takes(self, face: &Face) -> bool {
-        let tables = face.tables();
-        let plain = tables.glyf.is_some() || tables.cff.is_some();
         match self {
-            Self::Screen => plain || face.raw_face().table(CFF2).is_some(),
-            Self::Document => {
-                let lets = |os2: ttf_parser::os2::Table| {
-                    os2.permissions() != Some(Permissions::Restricted)
-                        && os2.is_subsetting_allowed()
-                        && os2.is_outline_embedding_allowed()
-                };
-                plain && tables.os2.is_none_or(lets)
-            }
+            Self::Screen => face.has_outlines(),
+            Self::Document => face.has_plain_outlines() && face.may_be_embedded(),
         }
     }
 }
@@ -149,8 +136,8 @@ impl fmt::Debug for SystemFace {
 
 impl SystemFace {
     /// Its tables.
-    pub fn parsed(&self) -> Option<Face<'_>> {
-        Face::parse(&self.data, self.index).ok()
+    pub(crate) fn parsed(&self) -> Option<Face<'_>> {
+        Face::parse(&self.data, self.index)
     }
 }
 
@@ -298,7 +285,7 @@ impl Library {
 
     fn how_many(&self, info: &FaceInfo, missing: &BTreeSet<char>, purpose: Purpose) -> usize {
         let count = |data: &[u8], index| {
-            let face = Face::parse(data, index).ok().filter(|f| purpose.takes(f))?;
+            let face = Face::parse(data, index).filter(|f| purpose.takes(f))?;
             Some(missing.iter().filter(|c| has(&face, **c)).count())
         };
         let counted = self.faces().with_face_data(info.id, count);
@@ -319,7 +306,7 @@ impl Library {
 }
 
 fn has(face: &Face, c: char) -> bool {
-    face.glyph_index(c).is_some_and(|glyph| glyph.0 != 0)
+    face.glyph(c).is_some()
 }
 
 fn path(info: &FaceInfo) -> Option<&Path> {

@@ -29,6 +29,7 @@
 //!
 //! Source of the tables that are read: `OpenType` 1.9, `cmap`, `OS/2`, `name`.
 
+mod face;
 mod library;
 #[cfg(test)]
 mod tests;
@@ -38,6 +39,7 @@ pub(crate) mod tiny_font;
 
 use std::collections::BTreeSet;
 
+pub(crate) use face::{Face, cff_table};
 pub use library::{Found, Library, MOST_FACES, Purpose, SystemFace};
 
 /// Inter, regular.

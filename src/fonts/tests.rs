@@ -76,7 +76,7 @@ fn the_weight_nearest_to_the_regular_one_is_taken_whatever_the_order() {
         fonts.rotate_left(1);
         let found = among(&fonts, "中", Purpose::Screen);
         let face = found.faces[0].parsed().expect("it can be read");
-        assert_eq!(face.weight().to_number(), 400, "turn {turn}");
+        assert_eq!(face.weight(), Some(400), "turn {turn}");
     }
 }
 
@@ -109,7 +109,7 @@ fn a_face_in_a_collection_is_named_by_its_number() {
     assert_eq!(names(&found), ["Second"]);
     assert_eq!(found.faces[0].index, 1);
     let face = found.faces[0].parsed().expect("it can be read");
-    assert!(face.glyph_index('中').is_some() && face.glyph_index('a').is_none());
+    assert!(face.glyph('中').is_some() && face.glyph('a').is_none());
 }
 
 #[test]

@@ -308,7 +308,10 @@ impl<'a> Search<'a> {
         }
         squares -= (a_sum.norm_squared() + b_sum.norm_squared()) / inside;
         moment -= b_sum * a_sum.transpose() / inside;
-        let singular = moment.singular_values();
+        let Some(svd) = crate::decompose::svd(moment) else {
+            return self.variance;
+        };
+        let singular = svd.singular_values;
         let smallest = singular.min();
         let sign = if moment.determinant() < 0.0 {
             -1.0
@@ -402,9 +405,11 @@ impl<'a> Search<'a> {
                 frame += row * row.transpose();
             }
         }
-        let svd = frame.svd(true, true);
-        let tiny = 1e-9 * svd.singular_values.max();
-        let explained = svd.solve(&shared, tiny).map_or(0.0, |x| shared.dot(&x));
+        let explained = crate::decompose::svd(frame).and_then(|svd| {
+            let tiny = 1e-9 * svd.singular_values.max();
+            svd.solve(&shared, tiny).ok().map(|x| shared.dot(&x))
+        });
+        let explained = explained.unwrap_or(0.0);
         let left = own - explained;
         let determined = left > 1e-6 * own && own > 0.0;
         if strictly && !determined {

@@ -155,8 +155,8 @@ fn on_a_line(points: impl Iterator<Item = Point3<f64>> + Clone) -> bool {
     let scatter: Matrix3<f64> = points
         .map(|p| (p.coords - centre) * (p.coords - centre).transpose())
         .sum();
-    let mut extents: Vec<f64> = scatter
-        .symmetric_eigenvalues()
+    let mut extents: Vec<f64> = crate::decompose::eigen(scatter)
+        .eigenvalues
         .iter()
         .map(|v| v.max(0.0).sqrt())
         .collect();

@@ -41,7 +41,7 @@ pub fn robot_from_file(
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     })?;
     let mut document = Document::parse(&text, path)?;
-    let is_mjcf = document.element(ROOT).name == "mujoco";
+    let is_mjcf = document.name(ROOT) == "mujoco";
     let format = format.unwrap_or(if is_mjcf {
         DescriptionFormat::Mjcf
     } else {

@@ -67,7 +67,7 @@ impl Robot {
                     column.unscale_mut(norm);
                 }
             }
-            jacobian.rank(1e-9)
+            crate::decompose::rank(jacobian, 1e-9)
         };
         (1..=3).map(rank_at).max().unwrap_or(0)
     }

@@ -62,6 +62,7 @@ mod urdf_edit;
 mod visuals;
 mod xml;
 mod xml_budget;
+mod xml_source;
 
 #[cfg(test)]
 pub(crate) mod testing;

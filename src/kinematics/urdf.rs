@@ -38,8 +38,8 @@ pub fn robot_from_urdf(text: &str, file: &Path, base: &str, tip: &str) -> Result
 /// The links and joints of a document.
 pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
     let root = ROOT;
-    if document.element(root).name != "robot" {
-        let found = format!("<{}>", document.element(root).name);
+    if document.name(root) != "robot" {
+        let found = format!("<{}>", document.name(root));
         return Err(document.refuse(root, found, "<robot>, as a URDF file begins"));
     }
     let mut tree = Tree {

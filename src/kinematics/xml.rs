@@ -5,71 +5,48 @@
 //! message needs them. What is no well-formed XML is refused with its place; so are numbers that
 //! are none.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use roxmltree::{Node, ParsingOptions};
 
 use super::xml_budget;
+use super::xml_source::{Piece, Source};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::guard;
 
 /// Files larger than this, in bytes, are no robot descriptions.
 const LARGEST_FILE: u64 = 64 << 20;
-/// Documents with more elements, attributes and texts than this are no robot descriptions.
-const MOST_NODES: u32 = 300_000;
+/// Documents with more elements and texts than this are no robot descriptions; each wants some 150 bytes.
+const MOST_NODES: u32 = 100_000;
 /// So many files may be included.
 const MOST_FILES: usize = 64;
 
+/// An element, as places in its text.
 #[derive(Debug)]
-pub(super) struct Element {
+struct Element {
     /// Its name without a prefix; empty for elements of somebody else's vocabulary.
-    pub(super) name: String,
-    attributes: Vec<Attribute>,
+    name: Piece,
+    /// In [`Document::attributes`].
+    attributes: Range<u32>,
     /// The elements in it, in the order of the file.
-    pub(super) children: Vec<usize>,
-    source: usize,
-    at: usize,
+    children: Vec<usize>,
+    source: u32,
+    at: u32,
 }
 
 #[derive(Debug)]
 struct Attribute {
-    name: String,
-    value: String,
-    at: usize,
-}
-
-#[derive(Debug)]
-struct Source {
-    file: PathBuf,
-    length: usize,
-    /// Where each line starts: a place is asked for each joint, and the text is long.
-    lines: Vec<usize>,
-}
-
-impl Source {
-    fn new(text: &str, file: &Path) -> Self {
-        let feeds = memchr::memchr_iter(b'\n', text.as_bytes());
-        Self {
-            file: file.to_path_buf(),
-            length: text.len(),
-            lines: std::iter::once(0).chain(feeds.map(|at| at + 1)).collect(),
-        }
-    }
-
-    fn place(&self, at: usize) -> Place {
-        let at = at.min(self.length);
-        let line = self.lines.partition_point(|start| *start <= at);
-        let start = self.lines[line.max(1) - 1];
-        Place::file(&self.file)
-            .at_line(line as u64)
-            .at_column((at - start) as u64 + 1)
-    }
+    name: Piece,
+    value: Piece,
+    at: u32,
 }
 
 #[derive(Debug)]
 pub(super) struct Document {
     sources: Vec<Source>,
     elements: Vec<Element>,
+    attributes: Vec<Attribute>,
 }
 
 /// The outermost element of a document.
@@ -90,6 +67,7 @@ impl Document {
         let mut document = Self {
             sources: Vec::new(),
             elements: Vec::new(),
+            attributes: Vec::new(),
         };
         document.add(text, file)?;
         Ok(document)
@@ -98,13 +76,13 @@ impl Document {
     /// Reads a document behind the elements that are there already; its root element is the answer.
     fn add(&mut self, text: &str, file: &Path) -> Result<usize, Rejected> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let place_in = Source::new(text, file);
+        let mut own = Source::new(text, file);
         xml_budget::check(text).map_err(|(at, found, expected)| {
-            Rejected::because(Diagnostic::error(place_in.place(at), found, expected))
+            Rejected::because(Diagnostic::error(own.place(at), found, expected))
         })?;
         let options = ParsingOptions {
             allow_dtd: true,
-            nodes_limit: MOST_NODES,
+            nodes_limit: MOST_NODES.saturating_sub(index(self.elements.len())),
             ..ParsingOptions::default()
         };
         let tree = roxmltree::Document::parse_with_options(text, options).map_err(|error| {
@@ -116,21 +94,51 @@ impl Document {
                 "well-formed XML",
             ))
         })?;
-        let source = self.sources.len();
-        self.sources.push(place_in);
+        let source = index(self.sources.len());
         let root = self.elements.len();
         // Which element of the list each node became; parents come before their children.
-        let mut place_of = vec![usize::MAX; tree.root().descendants().count()];
+        let mut place_of = vec![u32::MAX; tree.root().descendants().count()];
         for node in tree.root().descendants().filter(Node::is_element) {
-            let index = self.elements.len();
-            place_of[node.id().get_usize()] = index;
-            self.elements.push(element(&node, source));
+            let place = self.elements.len();
+            place_of[node.id().get_usize()] = index(place);
+            let element = self.read(&node, &mut own, source);
+            self.elements.push(element);
             if let Some(parent) = node.parent_element() {
                 let parent = place_of[parent.id().get_usize()];
-                self.elements[parent].children.push(index);
+                self.elements[parent as usize].children.push(place);
             }
         }
+        self.sources.push(own);
         Ok(root)
+    }
+
+    fn read(&mut self, node: &Node<'_, '_>, own: &mut Source, source: u32) -> Element {
+        // Names with a prefix belong to somebody else's vocabulary.
+        let foreign = node.tag_name().namespace().is_some_and(|uri| {
+            let default = node.default_namespace();
+            default != Some(uri)
+        });
+        let at = node.range().start;
+        let name = node.tag_name().name();
+        let first = self.attributes.len();
+        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+            self.attributes.push(Attribute {
+                name: own.piece(attribute.name(), attribute.range_qname()),
+                value: own.piece(attribute.value(), attribute.range_value()),
+                at: index(attribute.range().start),
+            });
+        }
+        Element {
+            name: if foreign {
+                Piece::EMPTY
+            } else {
+                own.piece(name, at + 1..at + 1 + name.len())
+            },
+            attributes: index(first)..index(self.attributes.len()),
+            children: Vec::new(),
+            source,
+            at: index(at),
+        }
     }
 
     /// Puts the children of the included documents where the `include` elements stand. A file is
@@ -144,7 +152,7 @@ impl Document {
             let mut place = 0;
             while place < self.elements[index].children.len() {
                 let child = self.elements[index].children[place];
-                if self.elements[child].name != "include" {
+                if self.name(child) != "include" {
                     place += 1;
                     continue;
                 }
@@ -172,6 +180,11 @@ impl Document {
             let found = format!("'{name}' for the second time");
             return Err(refuse(self, (found, "each file included once".to_owned())));
         }
+        let so_far: usize = self.sources.iter().map(Source::length).sum();
+        if so_far + text.len() > usize::try_from(LARGEST_FILE).unwrap_or(usize::MAX) {
+            let found = format!("'{name}', with which the files have more than 64 MiB");
+            return Err(refuse(self, (found, "at most 64 MiB in all".to_owned())));
+        }
         self.add(&text, &file)
     }
 
@@ -180,8 +193,15 @@ impl Document {
         self.sources.iter().map(|s| s.file.clone()).collect()
     }
 
-    pub(super) fn element(&self, index: usize) -> &Element {
-        &self.elements[index]
+    /// The name of an element without a prefix; empty for one of somebody else's vocabulary.
+    pub(super) fn name(&self, index: usize) -> &str {
+        let element = &self.elements[index];
+        self.sources[element.source as usize].text(element.name)
+    }
+
+    /// The elements in an element, in the order of the file.
+    pub(super) fn inside(&self, index: usize) -> &[usize] {
+        &self.elements[index].children
     }
 
     /// The children of an element with this name.
@@ -190,15 +210,24 @@ impl Document {
         index: usize,
         name: &'d str,
     ) -> impl Iterator<Item = usize> + 'd {
-        let children = self.elements[index].children.iter().copied();
-        children.filter(move |child| self.elements[*child].name == name)
+        let children = self.inside(index).iter().copied();
+        children.filter(move |child| self.name(*child) == name)
+    }
+
+    fn named(&self, index: usize, name: &str) -> Option<&Attribute> {
+        let element = &self.elements[index];
+        let source = &self.sources[element.source as usize];
+        let Range { start, end } = element.attributes;
+        let attributes = self.attributes[start as usize..end as usize].iter();
+        let mut attributes = attributes.filter(|attribute| source.text(attribute.name) == name);
+        attributes.next()
     }
 
     /// The value of an attribute.
     pub(super) fn attribute(&self, index: usize, name: &str) -> Option<&str> {
-        let attributes = &self.elements[index].attributes;
-        let found = attributes.iter().find(|attribute| attribute.name == name);
-        found.map(|attribute| attribute.value.as_str())
+        let source = &self.sources[self.elements[index].source as usize];
+        let attribute = self.named(index, name)?;
+        Some(source.text(attribute.value))
     }
 
     /// The value of an attribute that has to be there.
@@ -207,7 +236,7 @@ impl Document {
     /// It is not.
     pub(super) fn required(&self, index: usize, name: &str) -> Result<&str, Rejected> {
         self.attribute(index, name).ok_or_else(|| {
-            let element = &self.elements[index].name;
+            let element = self.name(index);
             let found = format!("<{element}> without {name}");
             self.refuse(index, found, format!("<{element} {name}=\"…\">"))
         })
@@ -221,12 +250,12 @@ impl Document {
 
     fn attribute_place(&self, index: usize, name: &str) -> Place {
         let element = &self.elements[index];
-        let found = element.attributes.iter().find(|a| a.name == name);
-        self.place_of(element.source, found.map_or(element.at, |a| a.at))
+        let at = self.named(index, name).map_or(element.at, |a| a.at);
+        self.place_of(element.source, at)
     }
 
-    fn place_of(&self, source: usize, at: usize) -> Place {
-        self.sources[source].place(at)
+    fn place_of(&self, source: u32, at: u32) -> Place {
+        self.sources[source as usize].place(at as usize)
     }
 
     /// A refusal at an element.
@@ -247,7 +276,7 @@ impl Document {
         expected: impl Into<String>,
     ) -> Rejected {
         let value = self.attribute(index, name).unwrap_or_default();
-        let element = &self.elements[index].name;
+        let element = self.name(index);
         let found = format!("{name}=\"{}\" in <{element}>", short(value));
         let place = self.attribute_place(index, name);
         Rejected::because(Diagnostic::error(place, found, expected))
@@ -324,29 +353,9 @@ fn is_too_large(text: &str) -> bool {
         .is_ok_and(|number| number.is_finite() && !is_in_range(number))
 }
 
-fn element(node: &Node<'_, '_>, source: usize) -> Element {
-    // Names with a prefix belong to somebody else's vocabulary.
-    let foreign = node.tag_name().namespace().is_some_and(|uri| {
-        let default = node.default_namespace();
-        default != Some(uri)
-    });
-    let attributes = node.attributes().filter(|a| a.namespace().is_none());
-    let attribute = |a: roxmltree::Attribute<'_, '_>| Attribute {
-        name: a.name().to_owned(),
-        value: a.value().to_owned(),
-        at: a.range().start,
-    };
-    Element {
-        name: if foreign {
-            String::new()
-        } else {
-            node.tag_name().name().to_owned()
-        },
-        attributes: attributes.map(attribute).collect(),
-        children: Vec::new(),
-        source,
-        at: node.range().start,
-    }
+/// A place in a list or a text, both of which have their limits.
+fn index(at: usize) -> u32 {
+    u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 /// A message without the place at its end: that is said in front of it.
@@ -453,10 +462,31 @@ mod tests {
 
     #[test]
     fn nesting_as_deep_as_the_file_is_long_is_only_a_long_list() {
-        let deep = "<a>".repeat(200_000);
-        let back = "</a>".repeat(200_000);
+        let deep = "<a>".repeat(90_000);
+        let back = "</a>".repeat(90_000);
         let document = parse(&format!("<robot>{deep}{back}</robot>")).unwrap();
-        assert_eq!(document.elements.len(), 200_001);
+        assert_eq!(document.elements.len(), 90_001);
+    }
+
+    #[test]
+    fn more_elements_than_a_robot_has_are_refused() {
+        let many = "<a/>".repeat(100_001);
+        let message = parse(&format!("<robot>{many}</robot>")).unwrap_err();
+        assert!(message.to_string().contains("nodes limit"), "{message}");
+    }
+
+    #[test]
+    fn values_are_those_of_the_text_with_entities_and_escapes_written_out() {
+        let text =
+            "<!DOCTYPE r [<!ENTITY e 'links'>]><r a='&e; &lt;' b = \"x\ty\" c=''><s d='é'/></r>";
+        let document = parse(text).unwrap();
+        let value = |element, name| document.attribute(element, name);
+        assert_eq!(value(0, "a"), Some("links <"));
+        assert_eq!(value(0, "b"), Some("x y"));
+        assert_eq!((value(0, "c"), value(0, "d")), (Some(""), None));
+        assert_eq!((value(1, "d"), document.name(1)), (Some("é"), "s"));
+        let prefixed = parse("<x:r xmlns:x='u' xmlns='u'/>").unwrap();
+        assert_eq!(prefixed.name(0), "r");
     }
 
     #[test]
@@ -483,11 +513,8 @@ mod tests {
             document.follow_includes(&include).map(|()| document)
         };
         let document = read("<m><w/><include file='a'/><z/></m>").unwrap();
-        let children = &document.element(0).children;
-        let names: Vec<&str> = children
-            .iter()
-            .map(|c| &*document.element(*c).name)
-            .collect();
+        let children = document.inside(0).iter();
+        let names: Vec<&str> = children.map(|c| document.name(*c)).collect();
         assert_eq!(names, ["w", "x", "y", "z"]);
         assert_eq!(document.files().len(), 3);
         for wrong in ["loop", "gone"] {

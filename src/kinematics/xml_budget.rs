@@ -10,7 +10,7 @@ type Refusal = (usize, String, String);
 /// Attributes of one element.
 const MOST_ATTRIBUTES: usize = 1000;
 /// Attributes of a document.
-const MOST_IN_ALL: usize = 2_000_000;
+const MOST_IN_ALL: usize = 500_000;
 /// Declarations of namespaces in a document.
 const MOST_NAMESPACES: usize = 1000;
 /// Bytes between the first and the last declaration of an entity, and their number.
@@ -74,7 +74,7 @@ fn attributes(text: &[u8]) -> Result<(), Refusal> {
 }
 
 /// Entities may be declared, but not of each other, and what they write out in all is no more than
-/// ten times the text.
+/// twice the text.
 fn entities(text: &str) -> Result<(), Refusal> {
     const DECLARES: &str = "<!ENTITY";
     let refuse = |at: usize, found: String| {
@@ -111,7 +111,7 @@ fn entities(text: &str) -> Result<(), Refusal> {
         return refuse(first + within, "an entity within another".to_owned());
     }
     let times = named(&text[..first]).len() + named(&text[end..]).len();
-    if times.saturating_mul(end - first) > 10 * text.len() + (1 << 20) {
+    if times.saturating_mul(end - first) > 2 * text.len() + (1 << 20) {
         return refuse(first, format!("entities that are named {times} times"));
     }
     Ok(())

@@ -42,7 +42,7 @@ pub(crate) fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Iso
         .iter()
         .map(|(from, to)| (to - to_centre) * (from - from_centre).transpose())
         .sum();
-    let svd = moment.svd(true, true);
+    let svd = crate::decompose::svd(moment)?;
     let (u, v_t) = (svd.u?, svd.v_t?);
     // A reflection would fit a flat set of points as well; it is no motion.
     let handedness = (u * v_t).determinant().signum();

@@ -44,8 +44,9 @@ pub(crate) fn bring(
                 }
             }
         });
-        let svd = slopes.svd(true, true);
-        let Ok(step) = svd.solve(&DVector::from_vec(left), 1e-9) else {
+        let step = crate::decompose::svd(slopes)
+            .and_then(|svd| svd.solve(&DVector::from_vec(left), 1e-9).ok());
+        let Some(step) = step else {
             return false;
         };
         let longest = (0..joints).map(|j| {

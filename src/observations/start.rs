@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{
-    DMatrix, DVector, Isometry3, Matrix3, Rotation3, SymmetricEigen, Translation3, UnitQuaternion,
-    Vector3,
+    DMatrix, DVector, Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3,
 };
 
+use crate::decompose;
 use crate::effects::Term;
 use crate::model::Model;
 use crate::sessions::Session;
@@ -220,7 +220,7 @@ fn anchor_guesses(layer: &Layer, items: &[usize], seen: &[Prediction]) -> Vec<[f
             let p = Vector3::from(seen[items[row]].0) - centre;
             p.norm_squared() - measured(items[row]).powi(2)
         });
-        if let Ok(x) = matrix.svd(true, true).solve(&right, 1e-9) {
+        if let Some(Ok(x)) = decompose::svd(matrix).map(|svd| svd.solve(&right, 1e-9)) {
             let at = centre + Vector3::new(x[0], x[1], x[2]);
             guesses.push([at.x, at.y, at.z, x[3], 0.0, 0.0]);
             guesses.push([at.x, at.y, at.z, 0.0, 0.0, 0.0]);
@@ -257,7 +257,7 @@ fn line(layer: &Layer, item: usize, seen: &[Prediction], from: Vector3<f64>) -> 
 /// The rotation that brings one set of directions closest to another.
 fn turned_onto(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Rotation3<f64>> {
     let moment: Matrix3<f64> = pairs.iter().map(|(from, to)| to * from.transpose()).sum();
-    let svd = moment.svd(true, true);
+    let svd = decompose::svd(moment)?;
     let (mut u, v_t) = (svd.u?, svd.v_t?);
     if (u * v_t).determinant() < 0.0 {
         let values = svd.singular_values;
@@ -315,7 +315,7 @@ fn plane_guess(items: &[usize], seen: &[Prediction]) -> [f64; MOST] {
             arm * arm.transpose()
         })
         .sum();
-    let eigen = SymmetricEigen::new(scatter);
+    let eigen = decompose::eigen(scatter);
     let values = eigen.eigenvalues;
     let least = (0..3).fold(0, |a, b| if values[b] < values[a] { b } else { a });
     let mut normal: Vector3<f64> = eigen.eigenvectors.column(least).into();
@@ -389,7 +389,7 @@ fn spread_in_two(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> bool {
         .iter()
         .map(|p| (p.0 - centre) * (p.0 - centre).transpose())
         .sum();
-    let mut values: Vec<f64> = SymmetricEigen::new(scatter)
+    let mut values: Vec<f64> = decompose::eigen(scatter)
         .eigenvalues
         .iter()
         .copied()

@@ -21,11 +21,26 @@ pub(super) enum Kind {
     Sign(u8),
 }
 
-/// One word.
+/// One word; a long program has millions of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Token {
     pub(super) kind: Kind,
-    pub(super) range: Range<usize>,
+    start: u32,
+    end: u32,
+}
+
+impl Token {
+    /// `None` beyond 4 GiB.
+    fn new(kind: Kind, range: Range<usize>) -> Option<Self> {
+        let start = u32::try_from(range.start).ok()?;
+        let end = u32::try_from(range.end).ok()?;
+        Some(Self { kind, start, end })
+    }
+
+    /// Its bytes.
+    pub(super) fn range(&self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
 }
 
 /// What differs between languages.
@@ -69,10 +84,9 @@ pub(super) fn words(
         } else {
             (Kind::Sign(byte), at + 1)
         };
-        tokens.push(Token {
-            kind,
-            range: at..end,
-        });
+        let token = Token::new(kind, at..end)
+            .ok_or_else(|| Problem::new(at, "a longer program", "at most 4 GiB"))?;
+        tokens.push(token);
         at = end;
     }
     Ok(tokens)
@@ -153,14 +167,14 @@ impl Words<'_, '_> {
     pub(super) fn bytes(&self, k: usize) -> &[u8] {
         self.tokens
             .get(k)
-            .map_or(&[][..], |token| &self.text.bytes[token.range.clone()])
+            .map_or(&[][..], |token| &self.text.bytes[token.range()])
     }
 
     /// Where a word begins; behind the last one where the last ends.
     pub(super) fn at(&self, k: usize) -> usize {
         match self.tokens.get(k) {
-            Some(token) => token.range.start,
-            None => self.tokens.last().map_or(0, |token| token.range.end),
+            Some(token) => token.range().start,
+            None => self.tokens.last().map_or(0, |token| token.range().end),
         }
     }
 
@@ -191,7 +205,7 @@ impl Words<'_, '_> {
         if self.kind(digits) != Some(Kind::Digits) {
             return None;
         }
-        let range = self.at(k)..self.tokens[digits].range.end;
+        let range = self.at(k)..self.tokens[digits].range().end;
         let read = Number::read(self.text.bytes, range.clone(), false);
         Some(match read {
             Ok(number) => Ok((number, digits + 1)),
@@ -221,7 +235,7 @@ impl Words<'_, '_> {
     pub(super) fn shown(&self, k: usize, end: usize) -> String {
         let last = self.tokens.get(end.max(k + 1) - 1).or(self.tokens.last());
         match (self.tokens.get(k), last) {
-            (Some(first), Some(last)) => self.text.shown(first.range.start..last.range.end),
+            (Some(first), Some(last)) => self.text.shown(first.range().start..last.range().end),
             _ => String::new(),
         }
     }
@@ -282,7 +296,7 @@ mod tests {
     fn spelled(source: &str) -> Vec<String> {
         let text = Text::new(source.as_bytes());
         let tokens = words(&text, 0..source.len(), RAPID).unwrap();
-        tokens.iter().map(|t| text.shown(t.range.clone())).collect()
+        tokens.iter().map(|t| text.shown(t.range())).collect()
     }
 
     #[test]

@@ -9,10 +9,9 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use subsetter::GlyphRemapper;
-use ttf_parser::{Face, RawFace, Tag};
 
 use super::pdf::PdfError;
-use crate::fonts::{INTER, INTER_SEMI_BOLD, SystemFace};
+use crate::fonts::{Face, INTER, INTER_SEMI_BOLD, SystemFace, cff_table};
 
 /// Every bundled face, by its number.
 const FILES: [(&str, &[u8]); 4] = [
@@ -58,7 +57,7 @@ impl<'f> Fonts<'f> {
             .iter()
             .map(|face| (&*face.name, face.data.as_slice(), face.index));
         let source = |(name, data, index): (&str, &'f [u8], u32)| {
-            let face = Face::parse(data, index).map_err(|_| PdfError::Font(name.to_owned()))?;
+            let face = Face::parse(data, index).ok_or_else(|| PdfError::Font(name.to_owned()))?;
             Ok(Source {
                 name: plain(name),
                 data,
@@ -96,8 +95,8 @@ impl<'f> Fonts<'f> {
         let mut runs: Vec<Run> = Vec::new();
         for c in text.chars() {
             let found = order.iter().find_map(|face| {
-                let glyph = self.face(*face).glyph_index(c).filter(|g| g.0 != 0)?;
-                Some((*face, glyph.0))
+                let glyph = self.face(*face).glyph(c)?;
+                Some((*face, glyph))
             });
             let Some((face, glyph)) = found else {
                 self.missing.borrow_mut().insert(c);
@@ -124,7 +123,7 @@ impl<'f> Fonts<'f> {
     /// The code of a character that no face has.
     fn code(&self, c: char, face: usize) -> Run {
         let text = format!("[U+{:04X}]", u32::from(c));
-        let glyph = |c: char| self.face(face).glyph_index(c).map_or(0, |g| g.0);
+        let glyph = |c: char| self.face(face).glyph(c).unwrap_or(0);
         let glyphs: Vec<(u16, char)> = text.chars().map(|c| (glyph(c), c)).collect();
         Run {
             face,
@@ -137,11 +136,7 @@ impl<'f> Fonts<'f> {
     /// Width of a glyph at a size of 1.
     pub(super) fn advance(&self, face: usize, glyph: u16) -> f64 {
         let face = self.face(face);
-        let units = f64::from(face.units_per_em());
-        let advance = face
-            .glyph_hor_advance(ttf_parser::GlyphId(glyph))
-            .unwrap_or(0);
-        f64::from(advance) / units
+        face.advance(glyph) / face.units_per_em()
     }
 
     /// Width of a text, points.
@@ -221,16 +216,12 @@ impl Used {
         let source = &fonts.sources[face];
         let cut = subsetter::subset(source.data, source.index, &self.numbers);
         let cut = cut.map_err(|_| PdfError::Font(source.name.clone()))?;
-        let table = RawFace::parse(&cut, 0).ok().and_then(|f| f.table(CFF));
-        Ok(match table {
+        Ok(match cff_table(&cut) {
             Some(table) => Embedded::Cff(table.to_vec()),
             None => Embedded::TrueType(cut),
         })
     }
 }
-
-/// Outlines after Adobe, in place of the table `glyf` of a `TrueType` font.
-const CFF: Tag = Tag::from_bytes(b"CFF ");
 
 /// A part of a font, as ISO 32000-1, table 126, has it in a file.
 pub(super) enum Embedded {
@@ -246,8 +237,8 @@ pub(super) fn can_be_embedded(face: &SystemFace, characters: &BTreeSet<char>) ->
     let Some(parsed) = face.parsed() else {
         return false;
     };
-    for glyph in characters.iter().filter_map(|c| parsed.glyph_index(*c)) {
-        numbers.remap(glyph.0);
+    for glyph in characters.iter().filter_map(|c| parsed.glyph(*c)) {
+        numbers.remap(glyph);
     }
     subsetter::subset(&face.data, face.index, &numbers).is_ok()
 }

@@ -5,8 +5,8 @@
 //! where the picture is looked at.
 
 use png::{BitDepth, ColorType, Encoder, PixelDimensions, Unit};
+use skrifa::outline::OutlinePen;
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, StrokeDash, Transform};
-use ttf_parser::{GlyphId, OutlineBuilder};
 
 use super::fonts::Fonts;
 use super::pdf::PdfError;
@@ -152,10 +152,10 @@ fn write(sheet: &mut Pixmap, label: &Label, fonts: &Fonts) {
     let mut pen = -back * fonts.width(&label.text, label.size, label.bold);
     for run in fonts.runs(&label.text, label.bold) {
         let face = fonts.face(run.face);
-        let scale = single(label.size / f64::from(face.units_per_em()));
+        let scale = single(label.size / face.units_per_em());
         for (glyph, _) in run.glyphs {
             let mut outline = Outline(PathBuilder::new());
-            face.outline_glyph(GlyphId(glyph), &mut outline);
+            face.draw(glyph, &mut outline);
             // Letters stand upwards, the sheet goes down.
             let letter = along
                 .pre_translate(single(pen), 0.0)
@@ -169,7 +169,7 @@ fn write(sheet: &mut Pixmap, label: &Label, fonts: &Fonts) {
 /// The outlines of a letter, in units of its face, y up.
 struct Outline(PathBuilder);
 
-impl OutlineBuilder for Outline {
+impl OutlinePen for Outline {
     fn move_to(&mut self, x: f32, y: f32) {
         self.0.move_to(x, y);
     }

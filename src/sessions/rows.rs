@@ -1,7 +1,7 @@
 //! Samples taken away from, or put behind, others: every column at once, so that they stay as long
 //! as each other.
 
-use super::domain::{Samples, Setups, UnknownColumn};
+use super::domain::{Samples, Session, Setups, UnknownColumn};
 use super::lines::Lines;
 use super::references::ObservedColumns;
 
@@ -22,58 +22,72 @@ impl Samples {
     /// These samples in this order, which count from 0; where there is none an empty one, measured of the
     /// first target and in the first setup.
     pub(crate) fn select(&mut self, rows: &[Option<usize>]) {
-        let numbers = |column: &mut Vec<f64>| pick(column, rows, &f64::NAN);
-        let (points, observed) = ([&mut self.x_mm, &mut self.y_mm], &mut self.observed);
-        self.q.iter_mut().chain(points).for_each(numbers);
-        for columns in [
-            &mut self.q_read,
-            &mut self.dir,
-            &mut self.speed,
-            &mut self.torque_nm,
-            &mut self.joint_temperature_c,
-        ] {
-            columns.iter_mut().flatten().for_each(numbers);
-        }
-        self.orientation_wxyz.iter_mut().flatten().for_each(numbers);
-        for column in [
-            &mut self.z_mm,
-            &mut self.load_kg,
-            &mut self.temperature_c,
-            &mut self.time_s,
-            &mut observed.distance_mm,
-            &mut observed.azimuth,
-            &mut observed.elevation,
-        ] {
-            column.iter_mut().for_each(numbers);
-        }
-        for column in [
-            &mut observed.anchor,
-            &mut observed.station,
-            &mut observed.plane,
-            &mut observed.socket,
-        ] {
-            let names = |column| pick(column, rows, &None);
-            column.iter_mut().for_each(names);
-        }
-        self.target.iter_mut().for_each(|c| pick(c, rows, &0));
-        for marks in [&mut self.held_out, &mut self.excluded]
-            .into_iter()
-            .flatten()
-        {
-            pick(marks, rows, &false);
-        }
-        let setups = self.setups.iter_mut();
-        setups.for_each(|setups| pick(&mut setups.index, rows, &0));
-        for column in &mut self.unknown {
-            pick(&mut column.cells, rows, &String::new());
-        }
+        *self = self.selected(rows);
+    }
+
+    /// The same of samples that stay: a few of many are taken without a copy of all.
+    pub(crate) fn selected(&self, rows: &[Option<usize>]) -> Self {
+        let numbers = |column: &Vec<f64>| picked(column, rows, f64::NAN);
+        let perhaps = |column: &Option<Vec<f64>>| column.as_ref().map(numbers);
+        let columns = |columns: &[Option<Vec<f64>>]| columns.iter().map(perhaps).collect();
+        let names = |column: &Option<Vec<Option<u32>>>| {
+            let column = column.as_ref();
+            column.map(|column| picked(column, rows, None))
+        };
+        let marks = |column: &Option<Vec<bool>>| {
+            let column = column.as_ref();
+            column.map(|column| picked(column, rows, false))
+        };
+        let mut line = Lines::default();
         if !self.line.is_empty() {
-            let mut lines = Lines::default();
             for row in rows {
-                let line = row.and_then(|row| self.line.get(row));
-                lines.add(line.unwrap_or(0), 1);
+                line.add(row.and_then(|row| self.line.get(row)).unwrap_or(0), 1);
             }
-            self.line = lines;
+        }
+        let observed = &self.observed;
+        Self {
+            q: self.q.iter().map(numbers).collect(),
+            q_read: columns(&self.q_read),
+            x_mm: numbers(&self.x_mm),
+            y_mm: numbers(&self.y_mm),
+            z_mm: perhaps(&self.z_mm),
+            orientation_wxyz: self
+                .orientation_wxyz
+                .as_ref()
+                .map(|parts| parts.each_ref().map(numbers)),
+            observed: ObservedColumns {
+                distance_mm: perhaps(&observed.distance_mm),
+                anchor: names(&observed.anchor),
+                azimuth: perhaps(&observed.azimuth),
+                elevation: perhaps(&observed.elevation),
+                station: names(&observed.station),
+                plane: names(&observed.plane),
+                socket: names(&observed.socket),
+            },
+            target: self.target.as_ref().map(|all| picked(all, rows, 0)),
+            dir: columns(&self.dir),
+            speed: columns(&self.speed),
+            torque_nm: columns(&self.torque_nm),
+            joint_temperature_c: columns(&self.joint_temperature_c),
+            load_kg: perhaps(&self.load_kg),
+            temperature_c: perhaps(&self.temperature_c),
+            time_s: perhaps(&self.time_s),
+            setups: self.setups.as_ref().map(|setups| Setups {
+                names: setups.names.clone(),
+                index: picked(&setups.index, rows, 0),
+            }),
+            held_out: marks(&self.held_out),
+            excluded: marks(&self.excluded),
+            corrected: self.corrected.clone(),
+            unknown: self
+                .unknown
+                .iter()
+                .map(|column| UnknownColumn {
+                    name: column.name.clone(),
+                    cells: picked(&column.cells, rows, String::new()),
+                })
+                .collect(),
+            line,
         }
     }
 
@@ -159,9 +173,31 @@ impl Samples {
     }
 }
 
-fn pick<T: Clone>(column: &mut Vec<T>, rows: &[Option<usize>], empty: &T) {
-    let one = |row: &Option<usize>| row.and_then(|row| column.get(row)).unwrap_or(empty).clone();
-    *column = rows.iter().map(one).collect();
+fn picked<T: Clone>(column: &[T], rows: &[Option<usize>], empty: T) -> Vec<T> {
+    let one = |row: &Option<usize>| {
+        row.and_then(|row| column.get(row))
+            .unwrap_or(&empty)
+            .clone()
+    };
+    rows.iter().map(one).collect()
+}
+
+impl Session {
+    /// The session with some of its samples; see [`Samples::selected`].
+    pub(crate) fn of_rows(&self, rows: &[Option<usize>]) -> Self {
+        Self {
+            name: self.name.clone(),
+            note: self.note.clone(),
+            robot: self.robot.clone(),
+            targets: self.targets.clone(),
+            instrument: self.instrument.clone(),
+            tolerance_mm: self.tolerance_mm,
+            regions: self.regions.clone(),
+            compensated_by: self.compensated_by.clone(),
+            samples: self.samples.selected(rows),
+            path: self.path.clone(),
+        }
+    }
 }
 
 fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, added: usize) {

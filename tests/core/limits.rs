@@ -173,7 +173,7 @@ fn descriptions_cost_in_proportion() {
             format!("<mujoco><worldbody>{bodies}</worldbody><equality>{ties}</equality></mujoco>");
         of_description(folder.path(), "mjcf", &text, "l1")
     };
-    grows_linearly("ties", 2, &ties, 20_000);
+    grows_linearly("ties", 2, &ties, 12_000);
     let attributes = |count: usize| {
         let all = repeated(count, &|k| format!("a{k}='' "));
         of_description(
@@ -208,6 +208,111 @@ fn descriptions_cost_in_proportion() {
         of_description(folder.path(), "mjcf", &text, "l1")
     };
     grows_linearly("classes", 2, &classes, 50_000);
+}
+
+#[test]
+fn a_description_has_so_many_elements_and_no_more() {
+    let folder = folder();
+    let all = "<link name='l'/>".repeat(100_000);
+    let ran = of_description(
+        folder.path(),
+        "urdf",
+        &format!("<robot>{all}</robot>"),
+        "l1",
+    );
+    assert!(
+        ran.code == Some(2) && ran.stderr.contains("nodes limit"),
+        "{}",
+        ran.stderr
+    );
+    assert!(ran.cpu_s < 2.0, "{} s", ran.cpu_s);
+}
+
+#[test]
+fn targets_of_a_program_cost_in_proportion() {
+    let folder = folder();
+    fs::write(folder.path().join("p.json"), session().to_string()).unwrap();
+    let made = truepose(folder.path(), &["identify", "p.json", "--out", "m.json"]);
+    assert_eq!(made.code, Some(0), "{}", made.stderr);
+    let run = |count: usize| {
+        let mut text = "q1_deg\n".to_owned();
+        for k in 0..count {
+            text += &format!("{}.{:03}\n", k % 80, k % 1000);
+        }
+        fs::write(folder.path().join("t.csv"), text).unwrap();
+        let arguments = ["compensate", "m.json", "t.csv", "--out", "o.csv", "--force"];
+        truepose(folder.path(), &arguments)
+    };
+    grows_linearly("targets of a program", 0, &run, 50_000);
+}
+
+#[test]
+fn rows_cost_in_proportion() {
+    let folder = folder();
+    let run = |count: usize, command: &str| {
+        let mut text = "q1_deg,x_mm,y_mm,z_mm\n".to_owned();
+        for k in 0..count {
+            let q = (80.0 * (2.0 * k as f64 / count as f64 - 1.0)).to_radians();
+            // Scatter of a few hundredths of a millimetre.
+            let by = 0.03 * (k as f64 * 12.9898).sin();
+            let (x, y) = (250.0 * (q + 0.01).cos() + by, 250.0 * (q + 0.01).sin() - by);
+            text += &format!("{:.5},{x:.4},{y:.4},{:.4}\n", q.to_degrees(), 300.0 + by);
+        }
+        fs::write(folder.path().join("rows.csv"), text).unwrap();
+        let mut document = session();
+        document["samples"]["file"] = "rows.csv".into();
+        fs::write(folder.path().join("rows.json"), document.to_string()).unwrap();
+        truepose(folder.path(), &[command, "rows.json", "--json"])
+    };
+    grows_linearly("rows", 0, &|count| run(count, "identify"), 300_000);
+    grows_linearly("rows", 0, &|count| run(count, "diagnose"), 200_000);
+}
+
+#[test]
+fn a_plan_for_more_joints_than_a_machine_has_is_refused() {
+    let folder = folder();
+    let of = |joints: usize| {
+        let joint = |k: usize| {
+            json!({ "name": format!("j{k}"), "kind": "revolute", "axis": [[0, 0, 1], [0, 1, 0]][k % 2],
+                "point_mm": [10 * k, 0, 5 * k], "limits": [-90, 90] })
+        };
+        let robot = json!({ "name": "r", "joints": (0..joints).map(joint).collect::<Vec<_>>(),
+            "tool": { "position_mm": [500, 0, 300], "quaternion_wxyz": [1, 0, 0, 0] } });
+        fs::write(folder.path().join("r.json"), robot.to_string()).unwrap();
+        truepose(folder.path(), &["plan", "r.json", "--poses", "4"])
+    };
+    assert_eq!(of(3).code, Some(0));
+    for joints in [31, 100] {
+        let ran = of(joints);
+        let says = format!("a robot with {joints} joints; poses are planned for at most 30");
+        assert!(
+            ran.code == Some(2) && ran.stderr.contains(&says) && ran.cpu_s < 2.0,
+            "{}",
+            ran.stderr
+        );
+    }
+}
+
+#[test]
+fn a_recording_that_announces_a_text_of_gigabytes_takes_no_memory() {
+    let folder = folder();
+    fs::write(
+        folder.path().join("robot.json"),
+        session()["robot"].to_string(),
+    )
+    .unwrap();
+    let mut bytes = recording(1);
+    // The length of the topic's name: behind the magic, the record's head and two numbers.
+    bytes[8 + 9 + 4..8 + 9 + 8].copy_from_slice(&u32::MAX.to_le_bytes());
+    fs::write(folder.path().join("r.mcap"), bytes).unwrap();
+    let arguments = "import r.mcap --as mcap --robot robot.json --out o.json";
+    let ran = truepose(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
+    let says = "a record that is shorter than its fields";
+    assert!(
+        ran.code == Some(2) && ran.stderr.contains(says),
+        "{}",
+        ran.stderr
+    );
 }
 
 /// A recording in which so many topics are announced.

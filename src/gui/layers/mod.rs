@@ -21,7 +21,7 @@ mod pipelines;
 mod shapes;
 mod space;
 mod target;
-#[cfg(test)]
+#[cfg(all(test, feature = "window-tests"))]
 mod tests;
 
 pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};

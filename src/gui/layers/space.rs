@@ -50,7 +50,7 @@ impl Layer for SpaceLayer {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "window-tests"))]
 mod tests {
     use std::sync::Arc;
 

@@ -71,8 +71,8 @@ impl Defaults {
     }
 
     fn index(&mut self, document: &Document, class: usize) -> Result<(), Rejected> {
-        for &child in &document.element(class).children {
-            let kind = document.element(child).name.clone();
+        for &child in document.inside(class) {
+            let kind = document.name(child).to_owned();
             let of_kind = self.kinds.entry(kind).or_default();
             // What is said later replaces what was said before.
             let own = of_kind.entry(class).or_default();

@@ -55,8 +55,8 @@ pub(super) fn tree(
     include: Include<'_>,
 ) -> Result<Tree, Rejected> {
     let root = ROOT;
-    if document.element(root).name != "mujoco" {
-        let found = format!("<{}>", document.element(root).name);
+    if document.name(root) != "mujoco" {
+        let found = format!("<{}>", document.name(root));
         return Err(document.refuse(root, found, "<mujoco>, as an MJCF file begins"));
     }
     document.follow_includes(include)?;
@@ -179,7 +179,7 @@ impl Reader<'_> {
             let Some((body, body_from_frame, class)) = self.read(&next)? else {
                 continue;
             };
-            let inside = self.document.element(next.element).children.iter();
+            let inside = self.document.inside(next.element).iter();
             open.extend(inside.rev().map(|&element| Open {
                 element,
                 body,
@@ -195,7 +195,7 @@ impl Reader<'_> {
         let document = self.document;
         let class = document.attribute(me.element, "childclass");
         let class = class.map(Rc::from).or_else(|| me.class.clone());
-        match document.element(me.element).name.as_str() {
+        match document.name(me.element) {
             "worldbody" => return Ok(Some((0, Pose::identity(), class))),
             "frame" => {
                 let frame = me.body_from_frame * self.pose(&[me.element])?;
@@ -286,7 +286,7 @@ impl Reader<'_> {
         let element = me.element;
         let levels = self.levels("joint", element, me.class.as_deref())?;
         self.joints += 1;
-        let free = self.document.element(element).name == "freejoint";
+        let free = self.document.name(element) == "freejoint";
         let kind = self.having(&levels, "type").map(|level| {
             let kind = self.document.attribute(level, "type");
             (level, kind.unwrap_or_default())

@@ -152,7 +152,7 @@ impl Positions<'_, '_, '_> {
             if self.words.is_sign(k, b':') {
                 match key.as_str() {
                     "config" if self.words.kind(k + 1) == Some(Kind::String) => {
-                        group.configuration = Some(self.words.tokens[k + 1].range.clone());
+                        group.configuration = Some(self.words.tokens[k + 1].range());
                     }
                     // The frame of number 0 is the world.
                     "uf" if self.words.bytes(k + 1) != b"0" => {

@@ -182,7 +182,7 @@ fn bits(words: &Words, k: usize) -> Result<(Component, usize), Problem> {
     };
     match u32::from_str_radix(digits, base) {
         Ok(value) if value <= 255 => {
-            let range = words.tokens[k].range.clone();
+            let range = words.tokens[k].range();
             let binary = if base == 2 { digits.len() } else { 0 };
             Ok((Component::Bits(value, range, binary), k + 1))
         }

@@ -229,22 +229,18 @@ impl Writer {
             .map(|glyph| f32_of(fonts.advance(number, glyph) * 1000.0));
         out.widths().consecutive(0, widths);
         out.finish();
-        let units = f64::from(face.units_per_em());
-        let scaled = |v: i16| f32_of(f64::from(v) * 1000.0 / units);
-        let bounds = face.global_bounding_box();
+        let units = face.units_per_em();
+        let scaled = |v: f64| f32_of(v * 1000.0 / units);
+        let [left, bottom, right, top] = face.bounds().map(scaled);
+        let [ascent, descent, capital] = face.heights().map(scaled);
         let mut out = pdf.font_descriptor(descriptor);
         out.name(base)
             .flags(FontFlags::SYMBOLIC)
-            .bbox(Rect::new(
-                scaled(bounds.x_min),
-                scaled(bounds.y_min),
-                scaled(bounds.x_max),
-                scaled(bounds.y_max),
-            ))
+            .bbox(Rect::new(left, bottom, right, top))
             .italic_angle(0.0)
-            .ascent(scaled(face.ascender()))
-            .descent(scaled(face.descender()))
-            .cap_height(scaled(face.capital_height().unwrap_or(face.ascender())))
+            .ascent(ascent)
+            .descent(descent)
+            .cap_height(capital)
             .stem_v(if number == 1 { 110.0 } else { 80.0 });
         match embedded {
             Embedded::TrueType(_) => out.font_file2(file),

@@ -39,16 +39,22 @@ pub(super) fn fitted(
     session: &Session,
     values: JointValues,
     inputs: &Inputs,
-    points: &Points,
+    points: &Points<'_>,
     path: &Path,
 ) -> Option<Fitted> {
     let n = points.len();
-    let mut part = session.clone();
-    Mend::PairRows(path.changes.clone()).apply(&mut part);
-    if n > MOST_ROWS {
-        let some = (0..MOST_ROWS).map(|k| Some(k * n / MOST_ROWS));
-        part.samples.select(&some.collect::<Vec<_>>());
-    }
+    let some = (0..MOST_ROWS).map(|k| Some(k * n / MOST_ROWS));
+    let some: Vec<Option<usize>> = some.collect();
+    let part = if path.is_none() && n > MOST_ROWS {
+        session.of_rows(&some)
+    } else {
+        let mut part = session.clone();
+        Mend::PairRows(path.changes.clone()).apply(&mut part);
+        if n > MOST_ROWS {
+            part.samples.select(&some);
+        }
+        part
+    };
     let model = base(&part, values)?;
     let predicted = model.predict(inputs);
     let left = (0..n).filter_map(|row| {

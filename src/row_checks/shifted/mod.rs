@@ -43,6 +43,11 @@ const MENDED_SHARE: f64 = 0.25;
 const PLAUSIBLE_SHARE: f64 = 0.02;
 /// A shift of all rows alike looks like a joint that lags: it is one where no robot lags so far.
 const GROSS_SHARE: f64 = 0.01;
+/// A step that is less than this share of the scatter does not show: no point can be told from the one beside
+/// it, as in a recording of a slow move.
+const HIDDEN_SHARE: f64 = 0.25;
+/// Where fewer than one row in so many has a longer step, no shift can be seen.
+const FEWEST_HIDDEN: usize = 1000;
 /// More changes than this are no points that were lost.
 const MOST_CHANGES: usize = 8;
 
@@ -74,6 +79,10 @@ fn search(session: &Session, values: JointValues) -> Option<Found> {
         return None;
     }
     let as_it_is = fitted(session, values, &inputs, &points, &Path::default())?;
+    let hidden_mm = HIDDEN_SHARE * as_it_is.sigma_mm;
+    if points.len() > FEWEST_HIDDEN * path::far_steps(&as_it_is.predicted, hidden_mm) {
+        return None;
+    }
     let mut paths: Vec<Path> = Vec::new();
     if let Some(path) = path::likeliest(&points, &as_it_is.predicted, as_it_is.sigma_mm) {
         paths.push(path);
@@ -110,7 +119,7 @@ fn settled(
     session: &Session,
     values: JointValues,
     inputs: &Inputs,
-    points: &Points,
+    points: &Points<'_>,
     mut path: Path,
 ) -> Option<(Path, Fitted)> {
     let mut end = fitted(session, values, inputs, points, &path)?;
@@ -129,7 +138,7 @@ fn settled(
 }
 
 /// Whether a path is to be believed.
-fn judged(points: &Points, path: Path, as_it_is: &Fitted, end: &Fitted) -> Option<Found> {
+fn judged(points: &Points<'_>, path: Path, as_it_is: &Fitted, end: &Fitted) -> Option<Found> {
     let none = Path::default();
     let before = as_it_is.cost_at(points, &none, end.sigma_mm);
     let after = end.cost_at(points, &path, end.sigma_mm) + path.price(points.len());

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::fit::problem::unusable;
 use crate::model::Positions;
-use crate::sessions::Session;
+use crate::sessions::{Samples, Session};
 
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
@@ -20,43 +20,37 @@ const BEYOND_THE_ENDS: f64 = 20.0;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
-/// The measured points of a session; `None` where a row has none that counts.
-pub(super) struct Points {
-    all: Vec<Option<Vector3<f64>>>,
+/// The measured points of a session; a row whose point does not count has none.
+pub(super) struct Points<'s> {
+    samples: &'s Samples,
+    counts: Vec<bool>,
     size_mm: f64,
 }
 
-impl Points {
+impl<'s> Points<'s> {
     /// `None` where too few rows have a point.
-    pub(super) fn of(session: &Session) -> Option<Self> {
+    pub(super) fn of(session: &'s Session) -> Option<Self> {
         let samples = &session.samples;
-        let spatial = samples.z_mm.is_some();
-        let point = |row: usize| {
-            let [x, y, z] = samples.coordinates(row);
-            unusable(session, row)
-                .is_none()
-                .then(|| Vector3::new(x, y, if spatial { z } else { 0.0 }))
+        let counts = (0..samples.len()).map(|row| unusable(session, row).is_none());
+        let mut points = Self {
+            samples,
+            counts: counts.collect(),
+            size_mm: 0.0,
         };
-        let all: Vec<Option<Vector3<f64>>> = (0..samples.len()).map(point).collect();
-        let known: Vec<&Vector3<f64>> = all.iter().flatten().collect();
-        let n = known.len() as f64;
-        if known.len() < super::FEWEST_SAMPLES {
+        let known = || (0..points.len()).filter_map(|row| points.get(row));
+        let n = known().count();
+        if n < super::FEWEST_SAMPLES {
             return None;
         }
-        let mean: Vector3<f64> = known.iter().copied().sum::<Vector3<f64>>() / n;
-        let variance = known
-            .iter()
-            .map(|p| (**p - mean).norm_squared())
-            .sum::<f64>()
-            / n;
-        (variance > 0.0).then(|| Self {
-            all,
-            size_mm: variance.sqrt(),
-        })
+        let mean: Vector3<f64> = known().sum::<Vector3<f64>>() / n as f64;
+        let squares = known().map(|p| (p - mean).norm_squared());
+        let variance = squares.sum::<f64>() / n as f64;
+        points.size_mm = variance.sqrt();
+        (variance > 0.0).then_some(points)
     }
 
     pub(super) fn len(&self) -> usize {
-        self.all.len()
+        self.counts.len()
     }
 
     /// Spread of the points about their mean, root mean square, mm.
@@ -65,7 +59,12 @@ impl Points {
     }
 
     pub(super) fn get(&self, row: usize) -> Option<Vector3<f64>> {
-        self.all.get(row).copied().flatten()
+        let counts = self.counts.get(row).copied().unwrap_or(false);
+        counts.then(|| {
+            let [x, y, z] = self.samples.coordinates(row);
+            // Of points in a plane z is not measured.
+            Vector3::new(x, y, if self.samples.z_mm.is_some() { z } else { 0.0 })
+        })
     }
 
     /// How far the point of one row is from where the robot is predicted at the command of another;
@@ -165,7 +164,8 @@ fn price_of(from: isize, to: isize, rows: usize) -> f64 {
 /// What a deviation costs.
 pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
     deviation_mm.map_or(WITHOUT_A_POINT, |r| {
-        0.5 * (TAILS + 3.0) * (r * r / (TAILS * sigma_mm * sigma_mm)).ln_1p()
+        // Of a sum, as nothing depends on the digits that are lost beside 1: this is most of the work.
+        0.5 * (TAILS + 3.0) * (1.0 + r * r / (TAILS * sigma_mm * sigma_mm)).ln()
     })
 }
 
@@ -179,15 +179,25 @@ pub(super) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
     Some(*all.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
+/// How many rows there are from which the robot goes farther than this to one that a shift may reach.
+pub(super) fn far_steps(predicted: &Positions, mm: f64) -> usize {
+    let rows = predicted.x_mm.len();
+    let goes = |row: usize, by: usize| {
+        let step = Vector3::from(predicted.get(row)) - Vector3::from(predicted.get(row - by));
+        step.norm_squared() > mm * mm
+    };
+    let far = |row: &usize| (1..=MOST_SHIFT as usize).any(|by| by <= *row && goes(*row, by));
+    (0..rows).filter(far).count()
+}
+
 /// The likeliest path of all rows beside where the robot is predicted; `None` where no row is shifted.
-pub(super) fn likeliest(points: &Points, predicted: &Positions, sigma_mm: f64) -> Option<Path> {
+pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f64) -> Option<Path> {
     let deviation = |row: usize, by: isize| {
         let point = row.checked_add_signed(by)?;
         points.deviation_mm(predicted, row, point)
     };
     let n = points.len();
-    let rows: Vec<usize> = (0..n).collect();
-    let (mut path, _) = along(&rows, n, &|row, by| cost(deviation(row, by), sigma_mm));
+    let (mut path, _) = along(0..n, n, |row, by| cost(deviation(row, by), sigma_mm));
     place_exactly(&mut path, n, &|row, point| {
         cost(
             point.and_then(|p| points.deviation_mm(predicted, row, p)),
@@ -199,9 +209,9 @@ pub(super) fn likeliest(points: &Points, predicted: &Positions, sigma_mm: f64) -
 
 /// The likeliest path along some rows of so many, and its cost with the prices.
 pub(super) fn along(
-    some: &[usize],
+    some: impl DoubleEndedIterator<Item = usize> + ExactSizeIterator + Clone,
     rows: usize,
-    cost: &dyn Fn(usize, isize) -> f64,
+    cost: impl Fn(usize, isize) -> f64,
 ) -> (Path, f64) {
     let shift = |state: usize| state as isize - MOST_SHIFT;
     let prices: [[f64; STATES]; STATES] = std::array::from_fn(|from| {
@@ -210,7 +220,7 @@ pub(super) fn along(
     // One byte for each row and state: the state before.
     let mut came_from: Vec<[u8; STATES]> = Vec::with_capacity(some.len());
     let mut so_far = prices[MOST_SHIFT as usize];
-    for (k, row) in some.iter().enumerate() {
+    for (k, row) in some.clone().enumerate() {
         let mut next = [0.0; STATES];
         let mut from = [0_u8; STATES];
         for to in 0..STATES {
@@ -226,7 +236,7 @@ pub(super) fn along(
             // Behind the ends there are no points: a shift that only takes rows out fits nothing.
             let inside = row.checked_add_signed(shift(to)).is_some_and(|p| p < rows);
             let own = if inside {
-                cost(*row, shift(to))
+                cost(row, shift(to))
             } else {
                 BEYOND_THE_ENDS
             };
@@ -239,20 +249,19 @@ pub(super) fn along(
     let end = (0..STATES).min_by(|a, b| so_far[*a].total_cmp(&so_far[*b]));
     let mut state = end.unwrap_or(MOST_SHIFT as usize);
     let total = so_far[state];
-    let mut states = vec![state; some.len()];
-    for k in (1..some.len()).rev() {
-        state = usize::from(came_from[k][state]);
-        states[k - 1] = state;
-    }
+    // Back from the end: a change is where the state of a row is not that of the row before.
     let mut changes = Vec::new();
-    let mut before = 0;
-    for (row, state) in some.iter().zip(states) {
-        let by = shift(state);
-        if by != before {
-            changes.push((*row, by));
-            before = by;
+    for (k, row) in some.enumerate().rev() {
+        let before = match k {
+            0 => MOST_SHIFT as usize,
+            _ => usize::from(came_from[k][state]),
+        };
+        if before != state {
+            changes.push((row, shift(state)));
         }
+        state = before;
     }
+    changes.reverse();
     (Path { changes }, total)
 }
 
@@ -291,8 +300,7 @@ mod tests {
 
     /// Costs of rows whose right shifts are known.
     fn found(right: &[isize]) -> Path {
-        let rows: Vec<usize> = (0..right.len()).collect();
-        along(&rows, right.len(), &|row, by| {
+        along(0..right.len(), right.len(), |row, by| {
             if right[row] == by { 1.0 } else { 30.0 }
         })
         .0

@@ -30,7 +30,7 @@ pub(super) struct Start {
 }
 
 /// Every start; the first alone where it leaves no doubt.
-pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points) -> Vec<Start> {
+pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) -> Vec<Start> {
     let nominal = Model::nominal(session.robot.clone()).predict(inputs);
     let setups = Setups::of(session);
     let sigma = NOMINAL_SHARE * points.size_mm();
@@ -49,7 +49,9 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points) -> Vec
             let point = points.get(row.checked_add_signed(by)?)?;
             Some((point - places[at(row)]).norm())
         };
-        let (path, cost) = along(&rows, n, &|row, by| cost(deviation(row, by), sigma));
+        let (path, cost) = along(rows.iter().copied(), n, |row, by| {
+            cost(deviation(row, by), sigma)
+        });
         let own = median(rows.iter().filter_map(|row| deviation(*row, 0)));
         let shifted = median(rows.iter().filter_map(|row| {
             let others = [-1, 1].into_iter().filter_map(|by| deviation(*row, by));
@@ -109,7 +111,7 @@ impl<'a> Setups<'a> {
 /// shifted; `None` where one shows none.
 fn motions(
     nominal: &Positions,
-    points: &Points,
+    points: &Points<'_>,
     setups: &Setups,
     by: isize,
     part: std::ops::Range<usize>,

@@ -85,12 +85,16 @@ impl Broken {
                 "a record whose fields cannot be read",
                 "records as the MCAP specification has them, texts in UTF-8",
             ),
-            _ => Self::new(
-                byte,
-                "a record that is shorter than its fields",
-                "records as the MCAP specification has them",
-            ),
+            _ => Self::short(byte),
         }
+    }
+
+    fn short(byte: usize) -> Self {
+        Self::new(
+            byte,
+            "a record that is shorter than its fields",
+            "records as the MCAP specification has them",
+        )
     }
 }
 
@@ -256,7 +260,45 @@ impl Reader {
 }
 
 fn parsed(opcode: u8, content: &[u8], byte: usize) -> Result<Record<'_>, Broken> {
+    if !texts_fit(opcode, content) {
+        return Err(Broken::short(byte));
+    }
     parse_record(opcode, content).map_err(|error| Broken::refused(byte, &error))
+}
+
+/// Whether every text of a record is as long as it says: the crate takes memory for a text before it
+/// looks, and four bytes can announce 4 GiB.
+fn texts_fit(opcode: u8, content: &[u8]) -> bool {
+    /// What stands behind a text that begins with its length.
+    fn behind(rest: &[u8]) -> Option<&[u8]> {
+        let (length, rest) = rest.split_first_chunk::<4>()?;
+        rest.get(usize::try_from(u32::from_le_bytes(*length)).ok()?..)
+    }
+    // Where the first text stands, how many there are, and whether a map of texts follows.
+    let (first, count, map) = match opcode {
+        SCHEMA => (2, 2, false),
+        CHANNEL => (4, 2, true),
+        CHUNK => (28, 1, false),
+        _ => return true,
+    };
+    let mut rest = content.get(first..);
+    for _ in 0..count {
+        rest = rest.and_then(behind);
+    }
+    match rest {
+        None => false,
+        Some(_) if !map => true,
+        Some(rest) => {
+            let Some(after) = behind(rest) else {
+                return false;
+            };
+            let mut inside = Some(&rest[4..rest.len() - after.len()]);
+            while let Some(texts) = inside.filter(|texts| !texts.is_empty()) {
+                inside = behind(texts);
+            }
+            inside.is_some()
+        }
+    }
 }
 
 /// The records of a chunk, unpacked and held against their checksum.
@@ -343,6 +385,29 @@ mod tests {
             MAGIC,
         ]
         .concat()
+    }
+
+    #[test]
+    fn a_text_that_announces_more_than_its_record_holds_is_refused_before_memory_is_taken() {
+        let long = u32::MAX.to_le_bytes();
+        let whole = [&[7, 0, 1, 0][..], &text("/t"), &text("cdr")].concat();
+        let map = |inside: &[u8]| {
+            let length = u32::try_from(inside.len()).unwrap().to_le_bytes();
+            [&whole[..], &length, inside].concat()
+        };
+        let pair = [text("key"), text("value")].concat();
+        assert!(texts_fit(CHANNEL, &map(&pair)) && texts_fit(CHANNEL, &map(&[])));
+        for (opcode, content) in [
+            (SCHEMA, [&[1, 0][..], &long].concat()),
+            (SCHEMA, [&[1, 0][..], &text("p/msg/T"), &long].concat()),
+            (CHANNEL, [&whole[..], &long].concat()),
+            (CHANNEL, map(&long)),
+            (CHANNEL, map(&pair[..pair.len() - 1])),
+            (CHUNK, [&[0; 28][..], &long, b"lz4"].concat()),
+        ] {
+            let refused = parsed(opcode, &content, 8).unwrap_err();
+            assert_eq!(refused, Broken::short(8), "{opcode}");
+        }
     }
 
     fn messages(bytes: &[u8]) -> (Vec<String>, Result<(), Broken>) {

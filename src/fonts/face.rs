@@ -1,0 +1,125 @@
+//! One face of a font file: which glyph a character has, how wide it is, how it is drawn, and what its
+//! licence lets one do. The tables are read by `skrifa`, which the window's text layout uses too.
+
+use skrifa::charmap::Charmap;
+use skrifa::instance::{LocationRef, Size};
+use skrifa::metrics::{GlyphMetrics, Metrics};
+use skrifa::outline::{DrawSettings, OutlinePen};
+use skrifa::raw::TableProvider;
+use skrifa::{FontRef, GlyphId, MetadataProvider, OutlineGlyphCollection, Tag};
+
+/// Outlines of newer variable fonts.
+const CFF2: Tag = Tag::new(b"CFF2");
+/// Outlines after Adobe, in place of the table `glyf` of a `TrueType` font.
+const CFF: Tag = Tag::new(b"CFF ");
+const GLYF: Tag = Tag::new(b"glyf");
+
+/// A face whose tables can be read. Measures are in units of which [`Face::units_per_em`] make the size.
+pub(crate) struct Face<'f> {
+    font: FontRef<'f>,
+    characters: Charmap<'f>,
+    widths: GlyphMetrics<'f>,
+    outlines: OutlineGlyphCollection<'f>,
+    metrics: Metrics,
+}
+
+impl<'f> Face<'f> {
+    /// The face of this number in a file; `None` where its tables cannot be read.
+    pub(crate) fn parse(data: &'f [u8], index: u32) -> Option<Self> {
+        let font = FontRef::from_index(data, index).ok()?;
+        font.head().ok()?;
+        font.hhea().ok()?;
+        let metrics = Metrics::new(&font, Size::unscaled(), LocationRef::default());
+        // As OpenType has it; nothing else can be divided by.
+        let sound = (16..=16384).contains(&metrics.units_per_em) && metrics.glyph_count > 0;
+        sound.then(|| Self {
+            characters: font.charmap(),
+            widths: GlyphMetrics::new(&font, Size::unscaled(), LocationRef::default()),
+            outlines: font.outline_glyphs(),
+            font,
+            metrics,
+        })
+    }
+
+    /// The glyph of a character.
+    pub(crate) fn glyph(&self, c: char) -> Option<u16> {
+        let glyph = self.characters.map(c)?.to_u32();
+        u16::try_from(glyph).ok().filter(|glyph| *glyph != 0)
+    }
+
+    /// How far the pen goes on behind a glyph.
+    pub(crate) fn advance(&self, glyph: u16) -> f64 {
+        let width = self.widths.advance_width(GlyphId::from(glyph));
+        f64::from(width.unwrap_or(0.0))
+    }
+
+    /// Units in the size of the letters.
+    pub(crate) fn units_per_em(&self) -> f64 {
+        f64::from(self.metrics.units_per_em)
+    }
+
+    /// What all glyphs lie in: left, bottom, right, top.
+    pub(crate) fn bounds(&self) -> [f64; 4] {
+        let bounds = self.metrics.bounds.unwrap_or_default();
+        [bounds.x_min, bounds.y_min, bounds.x_max, bounds.y_max].map(f64::from)
+    }
+
+    /// From the line to the top and to the bottom (below 0) of a line of text, and to the top of capitals.
+    pub(crate) fn heights(&self) -> [f64; 3] {
+        let metrics = &self.metrics;
+        let capital = metrics.cap_height.unwrap_or(metrics.ascent);
+        [metrics.ascent, metrics.descent, capital].map(f64::from)
+    }
+
+    /// Draws a glyph, y up; nothing where it has no outline.
+    pub(crate) fn draw(&self, glyph: u16, pen: &mut impl OutlinePen) {
+        if let Some(outline) = self.outlines.get(GlyphId::from(glyph)) {
+            let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+            // A glyph that is broken shows what could be drawn of it.
+            let _ = outline.draw(settings, pen);
+        }
+    }
+
+    fn has(&self, tag: Tag) -> bool {
+        self.font.table_data(tag).is_some()
+    }
+
+    /// Whether a part of it can be embedded in a document: it has outlines that documents have.
+    pub(crate) fn has_plain_outlines(&self) -> bool {
+        self.has(GLYF) || self.has(CFF)
+    }
+
+    /// Whether it can be drawn.
+    pub(crate) fn has_outlines(&self) -> bool {
+        self.has_plain_outlines() || self.has(CFF2)
+    }
+
+    /// Whether its licence (`fsType` of OS/2) lets a part be embedded.
+    pub(crate) fn may_be_embedded(&self) -> bool {
+        let Ok(os2) = self.font.os2() else {
+            return true;
+        };
+        let (version, flags) = (os2.version(), os2.fs_type());
+        // Up to version 2 several of the lowest bits may be set, and the freest holds.
+        let restricted = if version <= 2 {
+            flags & 0xF != 0 && flags & 0xC == 0
+        } else {
+            flags & 0xF == 2
+        };
+        // Not to be cut to a part; pictures of the letters only.
+        let whole_or_pictures = version > 1 && flags & 0x300 != 0;
+        !restricted && !whole_or_pictures
+    }
+
+    /// How heavy its letters are: 400 is the regular weight.
+    #[cfg(test)]
+    pub(crate) fn weight(&self) -> Option<u16> {
+        self.font.os2().ok().map(|os2| os2.us_weight_class())
+    }
+}
+
+/// The table of outlines after Adobe of a font.
+pub(crate) fn cff_table(font: &[u8]) -> Option<&[u8]> {
+    let font = FontRef::from_index(font, 0).ok()?;
+    Some(font.table_data(CFF)?.as_bytes())
+}
