@@ -89,6 +89,11 @@ impl<'f> Face<'f> {
         self.has(GLYF) || self.has(CFF)
     }
 
+    /// Whether its outlines are those of the Compact Font Format.
+    pub(crate) fn has_compact_outlines(&self) -> bool {
+        self.has(CFF)
+    }
+
     /// Whether it can be drawn.
     pub(crate) fn has_outlines(&self) -> bool {
         self.has_plain_outlines() || self.has(CFF2)

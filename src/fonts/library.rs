@@ -139,6 +139,12 @@ impl SystemFace {
     pub(crate) fn parsed(&self) -> Option<Face<'_>> {
         Face::parse(&self.data, self.index)
     }
+
+    /// Whether its outlines are those of the Compact Font Format, which a document embeds as they are.
+    pub fn has_compact_outlines(&self) -> bool {
+        self.parsed()
+            .is_some_and(|face| face.has_compact_outlines())
+    }
 }
 
 /// Faces for characters, and what none has.

@@ -273,7 +273,8 @@ fn a_plan_for_more_joints_than_a_machine_has_is_refused() {
     let folder = folder();
     let of = |joints: usize| {
         let joint = |k: usize| {
-            json!({ "name": format!("j{k}"), "kind": "revolute", "axis": [[0, 0, 1], [0, 1, 0]][k % 2],
+            let axis = [[0, 0, 1], [0, 1, 0]][k % 2];
+            json!({ "name": format!("j{k}"), "kind": "revolute", "axis": axis,
                 "point_mm": [10 * k, 0, 5 * k], "limits": [-90, 90] })
         };
         let robot = json!({ "name": "r", "joints": (0..joints).map(joint).collect::<Vec<_>>(),
