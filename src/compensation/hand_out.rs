@@ -77,8 +77,9 @@ pub enum NotHandedOut {
 /// ```
 ///
 /// ```compile_fail,E0594
-/// # let mut verified: truepose::compensation::VerifiedCalibration = unimplemented!();
-/// verified.samples_hash = String::new();
+/// fn change(verified: &mut truepose::compensation::VerifiedCalibration) {
+///     verified.samples_hash = String::new();
+/// }
 /// ```
 ///
 /// Nothing that writes takes a calibration that was not verified:

@@ -21,7 +21,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::comparison::{Comparison, Field, Prediction, Refit};
-use crate::diagnosis::other_settings::{at_another_setting, is_wave_of};
+use crate::diagnosis::other_settings::at_another_setting;
 use crate::diagnosis::regression::Fit;
 use crate::effects::Term;
 
@@ -49,10 +49,7 @@ pub(crate) fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
     let (a, b) = (one.model.terms(), other.model.terms());
     let other_setting = |t: &&Term| !b.iter().any(|o| o.same_column(t));
     let moved: Vec<&Term> = a.iter().filter(other_setting).collect();
-    let again = |t: &&Term| {
-        let same = |o: &Term| at_another_setting(t, o) || is_wave_of(t, o) || is_wave_of(o, t);
-        b.iter().any(same)
-    };
+    let again = |t: &&Term| b.iter().any(|o| at_another_setting(t, o));
     a.len() == b.len() && !moved.is_empty() && moved.iter().all(again)
 }
 

@@ -45,7 +45,7 @@ pub(crate) fn separate(
         .iter()
         .flat_map(|r| r.removed.iter().chain(&r.instead));
     let mut conditions = conditions(prepared, &terms.collect::<Vec<_>>());
-    conditions.uneven = rivals.iter().any(|r| r.of_the_steps());
+    conditions.uneven = rivals.iter().any(|r| !r.other_names());
     let competing = competing(prepared, fit, rivals);
     let (best, ()) = over_reflectors(prepared, |targets| {
         let offer = Offer::new(prepared, targets, &conditions);

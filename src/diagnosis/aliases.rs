@@ -60,19 +60,9 @@ impl Rival {
         names(&self.removed) != names(&self.instead)
     }
 
-    /// Whether it is what the steps of the poses make of the same: other settings, or orders in the place of a
-    /// wave that has none.
-    pub(crate) fn of_the_steps(&self) -> bool {
-        let wave = match (self.removed.as_slice(), self.instead.as_slice()) {
-            ([one], [other]) => other_settings::is_wave_of(one, other),
-            _ => false,
-        };
-        wave || !self.other_names()
-    }
-
-    /// The settings by which it differs, where the names are the same but for those.
+    /// The settings by which it differs, where the names are the same.
     pub(crate) fn other_settings(&self) -> Vec<f64> {
-        if !self.of_the_steps() {
+        if self.other_names() {
             return Vec::new();
         }
         self.instead.iter().map(other_settings::value).collect()

@@ -3,10 +3,9 @@
 //! same as one of another.
 //!
 //! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
-//! steps, half of a turn or several grids at once count as what they are. Over equal steps a name without a
-//! setting, as once or twice a turn, is the same samples as a wave of some orders as well.
+//! steps, half of a turn or several grids at once count as what they are.
 
-use crate::effects::{Over, Setting, Term};
+use crate::effects::{Setting, Term};
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
@@ -44,71 +43,14 @@ pub(crate) fn at_another_setting(one: &Term, other: &Term) -> bool {
         }
 }
 
-/// Whether one is a wave without a setting and the other one of some order over the same joint.
-pub(crate) fn is_wave_of(one: &Term, other: &Term) -> bool {
-    let of_angle = |t: &Term| t.effect.about().over == Over::Angle && t.coefficients.len() == 2;
-    let (about, of_other) = (one.effect.about(), other.effect.about());
-    about.setting == Setting::None
-        && of_other.setting.takes_fractions()
-        && one.joint == other.joint
-        && of_angle(one)
-        && of_angle(other)
-}
-
 /// Rivals by other settings of the same names that the samples cannot rule out, of each name likeliest first.
 pub(crate) fn open_settings(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let added = regression.added(fit).into_iter();
-    let of_one = |term: &Term| {
-        if comes_round(term) {
-            of_term(regression, fit, term)
-        } else {
-            waves_of(regression, fit, term)
-        }
-    };
-    added.flat_map(of_one).collect()
-}
-
-/// Orders that look like a wave without a setting at equal steps. Which they are the steps say and not a
-/// search, so that they pay for no choice among all orders.
-fn waves_of(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
-    let values = regression.rows.inputs.q.get(term.joint);
-    if values.is_none_or(|values| step_of(values).is_none()) {
-        return Vec::new();
-    }
-    let candidates = &regression.table.candidates;
-    let wave = |index: usize| {
-        candidates[index]
-            .what
-            .term()
-            .filter(|t| is_wave_of(term, t))
-    };
-    if !(0..candidates.len()).any(|index| wave(index).is_some()) {
-        return Vec::new();
-    }
-    let rest = regression.without_term(fit, term);
-    let there = regression.added(&rest);
-    let m = regression.m();
-    let worse = |rss: f64| 0.5 * m * (regression.rounded(rss) / regression.rounded(fit.rss)).ln();
-    let mut rivals = Vec::new();
-    for score in regression.scan(&rest, Among::Names) {
-        let Some(other) = wave(score.candidate) else {
-            continue;
-        };
-        let near = worse(rest.rss - score.gain) < UNDECIDED + 1.0;
-        if !near || there.iter().any(|t| t.same_column(other)) || rivals.len() == MOST {
-            continue;
-        }
-        let mut fit = regression.fit(&rest.model.with_term(other.clone()), &rest.shapes);
-        if worse(fit.rss) < UNDECIDED {
-            fit.ln_evidence += regression.price_of_term(other);
-            rivals.push(Rival {
-                removed: vec![term.clone()],
-                instead: vec![other.clone()],
-                fit,
-            });
-        }
-    }
-    rivals
+    let terms: Vec<&Term> = added.filter(|term| comes_round(term)).collect();
+    terms
+        .into_iter()
+        .flat_map(|term| of_term(regression, fit, term))
+        .collect()
 }
 
 fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
@@ -158,21 +100,15 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
         .flat_map(super::aliases::Rival::other_settings)
         .map(shown);
     let settings: Vec<String> = settings.collect();
-    let about = term.effect.about();
-    let (one, of_others) = if about.setting == Setting::None {
-        let others = rivals.first()?.instead.first()?;
-        let of = format!("{} of {} ", others.effect.about().id, quantity(others));
-        (about.id.to_owned(), of)
-    } else {
-        let one = format!("{} {} of {}", quantity(term), shown(value(term)), about.id);
-        (one, String::new())
-    };
     Some(DataProblem {
         what: "equal steps".to_owned(),
         evidence: format!(
-            "the values of joint {} are {steps}: {one} looks the same as {of_others}{}, and the \
+            "the values of joint {} are {steps}: {} {} of {} looks the same as {}, and the \
              cross-validated error holds for these values alone",
             joint + 1,
+            quantity(term),
+            shown(value(term)),
+            term.effect.about().id,
             settings.join(", "),
         ),
         proposal: "measure the proposed poses, which are uneven steps".to_owned(),
@@ -236,12 +172,6 @@ mod tests {
 
     /// One axis with a gear's error of order 88, at these angles.
     fn orders_at(angles: &[f64]) -> (Vec<f64>, Option<String>) {
-        said_at(angles, 88)
-    }
-
-    /// Orders and equal steps that are said of one axis with a gear's error of some order; a wave without a
-    /// setting counts as none.
-    fn said_at(angles: &[f64], order: u32) -> (Vec<f64>, Option<String>) {
         let stops: Vec<String> = angles
             .iter()
             .map(|q| format!(r#"{{"q_deg":[{q}]}}"#))
@@ -252,7 +182,7 @@ mod tests {
             "tool":{{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
             "instrument":{{"name":"tracker","sigma_mm":0.02}},"poses":{{"list":[{}]}},
             "effects":[{{"effect":"gear-transmission-error","joint":1,
-            "parameters":{{"order":{order},"amplitude_deg":0.02,"phase_deg":20}}}}],
+            "parameters":{{"order":88,"amplitude_deg":0.02,"phase_deg":20}}}}],
             "noise":{{"sigma_mm":0.02,"kind":"gauss"}},"seed":3}}"#,
             stops.join(",")
         );
@@ -264,7 +194,6 @@ mod tests {
             .regression
             .added(&found.fit)
             .iter()
-            .filter(|t| t.effect.about().setting != Setting::None)
             .map(|t| t.setting)
             .collect();
         let open = open_settings(&prepared.regression, &found.fit);
@@ -283,25 +212,6 @@ mod tests {
         assert_eq!(orders, wanted);
         let said = said.unwrap();
         assert!(said.contains("equal steps of 5.000°"), "{said}");
-    }
-
-    #[test]
-    fn orders_that_look_like_twice_a_turn_at_equal_steps_are_said_beside_it() {
-        let angles: Vec<f64> = (0..66).map(|k| 5.0 * f64::from(k) - 165.0).collect();
-        let (orders, said) = said_at(&angles, 74);
-        let beside = [70.0, 74.0, 142.0, 146.0, 214.0, 218.0, 286.0, 290.0, 358.0];
-        assert_eq!(orders, beside);
-        let said = said.unwrap();
-        assert!(
-            said.contains(
-                "encoder-two-cycle looks the same as gear-transmission-error of order 70, 74"
-            ),
-            "{said}"
-        );
-        // At uneven ones it is the gear.
-        let turn = |k: i32| 330.0 * (f64::from(k) * 0.754_877_666).fract() - 165.0;
-        let angles: Vec<f64> = (0..90).map(turn).collect();
-        assert_eq!(said_at(&angles, 74), (vec![74.0], None));
     }
 
     #[test]

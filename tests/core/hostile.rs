@@ -52,23 +52,20 @@ fn nesting_does_not_use_up_the_stack() {
         let says = refusal(folder.path(), "deep.json");
         assert!(says.contains("more than 64 levels of nesting"), "{says}");
     }
-    for (kind, deep) in [
-        (
-            "urdf",
-            format!("<robot name=\"r\">{}", "<a>".repeat(200_000))
-                + &"</a>".repeat(200_000)
-                + "</robot>",
-        ),
-        (
-            "mjcf",
-            format!("<mujoco><worldbody>{}", "<body>".repeat(200_000))
-                + &"</body>".repeat(200_000)
-                + "</worldbody></mujoco>",
-        ),
-    ] {
-        fs::write(folder.path().join("deep.xml"), deep).unwrap();
-        let says = refusal_of_robot(folder.path(), kind, "deep.xml");
-        assert!(says.contains("for the base"), "{says}");
+    let urdf = |deep: usize| {
+        format!("<robot name=\"r\">{}", "<a>".repeat(deep)) + &"</a>".repeat(deep) + "</robot>"
+    };
+    let mjcf = |deep: usize| {
+        format!("<mujoco><worldbody>{}", "<body>".repeat(deep))
+            + &"</body>".repeat(deep)
+            + "</worldbody></mujoco>"
+    };
+    for (deep, says) in [(20_000, "for the base"), (200_000, "nodes limit")] {
+        for (kind, text) in [("urdf", urdf(deep)), ("mjcf", mjcf(deep))] {
+            fs::write(folder.path().join("deep.xml"), text).unwrap();
+            let said = refusal_of_robot(folder.path(), kind, "deep.xml");
+            assert!(said.contains(says), "{said}");
+        }
     }
 }
 

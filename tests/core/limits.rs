@@ -253,10 +253,14 @@ fn rows_cost_in_proportion() {
         let mut text = "q1_deg,x_mm,y_mm,z_mm\n".to_owned();
         for k in 0..count {
             let q = (80.0 * (2.0 * k as f64 / count as f64 - 1.0)).to_radians();
-            // Scatter of a few hundredths of a millimetre.
-            let by = 0.03 * (k as f64 * 12.9898).sin();
-            let (x, y) = (250.0 * (q + 0.01).cos() + by, 250.0 * (q + 0.01).sin() - by);
-            text += &format!("{:.5},{x:.4},{y:.4},{:.4}\n", q.to_degrees(), 300.0 + by);
+            // Scatter of a few hundredths of a millimetre, without a pattern that could be found.
+            let by = |of: f64| {
+                let phase = 12.9898 * k as f64 + 78.233 * of;
+                0.1 * ((phase.sin() * 43_758.545_3).rem_euclid(1.0) - 0.5)
+            };
+            let (x, y) = (250.0 * (q + 0.01).cos(), 250.0 * (q + 0.01).sin());
+            let (x, y, z) = (x + by(0.0), y + by(1.0), 300.0 + by(2.0));
+            text += &format!("{:.5},{x:.4},{y:.4},{z:.4}\n", q.to_degrees());
         }
         fs::write(folder.path().join("rows.csv"), text).unwrap();
         let mut document = session();

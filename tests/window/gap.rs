@@ -198,7 +198,7 @@ fn noise_alone_is_said_to_be_noise() {
 }
 
 #[test]
-fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
+fn a_search_can_be_stopped_and_says_that_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
     // The search of few samples may be done before the first frame shows it.
     let session = session_of(BACKLASH, "0", 400, folder.path());
@@ -219,7 +219,7 @@ fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
     window.get_by_label("Run diagnosis").click();
     until(&mut window, "Stop the search");
     window.get_by_label("Stop the search").click();
-    until(&mut window, "Run diagnosis");
+    until(&mut window, "Diagnosis stopped");
     assert!(!says(
         &window,
         "Explained: the remaining error is at the noise floor"
