@@ -24,7 +24,7 @@ use crate::model::Model;
 
 /// A file that is read back leads to the same place up to this, mm.
 const SAME_MM: f64 = 1e-9;
-/// Of a robot whose axes are kilometres away the last digits are lost: this share of its reach.
+/// Where axes or targets are kilometres away the last digits are lost: this share of the way.
 const ROUNDING: f64 = 1e-13;
 
 pub(super) struct Chain {
@@ -125,7 +125,10 @@ impl Chain {
     /// Refuses a written chain that leads elsewhere: a bug.
     pub(super) fn check(&self, job: &Job, written: &Robot) -> Result<(), ExportError> {
         let off = self.farthest(job, written);
-        if off <= SAME_MM.max(ROUNDING * written.reach_mm()) {
+        let homes = Compensation::new(job.calibration).reflectors_at_home;
+        let far = homes.iter().map(|home| dot(*home, *home).sqrt());
+        let far_mm = far.fold(written.reach_mm(), f64::max);
+        if off <= SAME_MM.max(ROUNDING * far_mm) {
             return Ok(());
         }
         Err(ExportError::ReadBack(format!(
