@@ -11,17 +11,17 @@ static WAITED_FOR: AtomicBool = AtomicBool::new(false);
 static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// As long as it lives the first interrupt ends what is looked for, not the program.
-pub(crate) struct Stopping(());
+pub(crate) struct Stopping(&'static AtomicBool);
 
 impl Stopping {
     pub(crate) fn at_interrupt() -> Self {
         WAITED_FOR.store(true, Ordering::SeqCst);
-        Self(())
+        Self(&ASKED)
     }
 
     /// Whether an interrupt came.
     pub(crate) fn is_asked(&self) -> bool {
-        ASKED.load(Ordering::SeqCst)
+        self.0.load(Ordering::SeqCst)
     }
 }
 

@@ -187,17 +187,19 @@ fn as_said_and_no_worse_than_nominal(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<(), NotHandedOut> {
+    // What is no number is not within.
+    let within = |found_mm: f64, most_mm: f64| found_mm <= most_mm + NOTHING_MM;
     let verified = verify(calibration, session)?;
     let trimmed = verified.trimmed.map(|trimmed| trimmed.model_mm);
     let found_mm = trimmed.unwrap_or(verified.model.rms_mm);
     let said_mm = calibration.history.last().map(|step| step.gap_mm);
     if let Some(said_mm) = said_mm
-        && !(found_mm <= MOST_TIMES * said_mm + NOTHING_MM)
+        && !within(found_mm, MOST_TIMES * said_mm)
     {
         return Err(NotHandedOut::OtherThanSaid { found_mm, said_mm });
     }
     let nominal_mm = verified.nominal.rms_mm;
-    if !(found_mm <= MOST_TIMES_NOMINAL * nominal_mm + NOTHING_MM) {
+    if !within(found_mm, MOST_TIMES_NOMINAL * nominal_mm) {
         return Err(NotHandedOut::WorseThanNominal {
             found_mm,
             nominal_mm,
