@@ -207,7 +207,7 @@ def damaged(random_, name, data, others):
     for _ in range(random_.choice([1, 1, 1, 2, 3])):
         try:
             data = random_.choice(ways)(random_, data)
-        except ValueError:
+        except (ValueError, RecursionError):
             data = damage_bytes(random_, data)
     return data
 
@@ -363,7 +363,7 @@ def judged(case, code, out, err, folder, before, spent):
     if code == 0 and "--json" in case.arguments:
         try:
             json.loads(out)
-        except ValueError:
+        except (ValueError, RecursionError):
             return "its output is not one JSON document"
     if code == 1 and case.name != "compensate" and "memory" not in said:
         return "ended with 1"
