@@ -2592,3 +2592,15 @@ core-the-plane-that-was-touched-in = die Ebene, die in allen Zeilen angetastet w
 core-known-distances-between-sockets-mm-such = bekannte Abstände zwischen Aufnahmen, mm, etwa S1-S2=400: einer davon legt die Größe des Roboters fest
 core-how-rx-ry-rz-or-euler1 = wie rx, ry, rz (oder euler1, euler2, euler3) eine Orientierung ergeben: eine Folge von Achsen und ob sie sich mitdrehen, etwa zyx-moving, xyz-fixed (= zyx-moving) oder zyz-moving; rpy (= xyz-fixed); rotvec
 core-its-position-is-nearly-singular-the = seine Position ist fast singulär: Die Korrektur würde das Werkzeug um { $a } drehen
+core-the-search-was-stopped-this-is = Die Suche wurde angehalten: das ist, was bis dahin belegt war
+core-the-search-was-stopped-this-is-2 = Die Suche wurde angehalten: das ist, was bis dahin belegt war; { $a }
+core-the-search-stopped-at-its-budget = Die Suche endete an ihrem Budget: das ist, was bis dahin belegt war
+core-the-search-stopped-at-its-budget-2 = Die Suche endete an ihrem Budget: das ist, was bis dahin belegt war; { $a }
+core-a-smooth-curve-over-joint-explains = eine glatte Kurve über Gelenk { $a } erklärt so viel wie { $b } zusammen
+core-the-remaining-error-is-times-the = der verbleibende Fehler ist das { $a }-fache der Rauschgrenze ({ $b } mm): das Messkoordinatensystem wandert, oder etwas ändert sich ebenso langsam
+core-on-the-session-that-it-came = auf der Messung, aus der es stammt, lässt das Modell einen RMS-Fehler von { $a } mm, gesagt waren { $b } mm: es wird nicht geschrieben
+core-on-the-session-that-it-came-2 = auf der Messung, aus der es stammt, lässt das Modell einen RMS-Fehler von { $a } mm, der nominale Roboter { $b } mm: es wird nicht geschrieben
+core-the-model-leaves-an-rms-error = das Modell lässt einen RMS-Fehler von { $a } mm, die Identifikation, mit der es begann, { $b } mm: es wird nicht geschrieben
+core-the-model-predicts-no-position-at = das Modell sagt bei den Gelenkwerten { $a } (rad, mm) keine Position voraus: es wird nicht geschrieben
+core-with-this-the-rms-error-of = mit dieser Ausgabe ({ $a }) stiege der RMS-Fehler von „{ $b }“ von { $c } auf { $d } mm: es wird nichts geschrieben
+core-description-of-the-robot = Beschreibung des Roboters

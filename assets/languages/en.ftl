@@ -2592,3 +2592,15 @@ core-the-plane-that-was-touched-in = the plane that was touched in all rows, whe
 core-known-distances-between-sockets-mm-such = known distances between sockets, mm, such as S1-S2=400: one of them sets the size of the robot
 core-how-rx-ry-rz-or-euler1 = how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec
 core-its-position-is-nearly-singular-the = its position is nearly singular: the correction would turn the tool by { $a }
+core-the-search-was-stopped-this-is = the search was stopped: this is what was proven until then
+core-the-search-was-stopped-this-is-2 = the search was stopped: this is what was proven until then; { $a }
+core-the-search-stopped-at-its-budget = the search stopped at its budget: this is what was proven until then
+core-the-search-stopped-at-its-budget-2 = the search stopped at its budget: this is what was proven until then; { $a }
+core-a-smooth-curve-over-joint-explains = a smooth curve over joint { $a } explains as much as { $b } together
+core-the-remaining-error-is-times-the = the remaining error is { $a } times the floor ({ $b } mm): the measuring frame wanders, or something changes as slowly
+core-on-the-session-that-it-came = on the session that it came from the model leaves an RMS error of { $a } mm, and { $b } mm was said: it is not written
+core-on-the-session-that-it-came-2 = on the session that it came from the model leaves an RMS error of { $a } mm, and the nominal robot { $b } mm: it is not written
+core-the-model-leaves-an-rms-error = the model leaves an RMS error of { $a } mm, and the identification that it began with { $b } mm: it is not written
+core-the-model-predicts-no-position-at = the model predicts no position at joint values { $a } (rad, mm): it is not written
+core-with-this-the-rms-error-of = with this { $a } the RMS error of '{ $b }' would rise from { $c } to { $d } mm: nothing is written
+core-description-of-the-robot = description of the robot

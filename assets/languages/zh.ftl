@@ -2564,3 +2564,15 @@ core-the-plane-that-was-touched-in = 没有列指明时，所有行中接触的�
 core-known-distances-between-sockets-mm-such = 座之间的已知距离，mm，例如 S1-S2=400：其中一个确定机器人的尺寸
 core-how-rx-ry-rz-or-euler1 = rx、ry、rz（或 euler1、euler2、euler3）如何构成姿态：轴的次序以及轴是否随动，例如 zyx-moving、xyz-fixed（= zyx-moving）或 zyz-moving；rpy（= xyz-fixed）；rotvec
 core-its-position-is-nearly-singular-the = 其位置接近奇异：修正会使工具转动 { $a }
+core-the-search-was-stopped-this-is = 搜索已停止：以下是到此为止已证实的结果
+core-the-search-was-stopped-this-is-2 = 搜索已停止：以下是到此为止已证实的结果；{ $a }
+core-the-search-stopped-at-its-budget = 搜索达到计算预算：以下是到此为止已证实的结果
+core-the-search-stopped-at-its-budget-2 = 搜索达到计算预算：以下是到此为止已证实的结果；{ $a }
+core-a-smooth-curve-over-joint-explains = 关节 { $a } 上的一条平滑曲线与 { $b } 合起来的解释力相同
+core-the-remaining-error-is-times-the = 剩余误差是噪声下限（{ $b } mm）的 { $a } 倍：测量坐标系在漂移，或有同样缓慢的变化
+core-on-the-session-that-it-came = 在模型所来自的测量上，模型的 RMS 误差为 { $a } mm，而所述为 { $b } mm：不写入
+core-on-the-session-that-it-came-2 = 在模型所来自的测量上，模型的 RMS 误差为 { $a } mm，名义机器人为 { $b } mm：不写入
+core-the-model-leaves-an-rms-error = 模型的 RMS 误差为 { $a } mm，其起始辨识为 { $b } mm：不写入
+core-the-model-predicts-no-position-at = 模型在关节值 { $a }（rad，mm）处不能预测位置：不写入
+core-with-this-the-rms-error-of = 使用该输出（{ $a }）时，“{ $b }”的 RMS 误差会从 { $c } 升至 { $d } mm：不写入任何内容
+core-description-of-the-robot = 机器人描述

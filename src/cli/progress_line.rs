@@ -30,7 +30,7 @@ impl ProgressLine {
         let text: String = plain(text).chars().take(WIDEST).collect();
         let mut shown = self.shown.borrow_mut();
         if *shown != text {
-            // Nobody is told where standard error takes nothing.
+            // There is no place to report that standard error takes nothing.
             let _ = write!(stderr(), "\r\u{1b}[K{text}");
             let _ = stderr().flush();
             *shown = text;

@@ -72,8 +72,9 @@ pub enum NotHandedOut {
 ///
 /// ```compile_fail,E0423
 /// use truepose::compensation::VerifiedCalibration;
-/// # let calibration: truepose::model::Calibration = unimplemented!();
-/// let made = VerifiedCalibration(calibration);
+/// fn made(calibration: truepose::model::Calibration) {
+///     let _ = VerifiedCalibration(calibration);
+/// }
 /// ```
 ///
 /// ```compile_fail,E0594
@@ -85,23 +86,27 @@ pub enum NotHandedOut {
 /// Nothing that writes takes a calibration that was not verified:
 ///
 /// ```compile_fail,E0308
-/// # let calibration: truepose::model::Calibration = unimplemented!();
-/// let text = truepose::pipeline::write_model(&calibration);
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::write_model(calibration);
+/// }
 /// ```
 ///
 /// ```compile_fail,E0308
-/// # let calibration: truepose::model::Calibration = unimplemented!();
-/// let job = truepose::export::Job::new(&calibration, "table.csv");
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::export::Job::new(calibration, "table.csv");
+/// }
 /// ```
 ///
 /// ```compile_fail,E0308
-/// # let calibration: truepose::model::Calibration = unimplemented!();
-/// let table = truepose::compensation::JointTable::new(&calibration, 0, 1.0, Default::default());
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::compensation::JointTable::new(calibration, 0, 1.0, Default::default());
+/// }
 /// ```
 ///
 /// ```compile_fail,E0308
-/// # let calibration: truepose::model::Calibration = unimplemented!();
-/// let report = truepose::pipeline::report_of_model(&calibration, &Default::default());
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::report_of_model(calibration, &Default::default());
+/// }
 /// ```
 ///
 /// ```compile_fail,E0603
@@ -190,15 +195,16 @@ fn as_said_and_no_worse_than_nominal(
     // What is no number is not within.
     let within = |found_mm: f64, most_mm: f64| found_mm <= most_mm + NOTHING_MM;
     let verified = verify(calibration, session)?;
-    let trimmed = verified.trimmed.map(|trimmed| trimmed.model_mm);
-    let found_mm = trimmed.unwrap_or(verified.model.rms_mm);
+    // Both without the suspected outliers, which make any model and the nominal robot look alike.
+    let trimmed = verified.trimmed.map(|t| [t.nominal_mm, t.model_mm]);
+    let whole = [verified.nominal.rms_mm, verified.model.rms_mm];
+    let [nominal_mm, found_mm] = trimmed.unwrap_or(whole);
     let said_mm = calibration.history.last().map(|step| step.gap_mm);
     if let Some(said_mm) = said_mm
         && !within(found_mm, MOST_TIMES * said_mm)
     {
         return Err(NotHandedOut::OtherThanSaid { found_mm, said_mm });
     }
-    let nominal_mm = verified.nominal.rms_mm;
     if !within(found_mm, MOST_TIMES_NOMINAL * nominal_mm) {
         return Err(NotHandedOut::WorseThanNominal {
             found_mm,

@@ -65,7 +65,7 @@ pub(super) fn verify(
         }),
         compensated: None,
         held_out: held_out(&apart, &before, &after),
-        trimmed: Trimmed::of(&after.length_mm, counts, &suspected),
+        trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &suspected),
         data_problems: set_aside::findings(session, &after.length_mm, counts, &suspected),
         before,
         after,

@@ -361,7 +361,7 @@ impl<'r> Scale<'r> {
         };
         let rank = |rows: std::ops::Range<usize>, jacobian: &DMatrix<f64>| {
             let part = jacobian.rows_range(rows).into_owned();
-            decompose::rank(part, 1e-6)
+            decompose::svd(part).map_or(0, |svd| svd.rank(1e-6))
         };
         for seed in 1..=3 {
             let q: Vec<f64> = (0..robot.joints.len())

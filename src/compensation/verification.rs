@@ -64,6 +64,8 @@ pub struct Compensated {
 /// The error that is left without the samples that are suspected outliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trimmed {
+    /// RMS error of the nominal robot, mm.
+    pub nominal_mm: f64,
     /// RMS error of the model, mm.
     pub model_mm: f64,
     /// So many samples were set aside.
@@ -71,17 +73,22 @@ pub struct Trimmed {
 }
 
 impl Trimmed {
-    /// Of the lengths that count, mm; `None` where nothing is suspected.
+    /// Of the lengths that count, to the nominal robot and to the model, mm; `None` where nothing is suspected.
     pub(super) fn of(
-        lengths_mm: &[f64],
+        nominal_mm: &[f64],
+        model_mm: &[f64],
         counts: impl Fn(usize) -> bool,
         suspected: &[bool],
     ) -> Option<Self> {
         let is_set_aside = |i: &usize| counts(*i) && suspected[*i];
-        let set_aside = (0..lengths_mm.len()).filter(is_set_aside).count();
-        let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+        let set_aside = (0..model_mm.len()).filter(is_set_aside).count();
+        let left = |lengths_mm: &[f64]| {
+            let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+            left.map_or(f64::NAN, |left| left.rms_mm)
+        };
         (set_aside > 0).then(|| Self {
-            model_mm: left.map_or(f64::NAN, |left| left.rms_mm),
+            nominal_mm: left(nominal_mm),
+            model_mm: left(model_mm),
             set_aside,
         })
     }
@@ -233,7 +240,7 @@ pub(super) fn verify_as_read(
         }),
         compensated: compensated.flatten(),
         held_out: held_out(&apart, &before, &after),
-        trimmed: Trimmed::of(&after.length_mm, counts, &outlier),
+        trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &outlier),
         data_problems: set_aside::findings(session, &after.length_mm, counts, &outlier),
         before,
         after,

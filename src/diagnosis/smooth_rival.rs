@@ -13,8 +13,9 @@
 //! Where the curve is clearly likelier it takes the place of the names; where the samples cannot rule out
 //! either, the names stay and the curve is said beside them.
 
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::DMatrix;
 
+use crate::decompose::eigen;
 use crate::effects::{Setting, Term};
 use crate::fit::regression::Rows;
 
@@ -191,7 +192,7 @@ fn likeliest(regression: &Regression, rest: &Fit, joint: usize) -> Option<f64> {
     let mut best: Option<f64> = None;
     for root in gaussian.iter().chain(&matern) {
         let own = root.tr_mul(&gram) * root / unit;
-        let own = SymmetricEigen::new(own);
+        let own = eigen(own);
         let pulled = own.eigenvectors.tr_mul(&root.tr_mul(&pulls)) / unit.sqrt();
         for size in (0..15).map(|k| 0.2 * 2.0_f64.powi(k)) {
             let t2 = size * size;
@@ -213,7 +214,7 @@ fn likeliest(regression: &Regression, rest: &Fit, joint: usize) -> Option<f64> {
 fn covariance(length: f64, of: impl Fn(f64) -> f64) -> DMatrix<f64> {
     let at = |k: usize| k as f64 / PIECES as f64 / length;
     let all = DMatrix::from_fn(PIECES + 1, PIECES + 1, |i, j| of((at(i) - at(j)).abs()));
-    let own = SymmetricEigen::new(all);
+    let own = eigen(all);
     let mut order: Vec<usize> = (0..=PIECES).collect();
     order.sort_by(|a, b| own.eigenvalues[*b].total_cmp(&own.eigenvalues[*a]));
     let largest = own.eigenvalues[order[0]];

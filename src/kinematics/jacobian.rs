@@ -12,6 +12,8 @@
 
 use nalgebra::Matrix6xX;
 
+use crate::decompose;
+
 use super::robot::{Pose, Robot};
 use super::screw::{Twist, joint_motion};
 
@@ -67,7 +69,7 @@ impl Robot {
                     column.unscale_mut(norm);
                 }
             }
-            crate::decompose::rank(jacobian, 1e-9)
+            decompose::svd(jacobian).map_or(0, |svd| svd.rank(1e-9))
         };
         (1..=3).map(rank_at).max().unwrap_or(0)
     }

@@ -25,7 +25,7 @@ const MOST_FILES: usize = 64;
 /// An element, as places in its text.
 #[derive(Debug)]
 struct Element {
-    /// Its name without a prefix; empty for elements of somebody else's vocabulary.
+    /// Its name without a prefix; empty for elements of another vocabulary.
     name: Piece,
     /// In [`Document::attributes`].
     attributes: Range<u32>,
@@ -113,7 +113,7 @@ impl Document {
     }
 
     fn read(&mut self, node: &Node<'_, '_>, own: &mut Source, source: u32) -> Element {
-        // Names with a prefix belong to somebody else's vocabulary.
+        // Names with a prefix belong to another vocabulary.
         let foreign = node.tag_name().namespace().is_some_and(|uri| {
             let default = node.default_namespace();
             default != Some(uri)
@@ -193,7 +193,7 @@ impl Document {
         self.sources.iter().map(|s| s.file.clone()).collect()
     }
 
-    /// The name of an element without a prefix; empty for one of somebody else's vocabulary.
+    /// The name of an element without a prefix; empty for one of another vocabulary.
     pub(super) fn name(&self, index: usize) -> &str {
         let element = &self.elements[index];
         self.sources[element.source as usize].text(element.name)

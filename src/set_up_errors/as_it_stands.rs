@@ -54,8 +54,12 @@ fn nominal_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
     median_mm(&problem, &model)
 }
 
-/// The whole base model with its priors.
+/// The whole base model with its priors; infinite for points of another size than the robot's: links that shrink
+/// leave little of those whatever the robot is.
 fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+    if !has_the_robots_size(part, values) {
+        return f64::INFINITY;
+    }
     let mut problem = Problem::new(part, values);
     let frame = MEASURING_FRAME.about().id;
     let frames = free_frame || part.samples.setups.is_some();
@@ -103,19 +107,21 @@ pub(super) fn is_plausible(session: &Session, model: &Model) -> bool {
 /// Whether a change that scales the samples brings them to the size of the robot, which they do not have
 /// as they are.
 pub(super) fn is_to_scale(part: &Session, changed: &Session, values: JointValues) -> bool {
-    let ratio = |session: &Session| {
-        let problem = Problem::new(session, values);
-        let nominal = Model::nominal(session.robot.clone()).predict(&problem.inputs);
-        let mut seen = session.samples.clone();
-        seen.x_mm = nominal.x_mm;
-        seen.y_mm = nominal.y_mm;
-        seen.z_mm = session.samples.z_mm.is_some().then_some(nominal.z_mm);
-        session.samples.spread_mm() / seen.spread_mm().max(1e-12)
-    };
-    let within = |ratio: f64| (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio);
     let lengths = part.samples.spread_mm() / changed.samples.spread_mm().max(1e-12);
     let is_scaled = (lengths.ln()).abs() > 0.01;
-    !is_scaled || within(ratio(changed)) && !within(ratio(part))
+    !is_scaled || has_the_robots_size(changed, values) && !has_the_robots_size(part, values)
+}
+
+/// Whether the points are spread as widely as the nominal robot spreads them.
+fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
+    let problem = Problem::new(session, values);
+    let nominal = Model::nominal(session.robot.clone()).predict(&problem.inputs);
+    let mut seen = session.samples.clone();
+    seen.x_mm = nominal.x_mm;
+    seen.y_mm = nominal.y_mm;
+    seen.z_mm = session.samples.z_mm.is_some().then_some(nominal.z_mm);
+    let ratio = session.samples.spread_mm() / seen.spread_mm().max(1e-12);
+    (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio)
 }
 
 /// Whether a change predicts samples that its trial has not seen, to within what it may leave.
@@ -139,5 +145,7 @@ pub(super) fn predicts(part: &Session, values: JointValues, mends: &[Mend], most
     let Some(end) = trial(&seen, values, true) else {
         return false;
     };
-    median_mm(&Problem::new(&unseen, values), &end.model) <= UNSEEN * most_mm
+    // What may be left is told in the units of the samples as they stand.
+    let scale = changed.samples.spread_mm() / part.samples.spread_mm().max(1e-12);
+    median_mm(&Problem::new(&unseen, values), &end.model) <= UNSEEN * most_mm * scale.max(1.0)
 }

@@ -4,7 +4,7 @@
 use crate::rig::{Design, Hidden, Random, Rig};
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::JointValues;
-use truepose::pipeline::diagnose;
+use truepose::pipeline::{diagnose, load};
 use truepose::sessions::{Session, parse};
 
 fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> Rig {
@@ -73,6 +73,38 @@ fn coordinates_in_the_wrong_unit() {
         reported(&answer, unit);
         assert_eq!(names(&answer), ["backlash"], "{unit}");
     }
+}
+
+#[test]
+fn coordinates_of_an_arm_in_the_wrong_unit() {
+    // Links that may shrink fit metres read as millimetres to a nanometre, and are no robot.
+    for file in ["tests/data/arms/six-60.json", "sessions/arm/arm.json"] {
+        let right = load(file).expect("a session of the repository").session;
+        let found = identified_mm(&right);
+        for (factor, unit) in [
+            (1e-3, "metres"),
+            (1.0 / 25.4, "inches"),
+            (1e3, "micrometres"),
+        ] {
+            let mut wrong = right.clone();
+            moved(&mut wrong, |p| p.map(|v| v * factor));
+            let answer = diagnosed(&wrong);
+            reported(&answer, unit);
+            let ratio = answer.gap.identified_mm / found;
+            assert!((ratio - 1.0).abs() < 0.01, "{file} in {unit}: {ratio}");
+        }
+    }
+}
+
+fn identified_mm(session: &Session) -> f64 {
+    let found = diagnosed(session);
+    assert!(
+        found
+            .data_problems
+            .iter()
+            .all(|p| !p.what.contains("coordinates"))
+    );
+    found.gap.identified_mm
 }
 
 #[test]

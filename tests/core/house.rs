@@ -147,6 +147,28 @@ fn an_effect_is_named_in_one_file_of_its_own() {
 }
 
 #[test]
+fn matrices_are_decomposed_where_that_ends() {
+    let own = [
+        "SymmetricEigen::new(",
+        ".symmetric_eigen(",
+        ".svd(",
+        "SVD::new(",
+        ".singular_values()",
+        ".pseudo_inverse(",
+    ];
+    let found: Vec<String> = code()
+        .iter()
+        .filter(|line| line.path != "decompose.rs")
+        .filter(|line| own.iter().any(|name| line.text.contains(name)))
+        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .collect();
+    report(
+        "nalgebra's own may go on for ever, take crate::decompose:",
+        &found,
+    );
+}
+
+#[test]
 fn the_core_knows_nothing_of_the_window() {
     // The command that opens the window has to.
     let may = ["cli/window.rs", "lib.rs"];
