@@ -111,9 +111,11 @@
     )
 )]
 
-// First: `named!` is in the scope of what follows.
+// First: their macros are in the scope of what follows.
 #[macro_use]
 mod named;
+#[macro_use]
+pub mod text;
 
 pub(crate) mod atomic;
 pub(crate) mod decompose;

@@ -33,17 +33,17 @@ fn in_words(effect: &Effect) -> String {
     format!(
         "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  needs          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
         about.id,
-        about.title,
+        about.title.english(),
         about.equation,
         parameter_names(effect).join(", "),
-        about.cause,
+        about.cause.english(),
         if needs.is_empty() {
             "nothing beside the poses".to_owned()
         } else {
             needs.join("; ")
         },
-        about.usual_size,
+        about.usual_size.english(),
         about.confused_with,
-        about.check,
+        about.check.english(),
     )
 }

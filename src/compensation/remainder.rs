@@ -153,5 +153,10 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
 fn remedy(calibration: &Calibration, term: &crate::effects::Term) -> String {
     let robot = &calibration.model.robot;
     let own = term.effect.remedy.map(|say| say(robot, term));
-    own.unwrap_or_else(|| format!("needs a mechanical repair: {}", term.effect.about().check))
+    own.unwrap_or_else(|| {
+        format!(
+            "needs a mechanical repair: {}",
+            term.effect.about().check.english()
+        )
+    })
 }

@@ -238,7 +238,7 @@ impl JointTable {
                 if about.of_other_joints {
                     notes.push(format!(
                         "the {} of this joint depends on the other joints: they stand at home here",
-                        about.title.to_lowercase()
+                        about.title.english().to_lowercase()
                     ));
                 }
             }

@@ -202,7 +202,7 @@ pub(crate) fn found(
             within_s,
             next,
             says,
-            check: about.check,
+            check: about.check.english(),
         }
     };
     steps.iter().map(one).collect()

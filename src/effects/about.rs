@@ -2,6 +2,7 @@
 //! technician reads.
 
 use crate::kinematics::JointKind;
+use crate::text::Template;
 
 use super::needs::Need;
 use super::survey::Survey;
@@ -339,7 +340,7 @@ pub struct About {
     /// The name that files and commands use.
     pub id: &'static str,
     /// The name in words.
-    pub title: &'static str,
+    pub title: Template,
     /// Where it acts.
     pub stage: Stage,
     /// Whether it belongs to one joint.
@@ -353,7 +354,7 @@ pub struct About {
     /// Where the equation comes from.
     pub source: &'static str,
     /// What in the machine causes it.
-    pub cause: &'static str,
+    pub cause: Template,
     /// What it follows: the variable of its chart. Where the samples show no change of it, nothing
     /// shows the effect.
     pub over: Over,
@@ -365,7 +366,7 @@ pub struct About {
     /// usual ones. `None` where any size is usual.
     pub implausible_above: Option<f64>,
     /// Sizes that are usual; for reading, never a prior.
-    pub usual_size: &'static str,
+    pub usual_size: Template,
     /// What it is confused with, and what tells them apart.
     pub confused_with: &'static str,
     /// Conditions that poses have to vary to tell it from what it is confused with.
@@ -376,7 +377,7 @@ pub struct About {
     /// Whether it changes with the values of other joints than its own.
     pub of_other_joints: bool,
     /// What to look at on the machine.
-    pub check: &'static str,
+    pub check: Template,
     /// Its part in every calibration.
     pub role: Role,
     /// Whose error it is.
@@ -390,24 +391,24 @@ impl About {
     /// follows the joints' values and needs nothing.
     pub const PLAIN: Self = Self {
         id: "",
-        title: "",
+        title: phrase!(""),
         stage: Stage::Joint,
         per_joint: true,
         form: Form::Plain(&[]),
         setting: Setting::None,
         equation: "",
         source: "",
-        cause: "",
+        cause: phrase!(""),
         over: Over::Angle,
         needs: &[],
         never_negative: false,
         implausible_above: None,
-        usual_size: "",
+        usual_size: phrase!(""),
         confused_with: "",
         told_by: &[],
         becomes: None,
         of_other_joints: false,
-        check: "",
+        check: phrase!(""),
         role: Role::Candidate,
         owner: Owner::Robot,
         priors: &[],

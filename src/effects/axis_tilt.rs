@@ -15,7 +15,7 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "axis-tilt",
-    title: "Axis tilt",
+    title: phrase!("Axis tilt"),
     stage: Stage::World,
     form: Form::Plain(&[
         Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
@@ -23,11 +23,11 @@ const ABOUT: About = About {
     ]),
     equation: "p = f + R_y(β) R_x(α) (p − f), f on the axis at the tool's height",
     source: "ISO 230-7: axis of rotation errors E_A0C, E_B0C",
-    cause: "the column does not stand upright on the base",
+    cause: phrase!("the column does not stand upright on the base"),
     implausible_above: Some(20.0),
-    usual_size: "0.05 to 2 mrad",
+    usual_size: phrase!("0.05 to 2 mrad"),
     confused_with: "axial runout of first order at one radius: a second radius parts them",
-    check: "shim the column's foot; level it along x and y",
+    check: phrase!("shim the column's foot; level it along x and y"),
     needs: &[
         Need::SINGLE_AXIS,
         Need::REVOLUTE,

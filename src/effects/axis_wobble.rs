@@ -12,17 +12,17 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "axis-wobble",
-    title: "Axis wobble",
+    title: phrase!("Axis wobble"),
     stage: Stage::Bearing,
     form: Form::Harmonic(Quantity::new("amplitude_mrad", Unit::MILLIRADIAN)),
     setting: Setting::Order { from: 2, to: 6 },
     equation: "axial displacement R·w·cos(order·q + φ)",
     source: "ISO 230-7: tilt error motion E_AC, E_BC at the radius R",
-    cause: "the bearing's raceways are wavy, so that the axis tilts as it turns",
+    cause: phrase!("the bearing's raceways are wavy, so that the axis tilts as it turns"),
     implausible_above: Some(2.0),
-    usual_size: "0.004 to 0.2 mrad",
+    usual_size: phrase!("0.004 to 0.2 mrad"),
     confused_with: "the form of a measured surface: a second radius parts them",
-    check: "the bearing's axial seat and preload",
+    check: phrase!("the bearing's axial seat and preload"),
     needs: &[
         Need::REVOLUTE,
         Need::values::<6>("six values of the joint"),

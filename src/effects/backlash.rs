@@ -10,17 +10,17 @@ use super::{Effect, Placed};
 
 const ABOUT: About = About {
     id: "backlash",
-    title: "Backlash",
+    title: phrase!("Backlash"),
     form: Form::Plain(&[Quantity::new("width_deg", Unit::DEGREE).sliding("width_mm", Unit::MM)]),
     equation: "θ = q − s·width/2",
     source: "ISO 230-2: reversal value B; the play operator after full take-up",
-    cause: "play between gear teeth, in a coupling or a key",
+    cause: phrase!("play between gear teeth, in a coupling or a key"),
     over: Over::Side,
     never_negative: true,
     implausible_above: Some(0.5),
-    usual_size: "0.1′ to 3′",
+    usual_size: phrase!("0.1′ to 3′"),
     confused_with: "tracking lag at one speed, drift in a single out-and-back: shuffled approaches at standstill and at two speeds part them",
-    check: "preload and wear of the reducer; rock the output by hand with the drive held",
+    check: phrase!("preload and wear of the reducer; rock the output by hand with the drive held"),
     needs: &[Need::BOTH_SIDES],
     told_by: &[Condition::Speed],
     ..About::PLAIN

@@ -8,17 +8,17 @@ use crate::kinematics::Robot;
 
 const ABOUT: About = About {
     id: "base-offset",
-    title: "Base offset",
+    title: phrase!("Base offset"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = p + (x, y, z)",
     source: "ISO 9283, 5.6: the base frame as measured",
-    cause: "the measuring frame was surveyed to a point beside the axis",
+    cause: phrase!("the measuring frame was surveyed to a point beside the axis"),
     implausible_above: Some(50.0),
-    usual_size: "0.1 to 5 mm",
+    usual_size: phrase!("0.1 to 5 mm"),
     confused_with: "encoder eccentricity where only the angle is seen: the radius, or a second radius, parts them",
-    check: "survey the base again",
+    check: phrase!("survey the base again"),
     needs: &[MOVED],
     ..About::PLAIN
 };

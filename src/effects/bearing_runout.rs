@@ -13,17 +13,17 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "bearing-runout",
-    title: "Bearing runout",
+    title: phrase!("Bearing runout"),
     stage: Stage::Bearing,
     form: Form::Harmonic(Quantity::new("amplitude_mm", Unit::MM)),
     setting: Setting::Order { from: 2, to: 6 },
     equation: "centre moves by A (cos(order·q + φ), sin(order·q + φ))",
     source: "ISO 230-7: radial error motion E_XC, E_YC",
-    cause: "raceways or seats of the bearing are not round",
+    cause: phrase!("raceways or seats of the bearing are not round"),
     implausible_above: Some(0.5),
-    usual_size: "1 to 50 µm",
+    usual_size: phrase!("1 to 50 µm"),
     confused_with: "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them",
-    check: "the bearing's seat and preload",
+    check: phrase!("the bearing's seat and preload"),
     needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
     ..About::PLAIN
 };

@@ -14,15 +14,15 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "encoder-eccentricity",
-    title: "Encoder eccentricity",
+    title: phrase!("Encoder eccentricity"),
     form: Form::Harmonic(Quantity::new("amplitude_deg", Unit::DEGREE)),
     equation: "q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)",
     source: "geometry of an off-centre graduation; e = ρ ε for a ring of radius ρ",
-    cause: "the encoder's ring or the gear that drives it is mounted off centre",
+    cause: phrase!("the encoder's ring or the gear that drives it is mounted off centre"),
     implausible_above: Some(0.5),
-    usual_size: "10 µm of eccentricity on a ring of 50 mm radius is 0.011°",
+    usual_size: phrase!("10 µm of eccentricity on a ring of 50 mm radius is 0.011°"),
     confused_with: "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them",
-    check: "centre the encoder ring, or average a second reading head at 180°",
+    check: phrase!("centre the encoder ring, or average a second reading head at 180°"),
     needs: &[
         Need::REVOLUTE,
         Need::values::<4>("four values of the joint"),

@@ -10,15 +10,17 @@ use super::{Effect, Placed};
 
 const ABOUT: About = About {
     id: "encoder-two-cycle",
-    title: "Encoder two-cycle error",
+    title: phrase!("Encoder two-cycle error"),
     form: Form::Harmonic(Quantity::new("amplitude_deg", Unit::DEGREE)),
     equation: "θ = q + A sin(2q + φ)",
     source: "second harmonic of a tilted or oval graduation",
-    cause: "the encoder ring is tilted or oval, or a coupling between encoder and shaft is bent",
+    cause: phrase!(
+        "the encoder ring is tilted or oval, or a coupling between encoder and shaft is bent"
+    ),
     implausible_above: Some(0.056),
-    usual_size: "1″ to 20″",
+    usual_size: phrase!("1″ to 20″"),
     confused_with: "a coupling error of the same order: only the part can tell",
-    check: "check the ring's mounting face for tilt and the ring for roundness",
+    check: phrase!("check the ring's mounting face for tilt and the ring for roundness"),
     needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
     ..About::PLAIN
 };

@@ -22,7 +22,7 @@ use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
 
 const ABOUT: About = About {
     id: "foundation-compliance",
-    title: "Foundation compliance",
+    title: phrase!("Foundation compliance"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
@@ -31,14 +31,18 @@ const ABOUT: About = About {
     ]),
     equation: "p = exp([ω]) p, ω = C M, M the overturning moment about the base's origin",
     source: "a foundation as two torsion springs; ISO 10218-2: moments that a base has to carry",
-    cause: "the pedestal, the floor or the base's bolts give way under the moment of load and arm",
+    cause: phrase!(
+        "the pedestal, the floor or the base's bolts give way under the moment of load and arm"
+    ),
     over: Over::Load,
     of_other_joints: true,
     needs: &[Need::GRAVITY, MOMENT],
     implausible_above: Some(100.0),
-    usual_size: "0.1 to 10 µrad/(N·m)",
+    usual_size: phrase!("0.1 to 10 µrad/(N·m)"),
     confused_with: "link droop where all reflectors are at one height and one radius: another height parts them",
-    check: "the bolts and the pedestal; a dial gauge at the base while the loaded arm swings round",
+    check: phrase!(
+        "the bolts and the pedestal; a dial gauge at the base while the loaded arm swings round"
+    ),
     ..About::PLAIN
 };
 

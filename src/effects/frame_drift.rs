@@ -10,7 +10,7 @@ use crate::lanes::scaled;
 
 const ABOUT: About = About {
     id: "frame-drift",
-    title: "Frame drift",
+    title: phrase!("Frame drift"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
@@ -20,11 +20,11 @@ const ABOUT: About = About {
     ]),
     equation: "p = p + v (t − t0)",
     source: "ISO 9283, 7.6: drift of the pose in time",
-    cause: "the tripod settles, or the base creeps",
+    cause: phrase!("the tripod settles, or the base creeps"),
     over: Over::Time,
-    usual_size: "any",
+    usual_size: phrase!("any"),
     confused_with: "thermal growth while the machine warms up: a temperature channel and a cool-down run part them",
-    check: "tripod, clamps and the sun on the tripod's legs",
+    check: phrase!("tripod, clamps and the sun on the tripod's legs"),
     needs: &[Need::TIME],
     owner: Owner::Session,
     told_by: &[Condition::Temperature],

@@ -11,18 +11,18 @@ use crate::lanes::scaled;
 
 const ABOUT: About = About {
     id: "frame-shift",
-    title: "Frame shift",
+    title: phrase!("Frame shift"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&Quantity::XYZ_MM),
     setting: Setting::Time,
     equation: "p = p + (x, y, z) from t* on",
     source: "a change point of the measuring frame",
-    cause: "somebody touched the tripod, or the base slipped",
+    cause: phrase!("somebody touched the tripod, or the base slipped"),
     over: Over::Time,
-    usual_size: "any",
+    usual_size: phrase!("any"),
     confused_with: "two sessions that were joined: the notes of the day tell",
-    check: "return to the datum points after the step; clamps and tripod",
+    check: phrase!("return to the datum points after the step; clamps and tripod"),
     needs: &[Need::TIME],
     owner: Owner::Session,
     ..About::PLAIN

@@ -12,16 +12,18 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "gear-transmission-error",
-    title: "Gear transmission error",
+    title: phrase!("Gear transmission error"),
     form: Form::Harmonic(Quantity::new("amplitude_deg", Unit::DEGREE)),
     setting: Setting::Order { from: 3, to: 360 },
     equation: "θ = q + A sin(order·q + φ)",
     source: "kinematic error of gears and strain-wave reducers, one harmonic",
-    cause: "tooth or wave-generator errors in the reducer; the order tells which wheel",
+    cause: phrase!("tooth or wave-generator errors in the reducer; the order tells which wheel"),
     implausible_above: Some(0.33),
-    usual_size: "0.5′ to 2′",
+    usual_size: phrase!("0.5′ to 2′"),
     confused_with: "the order M − k where the poses are M equal steps of a turn: unequal steps part them",
-    check: "compare the order with the reducer's tooth counts, then its preload and lubrication",
+    check: phrase!(
+        "compare the order with the reducer's tooth counts, then its preload and lubrication"
+    ),
     needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
     ..About::PLAIN
 };

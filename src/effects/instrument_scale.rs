@@ -8,17 +8,17 @@ use crate::lanes::scaled;
 
 const ABOUT: About = About {
     id: "instrument-scale",
-    title: "Instrument scale",
+    title: phrase!("Instrument scale"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[Quantity::new("scale_ppm", Unit::PPM)]),
     equation: "p = p (1 + s)",
     source: "ASME B89.4.19: scale error of a laser tracker",
-    cause: "the instrument's distance scale, or its air temperature and pressure, is off",
+    cause: phrase!("the instrument's distance scale, or its air temperature and pressure, is off"),
     implausible_above: Some(5000.0),
-    usual_size: "10 to 500 ppm",
+    usual_size: phrase!("10 to 500 ppm"),
     confused_with: "the link's length: a scale bar parts them",
-    check: "measure a scale bar; the instrument's weather station",
+    check: phrase!("measure a scale bar; the instrument's weather station"),
     owner: Owner::Instrument,
     ..About::PLAIN
 };

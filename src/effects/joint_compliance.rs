@@ -25,20 +25,22 @@ mod unknown_masses;
 
 const ABOUT: About = About {
     id: "joint-compliance",
-    title: "Joint compliance",
+    title: phrase!("Joint compliance"),
     form: Form::Plain(&[Quantity::new(
         "compliance_urad_per_nm",
         Unit::MICRORADIAN_PER_NM,
     )]),
     equation: "θ = q + C·τ(θ), τ the measured torque, else gravity's about the joint",
     source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
-    cause: "reducer, bearing and shaft wind up under the weight that hangs on the joint",
+    cause: phrase!("reducer, bearing and shaft wind up under the weight that hangs on the joint"),
     over: Over::Load,
     never_negative: true,
     implausible_above: Some(1000.0),
-    usual_size: "1 to 100 µrad/(N·m)",
+    usual_size: phrase!("1 to 100 µrad/(N·m)"),
     confused_with: "encoder eccentricity under a single load: a second load parts them",
-    check: "the payload entered in the controller; stiffness of the reducer in its data sheet",
+    check: phrase!(
+        "the payload entered in the controller; stiffness of the reducer in its data sheet"
+    ),
     needs: &[Need::REVOLUTE, TORQUE],
     of_other_joints: true,
     ..About::PLAIN

@@ -11,15 +11,17 @@ use super::{Effect, Placed};
 
 const ABOUT: About = About {
     id: "joint-scale",
-    title: "Joint scale",
+    title: phrase!("Joint scale"),
     form: Form::Plain(&[Quantity::new("scale_ppm", Unit::PPM)]),
     equation: "θ = (1 + k) q",
     source: "ISO 230-2: the slope of the positioning deviation",
-    cause: "the gear ratio or the encoder's counts per turn are entered slightly wrong",
+    cause: phrase!("the gear ratio or the encoder's counts per turn are entered slightly wrong"),
     implausible_above: Some(5000.0),
-    usual_size: "10 to 500 ppm",
+    usual_size: phrase!("10 to 500 ppm"),
     confused_with: "encoder eccentricity over less than a full turn: over a full turn they part",
-    check: "compare the gear ratio and the counts per turn in the controller with the data sheets",
+    check: phrase!(
+        "compare the gear ratio and the counts per turn in the controller with the data sheets"
+    ),
     needs: &[Need::values::<2>("two values of the joint")],
     ..About::PLAIN
 };

@@ -11,14 +11,16 @@ use crate::kinematics::{JointKind, Robot};
 
 pub(super) const ABOUT: About = About {
     id: "joint-zero-offset",
-    title: "Joint zero offset",
+    title: phrase!("Joint zero offset"),
     form: Form::Plain(&[Quantity::new("offset_deg", Unit::DEGREE).sliding("offset_mm", Unit::MM)]),
     equation: "θ = q + θ0",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
-    cause: "the reference mark or the homing position is not where the controller assumes it",
-    usual_size: "0.01° to 0.5°",
+    cause: phrase!(
+        "the reference mark or the homing position is not where the controller assumes it"
+    ),
+    usual_size: phrase!("0.01° to 0.5°"),
     confused_with: "a turned measuring frame or a lateral tool offset: a datum target or a second reflector at another radius tells",
-    check: "home the joint again and repeat three poses",
+    check: phrase!("home the joint again and repeat three poses"),
     role: Role::JointZero,
     priors: &[Prior {
         sigma: 0.05,

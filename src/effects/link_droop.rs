@@ -10,18 +10,18 @@ use crate::lanes::scaled;
 
 const ABOUT: About = About {
     id: "link-droop",
-    title: "Link droop",
+    title: phrase!("Link droop"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[Quantity::new("mm_per_kg", Unit::MM_PER_KG)]),
     equation: "p = p + C·load along gravity",
     source: "the link as a linear spring under the load",
-    cause: "the link or the structure bends under the load",
+    cause: phrase!("the link or the structure bends under the load"),
     over: Over::Load,
     implausible_above: Some(0.02),
-    usual_size: "0.0001 to 0.002 mm/kg",
+    usual_size: phrase!("0.0001 to 0.002 mm/kg"),
     confused_with: "the structure tilting as a whole: another lever arm parts them",
-    check: "the bolts between base, column and link",
+    check: phrase!("the bolts between base, column and link"),
     needs: &[Need::GRAVITY, Need::LOADS],
     ..About::PLAIN
 };

@@ -25,7 +25,7 @@ use crate::lanes::{add_scaled, cross, dot, scaled, times};
 
 const ABOUT: About = About {
     id: "link-geometry",
-    title: "Link geometry",
+    title: phrase!("Link geometry"),
     stage: Stage::Bearing,
     form: Form::Plain(&[
         Quantity::new("x_mm", Unit::MM).not_sliding(),
@@ -35,10 +35,10 @@ const ABOUT: About = About {
     ]),
     equation: "T_i = exp of a small screw across the axis, before joint i",
     source: "Okamura & Park, Kinematic calibration using the product of exponentials formula, 1996",
-    cause: "links are longer or shorter than drawn, axes are not square or not parallel",
-    usual_size: "0.05 to 1 mm, 0.05 to 2 mrad",
+    cause: phrase!("links are longer or shorter than drawn, axes are not square or not parallel"),
+    usual_size: phrase!("0.05 to 1 mm, 0.05 to 2 mrad"),
     confused_with: "the zero of the joint before, where the axes are square to each other",
-    check: "the kinematic data in the controller",
+    check: phrase!("the kinematic data in the controller"),
     needs: &[SEVERAL_JOINTS],
     role: Role::JointAxis,
     priors: &[

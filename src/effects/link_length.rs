@@ -14,15 +14,15 @@ use crate::lanes::scaled;
 
 pub(super) const ABOUT: About = About {
     id: "link-length",
-    title: "Link length",
+    title: phrase!("Link length"),
     stage: Stage::Tool,
     form: Form::Plain(&[Quantity::new("delta_mm", Unit::MM)]),
     equation: "R = R0 + δ",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
-    cause: "the tool or the link is longer or shorter than the controller's data",
-    usual_size: "0.01 to 1 mm",
+    cause: phrase!("the tool or the link is longer or shorter than the controller's data"),
+    usual_size: phrase!("0.01 to 1 mm"),
     confused_with: "the instrument's scale: a scale bar, or a second reflector at another radius, tells",
-    check: "the tool data in the controller",
+    check: phrase!("the tool data in the controller"),
     needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS],
     role: Role::ToolRadius,
     ..About::PLAIN

@@ -17,7 +17,7 @@ use crate::lanes::{add_scaled, cross, scaled, times};
 
 const ABOUT: About = About {
     id: "measuring-frame",
-    title: "Measuring frame",
+    title: phrase!("Measuring frame"),
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
@@ -31,10 +31,10 @@ const ABOUT: About = About {
     setting: Setting::Setup,
     equation: "p = R(ω) p + t",
     source: "a rigid motion of the instrument",
-    cause: "the instrument stands where it was put",
-    usual_size: "any",
+    cause: phrase!("the instrument stands where it was put"),
+    usual_size: phrase!("any"),
     confused_with: "the base frame: only reference points on the base tell",
-    check: "measure reference points on the base in every setup",
+    check: phrase!("measure reference points on the base in every setup"),
     role: Role::FreeFrame,
     owner: Owner::Session,
     priors: &[

@@ -273,11 +273,11 @@ mod tests {
             assert!(rank(effect) > before, "{}", about.id);
             before = rank(effect);
             for text in [
-                about.title,
+                about.title.english(),
                 about.equation,
                 about.source,
-                about.cause,
-                about.check,
+                about.cause.english(),
+                about.check.english(),
             ] {
                 assert!(!text.is_empty(), "{}", about.id);
             }

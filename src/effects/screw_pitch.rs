@@ -14,21 +14,25 @@ use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
     id: "screw-pitch",
-    title: "Screw pitch error",
+    title: phrase!("Screw pitch error"),
     form: Form::Harmonic(Quantity::new("amplitude_mm", Unit::MM.like(0.02))),
     setting: Setting::Listed(&LEAD),
     equation: "q' = q + A sin(2π q/lead + φ)",
     source: "ISO 3408-3: travel variation within one revolution, v2πp",
-    cause: "the thread of the screw is uneven, or the screw's bearing or the encoder on it runs out",
+    cause: phrase!(
+        "the thread of the screw is uneven, or the screw's bearing or the encoder on it runs out"
+    ),
     needs: &[
         Need::PRISMATIC,
         Need::values::<6>("six values of the joint"),
         TURNS,
     ],
     implausible_above: Some(0.2),
-    usual_size: "1 to 20 µm",
+    usual_size: phrase!("1 to 20 µm"),
     confused_with: "another lead, where the poses are equal steps of the travel: unequal steps part them",
-    check: "the screw's runout and its thrust bearing; the coupling and the encoder on the screw",
+    check: phrase!(
+        "the screw's runout and its thrust bearing; the coupling and the encoder on the screw"
+    ),
     ..About::PLAIN
 };
 

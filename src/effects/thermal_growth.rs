@@ -10,17 +10,19 @@ use crate::lanes::{add_scaled, dot, minus, scaled};
 
 const ABOUT: About = About {
     id: "thermal-growth",
-    title: "Thermal growth",
+    title: phrase!("Thermal growth"),
     stage: Stage::Link,
     form: Form::Plain(&[Quantity::new("ppm_per_degc", Unit::PPM_PER_KELVIN)]),
     equation: "R (1 + α (T − 20 °C))",
     source: "linear thermal expansion; ISO 230-3",
-    cause: "the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23",
+    cause: phrase!("the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23"),
     over: Over::Temperature,
     implausible_above: Some(230.0),
-    usual_size: "0.12 to 0.23 mm per metre and 10 K",
+    usual_size: phrase!("0.12 to 0.23 mm per metre and 10 K"),
     confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
-    check: "let the machine warm up before measuring, or enter the arm's expansion in the controller",
+    check: phrase!(
+        "let the machine warm up before measuring, or enter the arm's expansion in the controller"
+    ),
     needs: &[Need::REVOLUTE, Need::TEMPERATURE],
     told_by: &[Condition::Temperature],
     ..About::PLAIN

@@ -8,17 +8,19 @@ use super::{Effect, Placed};
 
 const ABOUT: About = About {
     id: "thermal-zero-drift",
-    title: "Thermal zero drift",
+    title: phrase!("Thermal zero drift"),
     form: Form::Plain(&[Quantity::new("deg_per_degc", Unit::DEGREE_PER_KELVIN)
         .sliding("mm_per_degc", Unit::MM_PER_KELVIN)]),
     equation: "θ = q + κ (T − 20 °C)",
     source: "ISO 230-3: thermally caused drift of an axis",
-    cause: "the encoder's mounting or the reducer turns a little as it warms up",
+    cause: phrase!("the encoder's mounting or the reducer turns a little as it warms up"),
     over: Over::Temperature,
     implausible_above: Some(0.1),
-    usual_size: "0.0005 to 0.01 °/K",
+    usual_size: phrase!("0.0005 to 0.01 °/K"),
     confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
-    check: "let the machine warm up before homing; look for a heat source beside the encoder",
+    check: phrase!(
+        "let the machine warm up before homing; look for a heat source beside the encoder"
+    ),
     needs: &[Need::TEMPERATURE],
     told_by: &[Condition::Temperature],
     ..About::PLAIN

@@ -10,16 +10,16 @@ use crate::lanes::scaled;
 
 const ABOUT: About = About {
     id: "tool-lateral-offset",
-    title: "Tool lateral offset",
+    title: phrase!("Tool lateral offset"),
     stage: Stage::Tool,
     form: Form::Plain(&[Quantity::new("delta_mm", Unit::MM)]),
     equation: "the tool at home moves by δ across the radius",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
-    cause: "the tool is mounted beside the radius that the controller assumes",
+    cause: phrase!("the tool is mounted beside the radius that the controller assumes"),
     implausible_above: Some(10.0),
-    usual_size: "0.01 to 1 mm",
+    usual_size: phrase!("0.01 to 1 mm"),
     confused_with: "the joint's zero offset: only a second reflector at another radius tells",
-    check: "the tool flange and the tool data in the controller",
+    check: phrase!("the tool flange and the tool data in the controller"),
     needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS, TWO_TARGETS],
     ..About::PLAIN
 };

@@ -15,7 +15,7 @@ use crate::lanes::{add_scaled, cross, minus, times};
 
 const ABOUT: About = About {
     id: "tool-orientation",
-    title: "Tool orientation",
+    title: phrase!("Tool orientation"),
     stage: Stage::Tool,
     per_joint: false,
     form: Form::Plain(&[
@@ -25,10 +25,10 @@ const ABOUT: About = About {
     ]),
     equation: "M = M R(ω)",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
-    cause: "the tool is mounted turned, or its data in the controller are",
-    usual_size: "0.1 to 50 mrad",
+    cause: phrase!("the tool is mounted turned, or its data in the controller are"),
+    usual_size: phrase!("0.1 to 50 mrad"),
     confused_with: "the zero of the last joint, which turns the tool as well",
-    check: "the tool data in the controller",
+    check: phrase!("the tool data in the controller"),
     needs: &[SEVERAL_JOINTS, THREE_TARGETS],
     role: Role::ToolTurn,
     priors: &[Prior::of(0.1); 3],

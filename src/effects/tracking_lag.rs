@@ -10,16 +10,18 @@ use super::{Effect, Placed};
 
 const ABOUT: About = About {
     id: "tracking-lag",
-    title: "Tracking lag",
+    title: phrase!("Tracking lag"),
     form: Form::Plain(&[Quantity::new("delay_s", Unit::SECOND)]),
     equation: "θ = q − ω·delay",
     source: "following error of a position loop, ω/K_v, or a late clock",
-    cause: "the position loop follows late, or the instrument's clock and the controller's differ",
+    cause: phrase!(
+        "the position loop follows late, or the instrument's clock and the controller's differ"
+    ),
     over: Over::Speed,
     implausible_above: Some(1.0),
-    usual_size: "1 to 100 ms",
+    usual_size: phrase!("1 to 100 ms"),
     confused_with: "backlash where every move has the same speed: two speeds or a standstill part them",
-    check: "synchronise the clocks, then the loop's velocity gain and feed-forward",
+    check: phrase!("synchronise the clocks, then the loop's velocity gain and feed-forward"),
     needs: &[Need::SPEEDS],
     told_by: &[Condition::Speed],
     ..About::PLAIN

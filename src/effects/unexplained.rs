@@ -26,15 +26,17 @@ pub const UNEXPLAINED: &str = "unexplained";
 
 const ABOUT: About = About {
     id: UNEXPLAINED,
-    title: "Unexplained",
+    title: phrase!("Unexplained"),
     stage: Stage::Link,
     form: Form::Plain(&[]),
     equation: "p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a)",
     source: "penalised regression: Wood, Generalized Additive Models, 2017; cubic weights: Catmull & Rom 1974",
-    cause: "unknown: no effect of the catalogue explains it",
-    usual_size: "any",
+    cause: phrase!("unknown: no effect of the catalogue explains it"),
+    usual_size: phrase!("any"),
     confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
-    check: "look at the machine where the joint stands in that range: scale, bearing, cables, cover",
+    check: phrase!(
+        "look at the machine where the joint stands in that range: scale, bearing, cables, cover"
+    ),
     needs: &[NO_NAME],
     role: Role::Unexplained,
     ..About::PLAIN
@@ -115,7 +117,7 @@ pub(super) fn carried(
 
 const ABOUT_DIRECTIONS: About = About {
     id: "unexplained-directions",
-    title: "Directions of what is unexplained",
+    title: phrase!("Directions of what is unexplained"),
     form: Form::Plain(&[
         Quantity::new("motion_rad", Unit::RADIAN),
         Quantity::new("radial_mm", Unit::MM),

@@ -8,7 +8,7 @@ use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-anchor",
-    title: "Anchor",
+    title: phrase!("Anchor"),
     form: Form::Plain(&[
         Quantity::new("x_mm", Unit::MM),
         Quantity::new("y_mm", Unit::MM),

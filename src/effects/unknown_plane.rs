@@ -8,7 +8,7 @@ use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-plane",
-    title: "Plane",
+    title: phrase!("Plane"),
     form: Form::Plain(&[
         Quantity::new("normal_x", Unit::DIRECTION),
         Quantity::new("normal_y", Unit::DIRECTION),

@@ -7,7 +7,7 @@ use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-socket",
-    title: "Socket",
+    title: phrase!("Socket"),
     form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = s",
     ..places::ABOUT

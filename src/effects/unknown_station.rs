@@ -8,7 +8,7 @@ use super::{Effect, places};
 
 const ABOUT: About = About {
     id: "unknown-station",
-    title: "Station",
+    title: phrase!("Station"),
     form: Form::Plain(&[
         Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
         Quantity::new("about_y_mrad", Unit::MILLIRADIAN),

@@ -28,15 +28,15 @@ pub const UNNAMED: &str = "unnamed";
 
 const ABOUT: About = About {
     id: UNNAMED,
-    title: "Unnamed part of the model",
+    title: phrase!("Unnamed part of the model"),
     stage: Stage::Link,
     form: Form::Plain(&[]),
     equation: "p = exp([ξ] w s_t) (p + w s_r r + w s_a a)",
     source: "restricted likelihood: Harville 1977; Wood, Generalized Additive Models, 2017",
-    cause: "unknown: it predicts, and no name is proven for it",
-    usual_size: "any",
+    cause: phrase!("unknown: it predicts, and no name is proven for it"),
+    usual_size: phrase!("any"),
     confused_with: "whatever was not measured: it holds for the measured range",
-    check: "gravity, gears and bearings of the joint",
+    check: phrase!("gravity, gears and bearings of the joint"),
     needs: &[NO_NAME],
     role: Role::Unexplained,
     ..About::PLAIN

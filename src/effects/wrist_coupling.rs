@@ -15,16 +15,18 @@ use crate::lanes::LANES;
 
 const ABOUT: About = About {
     id: "wrist-coupling",
-    title: "Wrist coupling",
+    title: phrase!("Wrist coupling"),
     form: Form::Plain(&[Quantity::new("ratio", Unit::ONE)]),
     setting: Setting::Listed(&FROM_JOINT),
     equation: "θ_j = q_j + κ q_i, i = from_joint",
     source: "coupled wrists: Siciliano et al., Robotics, ch. 5; Nof, Handbook of Industrial Robotics, ch. 5",
-    cause: "the drive of one joint turns another as well, and the controller's ratio for it is not exact",
+    cause: phrase!(
+        "the drive of one joint turns another as well, and the controller's ratio for it is not exact"
+    ),
     implausible_above: Some(0.02),
-    usual_size: "0.0001 to 0.01",
+    usual_size: phrase!("0.0001 to 0.01"),
     confused_with: "the joint's scale where both always move together: poses that move one alone part them",
-    check: "the coupling ratio in the controller's data",
+    check: phrase!("the coupling ratio in the controller's data"),
     needs: &[Need::REVOLUTE, ANOTHER],
     of_other_joints: true,
     ..About::PLAIN

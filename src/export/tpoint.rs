@@ -149,7 +149,7 @@ impl Exporter for Tpoint {
         notes.extend(left_out.map(|term| {
             format!(
                 "{} is in none of these terms",
-                term.effect.about().title.to_lowercase()
+                term.effect.about().title.english().to_lowercase()
             )
         }));
         let sidecar = Sidecar {

@@ -1,7 +1,7 @@
 //! What can be done by a key or from a menu: one table for what the keys do, what the menus offer and
 //! what the help lists.
 
-use crate::gui::language::text;
+use crate::text::{Template, filled, spoken};
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::core::edit::Edit;
@@ -44,23 +44,23 @@ impl Now<'_> {
 #[derive(Clone, Copy)]
 struct Need {
     there: fn(Now<'_>) -> bool,
-    first: &'static str,
+    first: Template,
 }
 
-const fn need(there: fn(Now<'_>) -> bool, first: &'static str) -> Need {
+const fn need(there: fn(Now<'_>) -> bool, first: Template) -> Need {
     Need { there, first }
 }
 
-const NOTHING: Need = need(|_| true, "nothing");
-const MEASURED: Need = need(measured, "actions-open-a-session-first");
-const ANSWERED: Need = need(answered, "common-identify-the-robot-first");
+const NOTHING: Need = need(|_| true, phrase!(""));
+const MEASURED: Need = need(measured, phrase!("Open a session first"));
+const ANSWERED: Need = need(answered, phrase!("Identify the robot first"));
 
 /// Something that can be done.
 #[derive(Clone, Copy)]
 pub(crate) struct Action {
     keys: KeyboardShortcut,
-    /// What the list of keys says, by its key in the table of texts.
-    help: &'static str,
+    /// What the list of keys says.
+    help: Template,
     /// What the menu says.
     label: fn(Now<'_>) -> String,
     needs: Need,
@@ -73,7 +73,7 @@ impl Action {
     const fn new(
         modifiers: Modifiers,
         key: Key,
-        help: &'static str,
+        help: Template,
         label: fn(Now<'_>) -> String,
         command: fn(Now<'_>) -> Command,
     ) -> Self {
@@ -108,7 +108,7 @@ impl Action {
 
     /// What has to be done first, where it cannot be done now.
     pub(crate) fn first(&self) -> &'static str {
-        text(self.needs.first)
+        spoken(self.needs.first)
     }
 
     /// Whether it is chosen, where it is one of several ways to look.
@@ -127,7 +127,7 @@ impl Action {
 
     /// Its keys, and what they do.
     pub(crate) fn help(&self, ctx: &Context) -> (String, &'static str) {
-        (self.keys(ctx), text(self.help))
+        (self.keys(ctx), spoken(self.help))
     }
 }
 
@@ -149,8 +149,11 @@ fn answered(now: Now<'_>) -> bool {
 }
 
 /// What is done, and to what.
-fn with([alone, of]: [&'static str; 2], what: Option<&str>) -> String {
-    what.map_or_else(|| text(alone).to_owned(), |what| say!(of, what = what))
+fn with([alone, of]: [Template; 2], what: Option<&str>) -> String {
+    what.map_or_else(
+        || spoken(alone).to_owned(),
+        |what| filled(of, &[("what", &what)]),
+    )
 }
 
 /// A table of actions, row by row: name, keys, help, label in the menu, command, and what else there
@@ -165,102 +168,102 @@ macro_rules! actions {
 }
 
 actions! {
-    REDO: SHIFTED, Z, "keys-redo", |now| with(["actions-redo", "menu-redo"], now.workbench.redoes()), |_| Command::Redo,
-        [when(need(|now| now.workbench.redoes().is_some(), "actions-nothing-was-undone"))];
-    UNDO: COMMAND, Z, "keys-undo", |now| with(["actions-undo", "menu-undo"], now.workbench.undoes()), |_| Command::Undo,
-        [when(need(|now| now.workbench.undoes().is_some(), "actions-nothing-was-changed-yet"))];
-    OPEN_LATEST: SHIFTED, O, "keys-open-the-last-file-again", |_| String::new(), open_latest;
-    OPEN: COMMAND, O, "keys-open-a-file", |_| say!("common-open").into(), |_| Command::ChooseFile;
-    IMPORT: SHIFTED, I, "keys-import-what-an-instrument-wrote", |_| say!("actions-import").into(),
+    REDO: SHIFTED, Z, phrase!("redo"), |now| with([phrase!("Redo"), phrase!("Redo {what}"; what)], now.workbench.redoes()), |_| Command::Redo,
+        [when(need(|now| now.workbench.redoes().is_some(), phrase!("Nothing was undone")))];
+    UNDO: COMMAND, Z, phrase!("undo"), |now| with([phrase!("Undo"), phrase!("Undo {what}"; what)], now.workbench.undoes()), |_| Command::Undo,
+        [when(need(|now| now.workbench.undoes().is_some(), phrase!("Nothing was changed yet")))];
+    OPEN_LATEST: SHIFTED, O, phrase!("open the last file again"), |_| String::new(), open_latest;
+    OPEN: COMMAND, O, phrase!("open a file"), |_| say!("Open…").into(), |_| Command::ChooseFile;
+    IMPORT: SHIFTED, I, phrase!("import what an instrument wrote"), |_| say!("Import…").into(),
         |_| Command::ChooseImport;
-    EXAMPLE_1: PLAIN, F2, "keys-first-example", |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
-    EXAMPLE_2: PLAIN, F3, "keys-second-example", |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
-    EXAMPLE_3: PLAIN, F4, "keys-third-example", |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
-    NEW: COMMAND, N, "keys-new-by-simulation", |_| say!("common-new-by-simulation").into(),
+    EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
+    EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
+    EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
+    NEW: COMMAND, N, phrase!("new by simulation"), |_| say!("New by simulation…").into(),
         |_| sheet(Sheet::Simulate(Form::default()));
-    SAVE_AS: SHIFTED, S, "keys-save-session-as", |_| say!("actions-save-session-as").into(),
+    SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
         |_| Command::ChooseWhereToSave, [when(MEASURED)];
-    SAVE: COMMAND, S, "keys-save-session", |_| say!("common-save-session").into(), |_| Command::Save, [when(MEASURED)];
-    SAVE_TO_PATH: SHIFTED, P, "keys-save-session-to-a-path", |_| say!("actions-save-session-to-path").into(),
+    SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |_| Command::Save, [when(MEASURED)];
+    SAVE_TO_PATH: SHIFTED, P, phrase!("save session to a path"), |_| say!("Save session to path…").into(),
         |now| now.workbench.typed_path(), [when(MEASURED)];
-    SAVE_MODEL: COMMAND, M, "keys-save-model", |_| say!("common-save-model").into(),
+    SAVE_MODEL: COMMAND, M, phrase!("save model"), |_| say!("Save model…").into(),
         |_| Command::ChooseWhereToExport(What::Model), [when(ANSWERED)];
-    COMPENSATE: SHIFTED, T, "keys-correct-targets-or-a-program", |_| say!("actions-compensate-targets").into(),
+    COMPENSATE: SHIFTED, T, phrase!("correct targets or a program"), |_| say!("Compensate targets…").into(),
         |_| Command::ChooseTargets, [when(ANSWERED)];
-    SAVE_TABLE: COMMAND, T, "keys-save-table", |_| say!("actions-save-table").into(),
+    SAVE_TABLE: COMMAND, T, phrase!("save table"), |_| say!("Save table…").into(),
         |_| Command::ChooseWhereToExport(What::Table), [when(ANSWERED)];
-    REPORT: SHIFTED, R, "keys-save-the-report", |_| say!("common-report").into(),
+    REPORT: SHIFTED, R, phrase!("save the report"), |_| say!("Report…").into(),
         |_| Command::ChooseWhereToExport(What::Report(About::Session)), [when(MEASURED)];
-    REPORT_DETAILS: ALT, R, "keys-report-details",
-        |_| say!("common-report-details").into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
-    HISTORY: SHIFTED, H, "keys-history-of-the-machine", |_| say!("actions-history-of-the-machine").into(),
+    REPORT_DETAILS: ALT, R, phrase!("what the report states of customer and machine"),
+        |_| say!("Report details…").into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
+    HISTORY: SHIFTED, H, phrase!("compare the sessions of this machine"), |_| say!("History of the machine…").into(),
         |now| now.workbench.compare_here();
-    RECORD: SHIFTED, L, "keys-record-from-an-instrument", |_| say!("actions-record-from-an-instrument").into(),
+    RECORD: SHIFTED, L, phrase!("record from an instrument"), |_| say!("Record from instrument…").into(),
         |_| sheet(Sheet::RECORDING);
-    RELOAD: COMMAND, R, "keys-read-the-file-again", |_| say!("actions-read-the-file-again").into(),
-        |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), "actions-the-session-is-in-no"))];
-    FOLLOW: COMMAND, L, "keys-follow-the-file-or-stop", follow_says,
+    RELOAD: COMMAND, R, phrase!("read the file again"), |_| say!("Read the file again").into(),
+        |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), phrase!("The session is in no file yet")))];
+    FOLLOW: COMMAND, L, phrase!("follow the file, or stop"), follow_says,
         |now| Command::Follow(now.workbench.following().is_none()),
-        [when(need(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some(), "actions-the-samples-are-in-no"))];
-    QUIT: COMMAND, Q, "keys-quit", |_| say!("actions-quit").into(), |_| Command::Leave;
-    IDENTIFY: COMMAND, I, "common-identify", |_| say!("common-identify-2").into(),
+        [when(need(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some(), phrase!("The samples are in no file of their own")))];
+    QUIT: COMMAND, Q, phrase!("quit"), |_| say!("Quit").into(), |_| Command::Leave;
+    IDENTIFY: COMMAND, I, phrase!("identify"), |_| say!("Identify").into(),
         |_| Command::Edit(Edit::Identify), [when(MEASURED)];
-    SEARCH: COMMAND, G, "keys-search-for-what-is-missing", |_| say!("common-run-diagnosis").into(),
+    SEARCH: COMMAND, G, phrase!("search for what is missing"), |_| say!("Run diagnosis").into(),
         |_| Command::Search, [when(MEASURED)];
-    CANCEL: COMMAND, Period, "keys-cancel", |_| say!("actions-cancel-what-is-running").into(), |_| Command::Cancel,
-        [when(need(|now| now.workbench.jobs().newest().is_some(), "actions-nothing-is-running"))];
-    EXCLUDE: PLAIN, Delete, "keys-exclude-the-chosen-samples-or", exclude_says,
+    CANCEL: COMMAND, Period, phrase!("cancel"), |_| say!("Cancel what is running").into(), |_| Command::Cancel,
+        [when(need(|now| now.workbench.jobs().newest().is_some(), phrase!("Nothing is running")))];
+    EXCLUDE: PLAIN, Delete, phrase!("exclude the chosen samples, or include them again"), exclude_says,
         |now| Command::Edit(Edit::Exclude(chosen(now), !are_excluded(now))),
-        [when(need(|now| !chosen(now).is_empty(), "actions-choose-a-sample"))];
-    PREFERENCES: COMMAND, Comma, "keys-preferences", |_| say!("actions-preferences").into(),
+        [when(need(|now| !chosen(now).is_empty(), phrase!("Choose a sample in a plot or in the table")))];
+    PREFERENCES: COMMAND, Comma, phrase!("preferences"), |_| say!("Preferences…").into(),
         |_| sheet(Sheet::Named("preferences"));
-    NEXT_ANGLE: SHIFTED, U, "keys-other-unit-of-angles", |now| next_angle(now).1.into(),
+    NEXT_ANGLE: SHIFTED, U, phrase!("other unit of angles"), |now| next_angle(now).1.into(),
         |now| Command::Prefer(Preferences { angle: next_angle(now).0, ..now.preferences() });
-    NEXT_LENGTH: COMMAND, U, "keys-next-unit-of-lengths", |now| next_length(now).1.into(),
+    NEXT_LENGTH: COMMAND, U, phrase!("next unit of lengths"), |now| next_length(now).1.into(),
         |now| Command::Prefer(Preferences { length: next_length(now).0, ..now.preferences() });
-    OTHER_THEME: COMMAND, D, "keys-light-or-dark", |now| other_theme(now).1.into(),
+    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| other_theme(now).1.into(),
         |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
-    RESULTS: COMMAND, B, "keys-results-or-more-room",
+    RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
         |now| results_says(room(now.ctx, now.workbench).results()).into(),
         |now| Command::Results(!room(now.ctx, now.workbench).results());
-    LOOK_XY: SHIFTED, Num1, "keys-workspace-from-above", |_| say!("actions-workspace-from-above").into(),
+    LOOK_XY: SHIFTED, Num1, phrase!("workspace from above"), |_| say!("Workspace from above").into(),
         |_| Command::Look(Plane::Xy), [on(|now| now.looks_at(Plane::Xy))];
-    LOOK_XZ: SHIFTED, Num2, "keys-workspace-from-the-side", |_| say!("actions-workspace-from-the-side").into(),
+    LOOK_XZ: SHIFTED, Num2, phrase!("workspace from the side"), |_| say!("Workspace from the side").into(),
         |_| Command::Look(Plane::Xz), [on(|now| now.looks_at(Plane::Xz))];
-    LOOK_YZ: SHIFTED, Num3, "keys-workspace-from-the-front", |_| say!("actions-workspace-from-the-front").into(),
+    LOOK_YZ: SHIFTED, Num3, phrase!("workspace from the front"), |_| say!("Workspace from the front").into(),
         |_| Command::Look(Plane::Yz), [on(|now| now.looks_at(Plane::Yz))];
-    LOOK_AROUND: SHIFTED, Num4, "keys-deviation-around-the-angle-polar",
-        |_| say!("actions-deviation-around-the-angle").into(), |_| Command::LookAround,
+    LOOK_AROUND: SHIFTED, Num4, phrase!("deviation around the angle (polar)"),
+        |_| say!("Deviation around the angle").into(), |_| Command::LookAround,
         [on(|now| now.workbench.view().polar())];
-    LOOK_IN_SPACE: SHIFTED, Num5, "keys-workspace-in-3-d", |_| say!("actions-workspace-in-3-d").into(),
+    LOOK_IN_SPACE: SHIFTED, Num5, phrase!("workspace in 3-D"), |_| say!("Workspace in 3-D").into(),
         |_| Command::LookFrom(None), [on(|now| now.workbench.view().in_space())];
-    FIT: COMMAND, F, "keys-fit-the-plots-view", |_| say!("actions-show-everything-in-the-plots").into(),
+    FIT: COMMAND, F, phrase!("fit the plots' view"), |_| say!("Show everything in the plots").into(),
         |_| Command::Fit;
-    FIT_TOO: PLAIN, Home, "keys-the-same", |_| String::new(), |_| Command::Fit;
-    STEP_1: COMMAND, Num1, "keys-first-step", step_name::<0>, go_to::<0>,
-        [on(is_at::<0>)], [when(need(|now| step::<0>(now).is_some(), "actions-this-robot-has-no-such"))];
-    STEP_2: COMMAND, Num2, "keys-second-step", step_name::<1>, go_to::<1>,
-        [on(is_at::<1>)], [when(need(|now| step::<1>(now).is_some(), "actions-this-robot-has-no-such"))];
-    STEP_3: COMMAND, Num3, "keys-third-step", step_name::<2>, go_to::<2>,
-        [on(is_at::<2>)], [when(need(|now| step::<2>(now).is_some(), "actions-this-robot-has-no-such"))];
-    STEP_4: COMMAND, Num4, "keys-fourth-step", step_name::<3>, go_to::<3>,
-        [on(is_at::<3>)], [when(need(|now| step::<3>(now).is_some(), "actions-this-robot-has-no-such"))];
-    STEP_5: COMMAND, Num5, "keys-fifth-step-where-there-are", step_name::<4>, go_to::<4>,
-        [on(is_at::<4>)], [when(need(|now| step::<4>(now).is_some(), "actions-this-robot-has-no-such"))];
-    FROM_ISOMETRIC: PLAIN, Num0, "common-3-d-view-isometric", |_| say!("common-3-d-view-isometric").into(),
+    FIT_TOO: PLAIN, Home, phrase!("the same"), |_| String::new(), |_| Command::Fit;
+    STEP_1: COMMAND, Num1, phrase!("first step"), step_name::<0>, go_to::<0>,
+        [on(is_at::<0>)], [when(need(|now| step::<0>(now).is_some(), phrase!("This robot has no such step")))];
+    STEP_2: COMMAND, Num2, phrase!("second step"), step_name::<1>, go_to::<1>,
+        [on(is_at::<1>)], [when(need(|now| step::<1>(now).is_some(), phrase!("This robot has no such step")))];
+    STEP_3: COMMAND, Num3, phrase!("third step"), step_name::<2>, go_to::<2>,
+        [on(is_at::<2>)], [when(need(|now| step::<2>(now).is_some(), phrase!("This robot has no such step")))];
+    STEP_4: COMMAND, Num4, phrase!("fourth step"), step_name::<3>, go_to::<3>,
+        [on(is_at::<3>)], [when(need(|now| step::<3>(now).is_some(), phrase!("This robot has no such step")))];
+    STEP_5: COMMAND, Num5, phrase!("fifth step, where there are regions"), step_name::<4>, go_to::<4>,
+        [on(is_at::<4>)], [when(need(|now| step::<4>(now).is_some(), phrase!("This robot has no such step")))];
+    FROM_ISOMETRIC: PLAIN, Num0, phrase!("3-D view, isometric"), |_| say!("3-D view, isometric").into(),
         |_| Command::LookFrom(Some(Standard::Isometric)),
         [on(|now| now.sees_from(Standard::Isometric))];
-    FROM_FRONT: PLAIN, Num1, "common-3-d-view", |_| say!("common-3-d-view").into(),
+    FROM_FRONT: PLAIN, Num1, phrase!("3-D view from the front"), |_| say!("3-D view from the front").into(),
         |_| Command::LookFrom(Some(Standard::Front)), [on(|now| now.sees_from(Standard::Front))];
-    FROM_SIDE: PLAIN, Num3, "common-3-d-view-from-the-side", |_| say!("common-3-d-view-from-the-side").into(),
+    FROM_SIDE: PLAIN, Num3, phrase!("3-D view from the side"), |_| say!("3-D view from the side").into(),
         |_| Command::LookFrom(Some(Standard::Side)), [on(|now| now.sees_from(Standard::Side))];
-    FROM_TOP: PLAIN, Num7, "common-3-d-view-from-above", |_| say!("common-3-d-view-from-above").into(),
+    FROM_TOP: PLAIN, Num7, phrase!("3-D view from above"), |_| say!("3-D view from above").into(),
         |_| Command::LookFrom(Some(Standard::Top)), [on(|now| now.sees_from(Standard::Top))];
-    ABOUT: Modifiers::SHIFT, F1, "keys-about-truepose", |_| say!("actions-about-truepose").into(),
+    ABOUT: Modifiers::SHIFT, F1, phrase!("about truepose"), |_| say!("About truepose").into(),
         |_| sheet(Sheet::Named("about"));
-    WORDS: PLAIN, F1, "keys-glossary", |_| say!("common-glossary").into(), |_| sheet(Sheet::Named("words"));
-    KEYS: SHIFTED, K, "keys-this-list", |_| say!("common-keyboard-and-mouse").into(), |_| sheet(Sheet::Named("keys"));
-    PALETTE: COMMAND, K, "keys-all-commands-by-a-word", |_| say!("actions-all-commands").into(),
+    WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |_| sheet(Sheet::Named("words"));
+    KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |_| sheet(Sheet::Named("keys"));
+    PALETTE: COMMAND, K, phrase!("all commands, by a word of their name"), |_| say!("All commands…").into(),
         |_| sheet(Sheet::Named("palette"));
 }
 
@@ -312,58 +315,58 @@ fn are_excluded(now: Now<'_>) -> bool {
 
 fn exclude_says(now: Now<'_>) -> String {
     let what = match chosen(now)[..] {
-        [] => say!("common-samples").to_owned(),
-        [one] => say!("common-sample", sample = one + 1),
-        ref all => say!("samples", count = all.len()),
+        [] => say!("samples").to_owned(),
+        [one] => say!("sample {sample}", sample = one + 1),
+        ref all => say!(one "{count} sample", "{count} samples", count = all.len()),
     };
     if !chosen(now).is_empty() && are_excluded(now) {
-        say!("actions-include-again", what = what)
+        say!("Include {what} again", what = what)
     } else {
-        say!("actions-exclude", what = what)
+        say!("Exclude {what}", what = what)
     }
 }
 
 fn follow_says(now: Now<'_>) -> String {
     let follows = now.workbench.following().is_some();
     let says = if follows {
-        say!("actions-stop-following-the-file")
+        say!("Stop following the file")
     } else {
-        say!("common-follow-the-file-as")
+        say!("Follow the file as it grows")
     };
     says.to_owned()
 }
 
 fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
     match now.preferences().length {
-        LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("actions-lengths-in-m")),
-        LengthUnit::Micrometre => (LengthUnit::Inch, say!("actions-lengths-in-inches")),
-        LengthUnit::Inch => (LengthUnit::Millimetre, say!("actions-lengths-in-mm")),
+        LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
+        LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
+        LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
     }
 }
 
 fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
     match now.preferences().angle {
-        AngleUnit::Degree => (AngleUnit::Radian, say!("actions-angles-in-radians")),
-        AngleUnit::Radian => (AngleUnit::Milliradian, say!("actions-angles-in-mrad")),
-        AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("actions-angles-in-arcsec")),
-        AngleUnit::ArcSecond => (AngleUnit::Degree, say!("actions-angles-in-degrees")),
+        AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
+        AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
+        AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
+        AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
     }
 }
 
 fn other_theme(now: Now<'_>) -> (Theme, &'static str) {
     if now.dark() {
-        (Theme::Light, say!("actions-light"))
+        (Theme::Light, say!("Light"))
     } else {
-        (Theme::Dark, say!("actions-dark"))
+        (Theme::Dark, say!("Dark"))
     }
 }
 
 /// What opens the right-hand side, or shuts it.
 pub(crate) fn results_says(open: bool) -> &'static str {
     if open {
-        say!("actions-hide-results")
+        say!("Hide results")
     } else {
-        say!("actions-show-results")
+        say!("Show results")
     }
 }
 
@@ -411,14 +414,21 @@ mod tests {
         for (k, action) in ALL.iter().enumerate() {
             for before in &ALL[..k] {
                 assert_ne!(
-                    action.keys, before.keys,
+                    action.keys,
+                    before.keys,
                     "{} and {}",
-                    action.help, before.help
+                    action.help.english(),
+                    before.help.english()
                 );
                 // Without Shift a shortcut also takes what has it: the longer stands first.
                 let hides = before.keys.logical_key == action.keys.logical_key
                     && action.keys.modifiers.contains(before.keys.modifiers);
-                assert!(!hides, "{} hides {}", before.help, action.help);
+                assert!(
+                    !hides,
+                    "{} hides {}",
+                    before.help.english(),
+                    action.help.english()
+                );
             }
         }
     }

@@ -11,10 +11,9 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 use crate::fonts::Library;
 
 use super::file_state::watcher;
-use super::language::Language;
 use super::preferences::Preferences;
 use super::view::{Arrangement, Canvas, Sheet};
-use super::{actions, dialogs, files, language, layers, widgets};
+use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::core::compensated::Wanted;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
@@ -23,6 +22,7 @@ use crate::gui::view::{About, Plot, What};
 use crate::gui::views;
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::write_numbers;
+use crate::text::Language;
 
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
@@ -171,12 +171,12 @@ impl App {
         let wanted = preferred.unwrap_or(self.language);
         if wanted != self.wanted {
             self.wanted = wanted;
-            let letters = wanted.letters().collect();
+            let letters = crate::text::letters(wanted).collect();
             self.workbench.execute(Command::FindLetters(letters));
             self.workbench.receive();
         }
         let lacks = self.workbench.letters().lack(wanted.own_name());
-        language::choose(if lacks { Language::English } else { wanted });
+        crate::text::choose(if lacks { Language::English } else { wanted });
     }
 
     /// Where the arrangement has changed, the layout is done again before anybody sees it.

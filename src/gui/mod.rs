@@ -57,9 +57,9 @@ use anyhow::anyhow;
 
 use crate::sessions::bundled;
 
+pub use crate::text::Language;
 pub use app::App;
 pub use jobs::Runner;
-pub use language::Language;
 
 const TITLE: &str = "truepose";
 /// What helps where the driver that was chosen does not draw.

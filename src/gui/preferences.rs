@@ -4,9 +4,9 @@
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
-use crate::gui::language::Language;
 use crate::present::numbers::Notation;
 use crate::present::units::{AngleUnit, LengthUnit};
+use crate::text::Language;
 
 /// Light, dark, or as the system has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -16,15 +16,15 @@ fn entry(effect: &Effect) -> Json {
     let about = effect.about();
     object! {
         "effect": about.id,
-        "title": about.title,
+        "title": about.title.english(),
         "per_joint": about.per_joint,
         "parameters": parameter_names(effect),
         "equation": about.equation,
         "source": about.source,
-        "cause": about.cause,
+        "cause": about.cause.english(),
         "needs": list(about.needs, |need| need.what.into()),
-        "usual_size": about.usual_size,
+        "usual_size": about.usual_size.english(),
         "confused_with": about.confused_with,
-        "check": about.check,
+        "check": about.check.english(),
     }
 }

@@ -9,7 +9,7 @@ use crate::fit::Estimate;
 
 /// The title of an effect; what is no effect stays as it is.
 pub(crate) fn title(id: &str) -> &str {
-    find(id).map_or(id, |effect| effect.about().title)
+    find(id).map_or(id, |effect| effect.about().title.english())
 }
 
 /// The title with the joint, counted from 1, where the robot has several.
@@ -46,7 +46,7 @@ pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
 
 /// What is said of a value that no machine has, with the usual size.
 pub(crate) fn usual_size(one: &Estimate) -> &'static str {
-    find(one.effect).map_or("", |effect| effect.about().usual_size)
+    find(one.effect).map_or("", |effect| effect.about().usual_size.english())
 }
 
 /// From which size (95 %) an effect would have been seen, parameter by parameter.

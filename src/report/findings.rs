@@ -40,7 +40,7 @@ impl Told<'_> {
             fact("Share of what was explained", percent),
         ];
         if let Some(about) = about {
-            facts.push(fact("Usual cause", about.cause));
+            facts.push(fact("Usual cause", about.cause.english()));
         }
         facts.push(fact("Check on the machine", f.check));
         [

@@ -291,25 +291,6 @@ fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
 }
 
 #[test]
-fn the_glossary_has_the_windows_words() {
-    let page = fs::read_to_string(root().join("docs/glossary.md")).expect("the page");
-    let english = fs::read_to_string(root().join("assets/languages/en.ftl")).expect("the words");
-    let words = english.lines().filter(|line| line.starts_with("word-"));
-    let texts = words.map(|line| line.split_once(" = ").expect("a text").1);
-    let texts: Vec<&str> = texts.collect();
-    assert!(texts.len() > 80, "only {} texts", texts.len());
-    for word in texts.chunks(2) {
-        let row = format!("| {} | {} |\n", word[0], word[1]);
-        assert!(page.contains(&row), "docs/glossary.md lacks: {row}");
-    }
-    assert_eq!(
-        page.matches("\n| ").count(),
-        texts.len() / 2 + 2,
-        "rows too many"
-    );
-}
-
-#[test]
 fn the_script_for_python_says_what_is_wrong_with_the_machines_of_a_folder() {
     if !has_numpy() {
         return;

@@ -9,7 +9,6 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use fluent_syntax::ast;
 use truepose::fonts::Library;
 use truepose::gui::{App, Language, Runner};
 
@@ -20,12 +19,10 @@ use crate::touring::texts;
 use crate::window::{Window, keys, press, there};
 
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
-/// An argument that English alone needs.
-const ONLY_ENGLISH: &str = "ordinal";
 
 fn file(language: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    root.join(format!("assets/languages/{language}.ftl"))
+    root.join(format!("assets/languages/{language}.po"))
 }
 
 fn read(path: &Path) -> String {
@@ -47,79 +44,6 @@ fn window(language: Language, size: [f32; 2], path: Option<PathBuf>) -> Window {
         });
     window.run_steps(6);
     window
-}
-
-/// Every message of a file with the arguments that it takes.
-fn messages(language: &str) -> BTreeMap<String, BTreeSet<String>> {
-    fn of_pattern(pattern: &ast::Pattern<&str>, found: &mut BTreeSet<String>) {
-        for element in &pattern.elements {
-            if let ast::PatternElement::Placeable { expression } = element {
-                of_expression(expression, found);
-            }
-        }
-    }
-    fn of_expression(expression: &ast::Expression<&str>, found: &mut BTreeSet<String>) {
-        let inline = match expression {
-            ast::Expression::Select { selector, variants } => {
-                for variant in variants {
-                    of_pattern(&variant.value, found);
-                }
-                selector
-            }
-            ast::Expression::Inline(inline) => inline,
-        };
-        match inline {
-            ast::InlineExpression::VariableReference { id } => {
-                found.insert(id.name.to_owned());
-            }
-            ast::InlineExpression::StringLiteral { .. } => {}
-            other => panic!("only arguments and letters are expected, found {other:?}"),
-        }
-    }
-    let text = read(&file(language));
-    let resource = fluent_syntax::parser::parse(&*text);
-    let resource = resource.unwrap_or_else(|(_, errors)| panic!("{language}: {errors:?}"));
-    let mut found = BTreeMap::new();
-    for entry in &resource.body {
-        let ast::Entry::Message(message) = entry else {
-            continue;
-        };
-        let mut arguments = BTreeSet::new();
-        let pattern = message.value.as_ref().expect("a message has a text");
-        of_pattern(pattern, &mut arguments);
-        let before = found.insert(message.id.name.to_owned(), arguments);
-        assert!(
-            before.is_none(),
-            "{language}: {} is there twice",
-            message.id.name
-        );
-    }
-    assert!(
-        found.len() > 1000,
-        "{language}: only {} messages",
-        found.len()
-    );
-    found
-}
-
-#[test]
-fn every_language_has_every_message_with_the_same_arguments_and_none_of_its_own() {
-    let english = messages("en");
-    for language in ["de", "zh"] {
-        let own = messages(language);
-        for (key, arguments) in &english {
-            let translated = own
-                .get(key)
-                .unwrap_or_else(|| panic!("{language} lacks {key}"));
-            let differ: Vec<_> = arguments.symmetric_difference(translated).collect();
-            assert!(
-                differ.iter().all(|name| *name == ONLY_ENGLISH),
-                "{language}: {key} differs in {differ:?}"
-            );
-        }
-        let more = own.keys().find(|key| !english.contains_key(*key));
-        assert_eq!(more, None, "{language} has what English lacks");
-    }
 }
 
 /// The code in a folder of `src`, but for one folder in it.
@@ -157,57 +81,24 @@ fn what_the_core_says_by_the_tables_is_what_it_says() {
     let mut lines = core.split("\\\n");
     let first = lines.next().unwrap_or_default().to_owned();
     let core = lines.fold(first, |text, line| text + line.trim_start());
-    let english = read(&file("en"));
-    let said = english
-        .lines()
-        .filter_map(|line| line.strip_prefix("core-")?.split_once(" = "));
+    let catalogue = read(&file("de"));
+    let said = catalogue
+        .split("msgctxt \"core\"\nmsgid \"")
+        .skip(1)
+        .filter_map(|rest| rest.split_once("\"\n"));
     let mut count = 0;
-    for (key, text) in said {
-        for part in text.split("{ $").map(|part| {
-            let behind = part.split_once(" }").map(|(_, behind)| behind);
+    for (text, _) in said {
+        for part in text.split('{').map(|part| {
+            let behind = part.split_once('}').map(|(_, behind)| behind);
             behind.filter(|_| !text.starts_with(part)).unwrap_or(part)
         }) {
             let part = part.trim_matches([' ', ',', ';', ':', '(', ')']);
             let there = part.len() < 4 || JOINED.contains(&part) || core.contains(part);
-            assert!(there, "core-{key}: nothing in the core says {part:?}");
+            assert!(there, "{text}: nothing in the core says {part:?}");
         }
         count += 1;
     }
     assert!(count > 400, "{count}");
-}
-
-#[test]
-fn every_message_is_asked_for_in_the_code_and_every_key_of_the_code_is_a_message() {
-    let code = code("src/gui", "");
-    let english = messages("en");
-    // Of these the code has the end of the key only.
-    let built = [
-        "core-",
-        "word-",
-        "effect-",
-        "plot-",
-        "chart-word-",
-        "details-field-",
-        "history-heading-",
-        "history-cell-",
-    ];
-    for key in english
-        .keys()
-        .filter(|key| !built.iter().any(|b| key.starts_with(b)))
-    {
-        assert!(
-            code.contains(&format!("\"{key}\"")),
-            "nothing asks for {key}"
-        );
-    }
-    let is_key = |c: char| c.is_ascii_alphanumeric() || c == '-';
-    for rest in code.split("say!(").skip(1) {
-        let quoted = rest.trim_start().strip_prefix('"');
-        let key = quoted.and_then(|rest| rest.split('"').next());
-        if let Some(key) = key.filter(|key| key.chars().all(is_key)) {
-            assert!(english.contains_key(key), "there is no message {key}");
-        }
-    }
 }
 
 /// Goes to what is in the window by keys, which are the same in every language, and looks at each.

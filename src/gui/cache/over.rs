@@ -66,24 +66,32 @@ impl Over {
     pub(crate) fn needs(self) -> [&'static str; 2] {
         match self.variable {
             Variable::Joint => [
-                say!("over-no-sample-has-a-joint"),
-                say!("over-every-sample-needs-its-q1"),
+                say!("No sample has a joint value"),
+                say!("Every sample needs its q1 cell"),
             ],
             Variable::Time => [
-                say!("over-no-time-was-logged"),
-                say!("over-a-column-time-s-would"),
+                say!("No time was logged"),
+                say!(
+                    "A column time_s would show whether the deviation drifts while you measure, and when somebody touched the tripod"
+                ),
             ],
             Variable::Load => [
-                say!("over-no-load-was-logged"),
-                say!("over-a-column-load-kg-would"),
+                say!("No load was logged"),
+                say!(
+                    "A column load_kg would show whether the arm gives way under what it carries: measure some poses empty and the same ones loaded"
+                ),
             ],
             Variable::Temperature => [
-                say!("over-no-temperature-was-logged"),
-                say!("over-a-column-temperature-c-would"),
+                say!("No temperature was logged"),
+                say!(
+                    "A column temperature_c would show whether the deviation follows the machine's warmth"
+                ),
             ],
             Variable::Speed | Variable::Travel => [
-                say!("over-the-joints-motion-was-not"),
-                say!("over-columns-speed1-deg-s"),
+                say!("The joint's motion was not logged"),
+                say!(
+                    "Columns speed1_deg_s and dir1 would show how the deviation follows the motion"
+                ),
             ],
         }
     }
@@ -139,12 +147,12 @@ impl Over {
         let joint = &subject.session.robot.joints[self.joint].name;
         match self.variable {
             Variable::Joint => joint.clone(),
-            Variable::Time if self.first(subject) == 0.0 => say!("common-time").to_owned(),
-            Variable::Time => say!("over-time-since-the-first-sample").to_owned(),
-            Variable::Load => say!("common-load").to_owned(),
-            Variable::Temperature => say!("common-temperature").to_owned(),
-            Variable::Speed => say!("over-speed-of", joint = joint),
-            Variable::Travel => say!("over-travel-of-since-it-reversed", joint = joint),
+            Variable::Time if self.first(subject) == 0.0 => say!("time").to_owned(),
+            Variable::Time => say!("time since the first sample").to_owned(),
+            Variable::Load => say!("load").to_owned(),
+            Variable::Temperature => say!("temperature").to_owned(),
+            Variable::Speed => say!("speed of {joint}", joint = joint),
+            Variable::Travel => say!("travel of {joint} since it reversed", joint = joint),
         }
     }
 

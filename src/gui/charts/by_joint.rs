@@ -89,11 +89,11 @@ impl Kind for ByJoint {
     fn about(&self) -> About {
         About {
             id: "deviation by joint",
-            short: "common-joints",
-            name: "by-joint-deviation-by-joint",
+            short: phrase!("joints"),
+            name: phrase!("Deviation by joint"),
             word: Word {
-                name: "by-joint-deviation-by-joint",
-                means: "by-joint-the-deviation-over-every-joint",
+                name: phrase!("Deviation by joint"),
+                means: phrase!("The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"),
             },
             of_component: true,
             of_joint: false,
@@ -117,8 +117,8 @@ impl Kind for ByJoint {
             Some(all.map_or([*mm; 2], |[low, high]| [low.min(*mm), high.max(*mm)]))
         });
         let Some(mm) = mm else {
-            let why = say!("by-joint-every-sample-needs-its-joint");
-            return Err(Missing::new(say!("by-joint-no-sample-to-show"), why));
+            let why = say!("Every sample needs its joint values and what was measured");
+            return Err(Missing::new(say!("No sample to show"), why));
         };
         let joints = panels.ranges.len();
         let names = scene.subject.session.robot.joints.iter().enumerate();
@@ -129,7 +129,7 @@ impl Kind for ByJoint {
             component: name,
             is_length: scene.component() == Component::Length,
             across: Axis {
-                label: say!("by-joint-each-over-the-range").to_owned(),
+                label: say!("joint, each over the range shown").to_owned(),
                 ticks: Ticks::Words(names.collect()),
             },
             lengths: scene.lengths(&number),
@@ -141,12 +141,12 @@ impl Kind for ByJoint {
             boundaries: (1..joints).map(|joint| joint as f64).collect(),
             series,
         };
-        let note = thinned(panels.stride, "scale-point").unwrap_or_default();
+        let note = thinned(panels.stride, phrase!("point")).unwrap_or_default();
         Ok(Shown {
-            chart: made.chart(say!("by-joint-deviation-by-joint-2", name = name), note),
-            name: say!("by-joint-deviation-by-joint-3", name = name),
+            chart: made.chart(say!("{name} deviation by joint", name = name), note),
+            name: say!("deviation by joint, {name}", name = name),
             says: say!(
-                "by-joint-deviation-of-samples-over-joints",
+                "{name} deviation of {samples} samples over {joints} joints, {from} to {to}",
                 name = name,
                 samples = scene.usable().len(),
                 joints = joints,

@@ -18,8 +18,8 @@ impl Kind for Correction {
     fn about(&self) -> About {
         About {
             id: "correction table",
-            short: "common-table",
-            name: "correction-correction-table",
+            short: phrase!("table"),
+            name: phrase!("Correction table"),
             word: help::CORRECTION,
             of_component: false,
             of_joint: false,
@@ -40,12 +40,12 @@ impl Kind for Correction {
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
         let chart = scene.made.and_then(chart).ok_or(Missing::new(
-            say!("correction-this-format-describes-the-robot"),
+            say!("This format describes the robot itself and has no table"),
             "",
         ))?;
         Ok(Shown {
             chart,
-            name: say!("correction-correction-table-as-a-curve").to_owned(),
+            name: say!("correction table as a curve").to_owned(),
             says: String::new(),
             pointed: Pointed::Nothing,
         })
@@ -100,17 +100,17 @@ fn chart(made: &Made) -> Option<Chart> {
     let every = stride(table.forward.values().len(), MOST_POINTS / 4);
     let mut items = Vec::new();
     let says = if table.forward == table.reverse {
-        say!("correction-the-same-for-both-directions")
+        say!("the same for both directions")
     } else {
         items.push(Item::Line(reverse, Stands::Before, 2.0, true));
-        say!("correction-solid-moving-positive-dashed-moving")
+        say!("solid: moving positive · dashed: moving negative")
     };
-    let notes = std::iter::once(says.to_owned()).chain(thinned(every, "scale-entry"));
+    let notes = std::iter::once(says.to_owned()).chain(thinned(every, phrase!("entry")));
     items.push(Item::Line(forward, Stands::After, 2.0, false));
     Some(Chart {
-        title: say!("correction-correction-table-2").to_owned(),
+        title: say!("correction table").to_owned(),
         across: Axis::turning(format!("{}, {unit}", made.joint), degrees),
-        upwards: Axis::numbers(say!("correction-correction", unit = unit)),
+        upwards: Axis::numbers(say!("correction, {unit}", unit = unit)),
         bounds: [[from - beside, low - by], [to + beside, high + by]],
         items,
         legend: Vec::new(),

@@ -1,6 +1,7 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and
 //! after. Of many samples the extremes in each column of the screen are shown.
 
+use crate::text::Template;
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::envelope::{Column, Envelope};
 use crate::gui::cache::over::{Over, Scale, Variable};
@@ -9,7 +10,7 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
-use crate::gui::language::within;
+use crate::text::within;
 use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
@@ -30,8 +31,8 @@ pub(crate) struct Along {
     about: About,
 }
 
-const fn along(variable: Variable, names: [&'static str; 3], word: Word) -> Along {
-    let [id, short, name] = names;
+const fn along(variable: Variable, id: &'static str, names: [Template; 2], word: Word) -> Along {
+    let [short, name] = names;
     let about = About {
         id,
         short,
@@ -45,38 +46,26 @@ const fn along(variable: Variable, names: [&'static str; 3], word: Word) -> Alon
 
 pub(crate) static ANGLE: Along = along(
     Variable::Joint,
-    [
-        "deviation",
-        "deviation-angle",
-        "deviation-deviation-over-angle",
-    ],
+    "deviation",
+    [phrase!("angle"), phrase!("Deviation over angle")],
     help::DEVIATION,
 );
 pub(crate) static TIME: Along = along(
     Variable::Time,
-    [
-        "deviation over time",
-        "common-time",
-        "deviation-deviation-over-time",
-    ],
+    "deviation over time",
+    [phrase!("time"), phrase!("Deviation over time")],
     help::OVER_TIME,
 );
 pub(crate) static LOAD: Along = along(
     Variable::Load,
-    [
-        "deviation over load",
-        "common-load",
-        "deviation-deviation-over-load",
-    ],
+    "deviation over load",
+    [phrase!("load"), phrase!("Deviation over load")],
     help::OVER_LOAD,
 );
 pub(crate) static TEMPERATURE: Along = along(
     Variable::Temperature,
-    [
-        "deviation over temperature",
-        "common-temperature",
-        "deviation-deviation-over-temperature",
-    ],
+    "deviation over temperature",
+    [phrase!("temperature"), phrase!("Deviation over temperature")],
     help::OVER_TEMPERATURE,
 );
 
@@ -109,9 +98,9 @@ impl Kind for Along {
         }
         let component = scene.component().name();
         let name = match self.variable {
-            Variable::Joint => say!("deviation-deviation-chart", component = component),
+            Variable::Joint => say!("deviation chart, {component}", component = component),
             _ => say!(
-                "deviation-chart",
+                "{chart} chart, {component}",
                 chart = within(self.about.name()),
                 component = component
             ),
@@ -280,7 +269,7 @@ impl<'a> Drawn<'a> {
             series,
         };
         made.chart(
-            say!("deviation-deviation-over", name = name, label = label),
+            say!("{name} deviation over {label}", name = name, label = label),
             String::new(),
         )
     }
@@ -295,7 +284,7 @@ impl<'a> Drawn<'a> {
         {
             // The axis below may be another joint's.
             notes.push(say!(
-                "deviation-to",
+                "{component} to {first}",
                 component = component.name(),
                 first = first.name
             ));
@@ -303,17 +292,17 @@ impl<'a> Drawn<'a> {
         let never_changes = self.extent().is_none_or(|all| all.x[0] == all.x[1]);
         if never_changes && self.over.variable != Variable::Joint {
             let what = self.over.label(self.scene.subject);
-            notes.push(say!("deviation-the-never-changes", what = what));
+            notes.push(say!("the {what} never changes", what = what));
         }
         if many {
-            notes.push(say!("deviation-from-the-smallest").to_owned());
+            notes.push(say!("from the smallest to the largest in each column").to_owned());
         } else if self.envelope.is_none() {
-            notes.extend(thinned(self.stride, "scale-point"));
+            notes.extend(thinned(self.stride, phrase!("point")));
         }
         match self.unplaced {
             0 => {}
-            1 => notes.push(say!("deviation-one-sample-has-no-value").to_owned()),
-            n => notes.push(say!("deviation-samples-have-no-value", n = n)),
+            1 => notes.push(say!("one sample has no value and is not shown").to_owned()),
+            n => notes.push(say!("{n} samples have no value and are not shown", n = n)),
         }
         notes.join(" · ")
     }
@@ -323,16 +312,16 @@ impl<'a> Drawn<'a> {
         let units = self.scene.units;
         let between = |mm: [f64; 2]| {
             say!(
-                "deviation-to-2",
+                "{from} to {to}",
                 from = units.length(mm[0]),
                 to = units.length(mm[1])
             )
         };
         let Some(all) = all else {
-            return say!("deviation-no-sample-to-show").to_owned();
+            return say!("no sample to show").to_owned();
         };
         let mut says = say!(
-            "deviation-deviation-of-samples-over",
+            "{component} deviation of {samples} samples over {label} from {from} to {to}",
             component = self.scene.component().name(),
             samples = self.scene.usable().len() - self.unplaced,
             label = self.over.label(self.scene.subject),
@@ -340,15 +329,15 @@ impl<'a> Drawn<'a> {
             to = self.scale.says(all.x[1])
         );
         for (name, mm) in [
-            (say!("common-before"), all.before_mm),
-            (say!("common-after"), all.after_mm),
+            (say!("before"), all.before_mm),
+            (say!("after"), all.after_mm),
         ] {
             if let Some(mm) = mm {
                 says += &format!(", {name} {}", between(mm));
             }
         }
         if let Some(tolerance) = self.scene.document.tolerance_mm {
-            says += &say!("deviation-tolerance", tolerance = units.length(tolerance));
+            says += &say!(", tolerance {tolerance}", tolerance = units.length(tolerance));
         }
         says
     }

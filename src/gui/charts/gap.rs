@@ -4,7 +4,8 @@
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
 use crate::gui::language::names::title_of;
-use crate::gui::language::{of_core, within};
+use crate::gui::language::of_core;
+use crate::text::within;
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};
@@ -25,8 +26,8 @@ impl Kind for Gap {
     fn about(&self) -> About {
         About {
             id: "gap by step",
-            short: "chart-gap",
-            name: "chart-gap-by-step",
+            short: phrase!("gap"),
+            name: phrase!("Gap by step"),
             word: help::GAP,
             of_component: false,
             of_joint: false,
@@ -48,15 +49,15 @@ impl Kind for Gap {
         let steps = steps(scene);
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
         let mut chart = chart.ok_or(Missing::new(
-            say!("chart-gap-nothing-is-identified-yet"),
+            say!("nothing is identified yet"),
             "",
         ))?;
-        say!("chart-gap-rms-over-the-fitted-samples").clone_into(&mut chart.note);
+        say!("RMS over the fitted samples").clone_into(&mut chart.note);
         let says = |s: &GapStep| format!("{} {}", said(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {
             chart,
-            name: say!("chart-gap-by-step-2", steps = says.join(", ")),
+            name: say!("gap by step: {steps}", steps = says.join(", ")),
             says: String::new(),
             pointed: Pointed::Nothing,
         })

@@ -4,7 +4,7 @@ use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::gui::language::text;
+use crate::text::spoken;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
 use crate::present::drawing::Anchor;
@@ -27,8 +27,8 @@ impl Kind for Histogram {
     fn about(&self) -> About {
         About {
             id: "histogram",
-            short: "histogram-histogram",
-            name: "histogram-histogram-2",
+            short: phrase!("histogram"),
+            name: phrase!("Histogram"),
             word: help::HISTOGRAM,
             of_component: true,
             of_joint: false,
@@ -49,7 +49,7 @@ impl Kind for Histogram {
         Ok(Shown {
             chart: drawn(scene, found),
             name: say!(
-                "histogram-histogram-3",
+                "histogram, {component}",
                 component = scene.component().name()
             ),
             says: says(scene, found),
@@ -82,8 +82,8 @@ impl Kind for Histogram {
 fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, Missing> {
     let found: &Option<Distribution> = scene.found().ok_or_else(Missing::yet)?;
     found.as_ref().ok_or(Missing::new(
-        say!("histogram-no-sample-can-be-counted"),
-        say!("histogram-every-sample-lacks-a-joint"),
+        say!("No sample can be counted"),
+        say!("Every sample lacks a joint value or a coordinate"),
     ))
 }
 
@@ -120,13 +120,13 @@ impl Bars for Drawn<'_> {
         let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
         let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
         let lines = [
-            line(say!("common-before"), before),
-            line(say!("common-after"), after),
+            line(say!("before"), before),
+            line(say!("after"), after),
         ];
         let mut lines: Vec<_> = lines.into_iter().flatten().collect();
         lines.push((
-            say!("histogram-click").to_owned(),
-            say!("histogram-marks-them").to_owned(),
+            say!("click").to_owned(),
+            say!("marks them").to_owned(),
         ));
         Some(Facts {
             title: format!("{from} … {to} {}", units.length_name()),
@@ -225,7 +225,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
             items.push(Item::Line(line, Stands::Tolerance, 1.6, false));
             items.push(Item::Word(Word {
                 at: [value(*end), 0.995 * top],
-                text: say!("histogram-tolerance").to_owned(),
+                text: say!(" tolerance ").to_owned(),
                 anchor: if *end < 0.0 {
                     Anchor::End
                 } else {
@@ -242,7 +242,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     }
     if noise.is_some() {
         legend.push(Entry::new(
-            say!("common-noise-alone"),
+            say!("noise alone"),
             Sign::Line,
             Stands::Noise,
             false,
@@ -250,13 +250,13 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     }
     let name = component.name();
     Chart {
-        title: say!("histogram-samples-by-deviation", name = name),
+        title: say!("samples by {name} deviation", name = name),
         across: Axis::numbers(say!(
-            "histogram-deviation",
+            "{name} deviation, {units}",
             name = name,
             units = units.length_name()
         )),
-        upwards: Axis::numbers(say!("common-samples")),
+        upwards: Axis::numbers(say!("samples")),
         bounds: [[value(low - margin), 0.0], [value(high + margin), top]],
         items,
         legend,
@@ -279,7 +279,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         }
         let tolerance = units.length(tolerance);
         notes.push(say!(
-            "histogram-within",
+            "within {sign}{tolerance}: {counts} of {all}",
             sign = sign,
             tolerance = tolerance,
             counts = counts,
@@ -288,15 +288,15 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
     }
     match counted.beyond {
         0 => {}
-        1 => notes.push(say!("histogram-one-lies-beyond-the-ends").to_owned()),
-        n => notes.push(say!("histogram-lie-beyond-the-ends", n = n)),
+        1 => notes.push(say!("one lies beyond the ends").to_owned()),
+        n => notes.push(say!("{n} lie beyond the ends", n = n)),
     }
     let width = significant(units.length_value(counted.bins.width_mm), 2);
     notes.push(say!(
-        "histogram-wide",
+        "{width} {unit} wide {rule}",
         width = width,
         unit = units.length_name(),
-        rule = text("histogram-bars-as-wide-as")
+        rule = spoken(phrase!("bars as wide as the spread of the samples asks for"))
     ));
     notes.join(" · ")
 }
@@ -310,19 +310,19 @@ fn says(scene: &Scene, found: &Distribution) -> String {
         let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
         let [from, to] = counted.bins.ends(bin).map(|mm| units.length(mm));
         Some(say!(
-            "histogram-most",
+            "most, {bin}, from {from} to {to}",
             bin = counts[bin],
             from = from,
             to = to
         ))
     };
     let mut says = say!(
-        "histogram-how-many-samples-have-which",
+        "how many samples have which {component} deviation",
         component = scene.component().name()
     );
     for (name, counts) in [
-        (say!("common-before"), &counted.before),
-        (say!("common-after"), &counted.after),
+        (say!("before"), &counted.before),
+        (say!("after"), &counted.after),
     ] {
         if let Some(tallest) = tallest(counts) {
             says += &format!("; {name}: {tallest}");

@@ -8,9 +8,9 @@ mod words;
 
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
-use crate::gui::language::text;
 use crate::present::chart::{Chart, Item};
 use crate::present::table::Table;
+use crate::text::{Template, spoken};
 
 pub(crate) use scene::Scene;
 
@@ -39,9 +39,9 @@ register! {
 pub(crate) struct About {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
-    /// The key of its name where there is little room.
-    short: &'static str,
-    name: &'static str,
+    /// Its name where there is little room.
+    short: Template,
+    name: Template,
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// Whether it shows one component of the deviation.
@@ -53,11 +53,11 @@ pub(crate) struct About {
 impl About {
     /// Its name where there is little room.
     pub(crate) fn short(&self) -> &'static str {
-        text(self.short)
+        spoken(self.short)
     }
 
     pub(crate) fn name(&self) -> &'static str {
-        text(self.name)
+        spoken(self.name)
     }
 }
 
@@ -116,7 +116,7 @@ impl Missing {
 
     /// The background is at it.
     pub(crate) fn yet() -> Self {
-        Self::new(say!("chart-computing"), "")
+        Self::new(say!("Computing…"), "")
     }
 }
 

@@ -5,7 +5,7 @@ use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::gui::language::text;
+use crate::text::spoken;
 use crate::numeric::whole;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
@@ -26,8 +26,8 @@ impl Kind for Orders {
     fn about(&self) -> About {
         About {
             id: "order spectrum",
-            short: "orders-orders",
-            name: "orders-order-spectrum",
+            short: phrase!("orders"),
+            name: phrase!("Order spectrum"),
             word: help::ORDERS,
             of_component: true,
             of_joint: true,
@@ -57,7 +57,7 @@ impl Kind for Orders {
         Ok(Shown {
             chart: drawn(scene, spectrum),
             name: say!(
-                "orders-order-spectrum-2",
+                "order spectrum, {component}",
                 component = scene.component().name()
             ),
             says: says(scene, spectrum),
@@ -104,14 +104,14 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
     let joint = scene.joint();
     if !scene.subject.joint_turns(joint) {
         let name = &scene.subject.session.robot.joints[joint].name;
-        let why = say!("orders-orders-are-cycles-per-turn");
-        return Err(Missing::new(say!("orders-slides", name = name), why));
+        let why = say!("Orders are cycles per turn. Choose a joint that turns");
+        return Err(Missing::new(say!("{name} slides", name = name), why));
     }
     let spectrum: &Spectrum = scene.found().ok_or_else(Missing::yet)?;
     if spectrum.orders.is_empty() {
         return Err(Missing::new(
-            say!("orders-too-few-different-angles"),
-            say!("orders-an-order-shows-where"),
+            say!("Too few different angles"),
+            say!("An order shows where a wave comes back with every turn: measure thirty angles or more, spread over the whole range of the joint"),
         ));
     }
     Ok(spectrum)
@@ -130,19 +130,19 @@ impl Bars for Drawn<'_> {
         let units = self.scene.units;
         let mut lines = Vec::new();
         let cause = cause(self.spectrum, order.order);
-        lines.extend(cause.map(|cause| (say!("orders-usual-cause").to_owned(), cause.to_owned())));
+        lines.extend(cause.map(|cause| (say!("usual cause").to_owned(), cause.to_owned())));
         for (name, amplitude) in [
-            (say!("common-before"), Some(order.before)),
-            (say!("common-after"), order.after),
+            (say!("before"), Some(order.before)),
+            (say!("after"), order.after),
         ] {
             let Some(amplitude) = amplitude else { continue };
             lines.push((name.to_owned(), units.length(amplitude.mm)));
             if let Some(line) = amplitude.line_mm {
-                lines.push((say!("orders-noise", name = name), units.length(line)));
+                lines.push((say!("noise, {name}", name = name), units.length(line)));
             }
         }
         Some(Facts {
-            title: say!("orders-order", order = order.order),
+            title: say!("order {order}", order = order.order),
             lines,
             samples: Vec::new(),
         })
@@ -223,22 +223,22 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         legend.push(Entry::after(Sign::Bar));
     }
     legend.push(Entry::new(
-        say!("common-noise"),
+        say!("noise"),
         Sign::Line,
         Stands::Noise,
         false,
     ));
     Chart {
-        title: say!("orders-deviation-by-order-over", name = name, joint = joint),
+        title: say!("{name} deviation by order over {joint}", name = name, joint = joint),
         across: Axis {
-            label: say!("orders-cycles-per-turn", joint = joint),
+            label: say!("cycles per turn of {joint}", joint = joint),
             ticks: Ticks::Words(
                 ticks
                     .map(|(k, o)| (k as f64, o.order.to_string()))
                     .collect(),
             ),
         },
-        upwards: Axis::numbers(say!("orders-amplitude", unit = units.length_name())),
+        upwards: Axis::numbers(say!("amplitude, {unit}", unit = units.length_name())),
         bounds: [[-0.6, 0.0], [last, value(top)]],
         items,
         legend,
@@ -283,9 +283,9 @@ fn names(
 fn note(spectrum: &Spectrum) -> String {
     let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
     let line = if has_line {
-        text("orders-noise-stays-below-the-line").to_owned()
+        spoken(phrase!("noise stays below the line in 99 of 100 sessions")).to_owned()
     } else {
-        say!("orders-too-few-samples-to-say").to_owned()
+        say!("too few samples to say what is noise").to_owned()
     };
     let mut notes = vec![line];
     notes.extend(limits(spectrum));
@@ -306,7 +306,7 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
             let cause = cause(spectrum, *order);
             let cause = cause.map_or_else(String::new, |c| format!(" ({c})"));
             say!(
-                "orders-order-2",
+                "order {order}{cause} with {amplitude}",
                 order = order,
                 cause = cause,
                 amplitude = units.length(*mm)
@@ -314,19 +314,19 @@ fn says(scene: &Scene, spectrum: &Spectrum) -> String {
         });
         let words: Vec<String> = words.collect();
         if words.is_empty() {
-            say!("orders-nothing-above-the-noise").to_owned()
+            say!("nothing above the noise").to_owned()
         } else {
             words.join(", ")
         }
     };
     let mut says = say!(
-        "orders-orders-of-the-deviation-before",
+        "{orders} orders of the {component} deviation; before: {before}",
         orders = spectrum.orders.len(),
         component = scene.component().name(),
         before = out(|o| Some(o.before))
     );
     if scene.answer.is_some() {
-        says += &say!("orders-after", after = out(|o| o.after));
+        says += &say!("; after: {after}", after = out(|o| o.after));
     }
     format!("{says}; {}", note(spectrum))
 }
@@ -342,14 +342,14 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
     let range = trimmed(360.0 * spectrum.turns, 0);
     let apart = trimmed((1.0 / spectrum.turns).ceil(), 0);
     let mut says = say!(
-        "orders-range-orders-nearer-than-cannot",
+        "range {range}°: orders nearer than {apart} cannot be told apart",
         range = range,
         apart = apart
     );
     match spectrum.unseen {
         0 => {}
-        1 => says += say!("orders-and-order-1-cannot-be"),
-        n => says += &say!("orders-and-orders-up-to-cannot", n = n),
+        1 => says += say!(", and order 1 cannot be seen"),
+        n => says += &say!(", and orders up to {n} cannot be seen", n = n),
     }
     Some(says)
 }
@@ -357,9 +357,9 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
 /// What usually causes an order.
 fn cause(spectrum: &Spectrum, order: usize) -> Option<&'static str> {
     match order {
-        1 => Some(say!("orders-eccentricity")),
-        2 => Some(say!("orders-two-cycle")),
-        _ if spectrum.gears.contains(&order) => Some(say!("orders-gear")),
+        1 => Some(say!("eccentricity")),
+        2 => Some(say!("two-cycle")),
+        _ if spectrum.gears.contains(&order) => Some(say!("gear")),
         _ => None,
     }
 }

@@ -31,11 +31,11 @@ impl Kind for Quantiles {
     fn about(&self) -> About {
         About {
             id: "normal quantiles",
-            short: "quantiles-quantiles",
-            name: "quantiles-normal-quantiles",
+            short: phrase!("quantiles"),
+            name: phrase!("Normal quantiles"),
             word: Word {
-                name: "quantiles-normal-quantiles",
-                means: "quantiles-each-samples-residual-over",
+                name: phrase!("Normal quantiles"),
+                means: phrase!("Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"),
             },
             of_component: true,
             of_joint: false,
@@ -59,17 +59,17 @@ impl Kind for Quantiles {
         let ranked: &Ranked = scene.found().ok_or_else(Missing::yet)?;
         if scene.component() == Component::Length || ranked.0.len() < 4 {
             return Err(Missing::new(
-                say!("quantiles-nothing-to-compare"),
-                say!("quantiles-choose-a-component-that-has"),
+                say!("Nothing to compare with the normal distribution"),
+                say!("Choose a component that has a sign, of four samples or more"),
             ));
         }
         let name = scene.component().name();
         let sigma = scene.units.length(ranked.line().1);
         Ok(Shown {
             chart: ranked.drawn(scene),
-            name: say!("quantiles-normal-quantiles-2", name = name),
+            name: say!("normal quantiles, {name}", name = name),
             says: say!(
-                "quantiles-residuals-of-samples-over-normal",
+                "{name} residuals of {samples} samples over normal quantiles; the middle half is spread like noise of {sigma}",
                 name = name,
                 samples = scene.usable().len(),
                 sigma = sigma
@@ -129,8 +129,8 @@ impl Ranked {
         };
         let name = scene.component().name();
         Chart {
-            title: say!("quantiles-residuals-over-normal-quantiles", name = name),
-            across: Axis::numbers(say!("quantiles-what-noise-alone-would-be")),
+            title: say!("{name} residuals over normal quantiles", name = name),
+            across: Axis::numbers(say!("what noise alone would be, σ")),
             upwards: Axis::numbers(format!("{name}, {}", scene.units.length_name())),
             bounds: [[-far, -high], [far, high]],
             items: vec![
@@ -139,10 +139,10 @@ impl Ranked {
             ],
             legend: vec![
                 Entry::after(Sign::Mark(Form::Disc)),
-                Entry::new(say!("common-noise-alone"), Sign::Line, Stands::Noise, false),
+                Entry::new(say!("noise alone"), Sign::Line, Stands::Noise, false),
             ],
             note: say!(
-                "quantiles-the-line-has-the-slope",
+                "the line has the slope of σ = {sigma}",
                 sigma = scene.units.length(sigma)
             ),
         }

@@ -1,8 +1,9 @@
 //! What the core writes into a chart, in the language of the window.
 
 use crate::effects::{CATALOGUE, Effect};
-use crate::gui::language::{known_words, names, within};
+use crate::gui::language::{known_words, names};
 use crate::present::chart::{Chart, Item, Ticks, in_a_sentence};
+use crate::text::within;
 
 /// Words of the core that a number may follow.
 const BEFORE_NUMBERS: [&str; 3] = ["noise floor", "tolerance", "RMS error,"];
@@ -34,7 +35,7 @@ pub(super) fn translated(mut chart: Chart) -> Chart {
 /// The effect that a row is of; its name may have been shortened.
 fn effect_of(row: &str) -> Option<&'static Effect> {
     let row = row.trim_end_matches('…');
-    let is = |effect: &&&Effect| in_a_sentence(effect.about().title).starts_with(row);
+    let is = |effect: &&&Effect| in_a_sentence(effect.about().title.english()).starts_with(row);
     CATALOGUE.iter().find(is).copied().filter(|_| row.len() > 6)
 }
 

@@ -62,21 +62,21 @@ pub(crate) fn joint_at(regions: &[Region], region: usize, end: End) -> Joint {
 pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
     let text = text.trim();
     let (name, example) = match units.angle {
-        AngleUnit::Degree => (say!("common-degrees"), "−30"),
-        AngleUnit::Radian => (say!("common-radians"), "−0.5"),
-        AngleUnit::Milliradian => (say!("boundary-entry-milliradians"), "−500"),
-        AngleUnit::ArcSecond => (say!("boundary-entry-seconds-of-arc"), "−108000"),
+        AngleUnit::Degree => (say!("degrees"), "−30"),
+        AngleUnit::Radian => (say!("radians"), "−0.5"),
+        AngleUnit::Milliradian => (say!("milliradians"), "−500"),
+        AngleUnit::ArcSecond => (say!("seconds of arc"), "−108000"),
     };
     if text.is_empty() {
         return Err(say!(
-            "boundary-entry-the-angle-is-missing-type",
+            "the angle is missing; type it in {name}, such as {example}",
             name = name,
             example = example
         ));
     }
     typed_in(text, units.angle_name().trim(), "rad").map_err(|_| {
         say!(
-            "boundary-entry-is-no-angle-type",
+            "'{text}' is no angle; type a number of {name}, such as {example}",
             text = text,
             name = name,
             example = example
@@ -94,7 +94,7 @@ pub(crate) fn placed(
 ) -> Result<Vec<Region>, String> {
     let say = |rad: f64| units.angle(rad);
     if !at_rad.is_finite() {
-        return Err(say!("boundary-entry-a-boundary-is-an-angle").to_owned());
+        return Err(say!("a boundary is an angle; type a number").to_owned());
     }
     if within.0 < within.1 && (at_rad < within.0 - SAME_RAD || at_rad > within.1 + SAME_RAD) {
         let range = format!("{} … {}", say(within.0), say(within.1));
@@ -104,20 +104,20 @@ pub(crate) fn placed(
             .find(|turned| (within.0..=within.1).contains(turned));
         return Err(match same {
             Some(same) => say!(
-                "boundary-entry-is-outside-of-the-joints",
+                "{at} is outside of the joint's range {range}; {same} is the same direction: type that",
                 at = say(at_rad),
                 range = range,
                 same = say(same)
             ),
             None => say!(
-                "boundary-entry-is-outside-of-the-joints-range",
+                "{at} is outside of the joint's range {range}; type an angle in it",
                 at = say(at_rad),
                 range = range
             ),
         });
     }
     let mut next = regions.to_vec();
-    let missing = say!("common-there-is-no-such-region");
+    let missing = say!("there is no such region");
     if let Some(k) = joint.below {
         next.get_mut(k).ok_or(missing)?.to_rad = at_rad;
     }
@@ -137,12 +137,12 @@ pub(crate) fn placed(
             .find(|(o, r)| *o != k && overlaps(r));
         if let Some((_, other)) = other {
             let free = if joint.below == Some(k) {
-                say!("boundary-entry-at-most", from = say(other.from_rad))
+                say!("at most {from}", from = say(other.from_rad))
             } else {
-                say!("boundary-entry-at-least", to = say(other.to_rad))
+                say!("at least {to}", to = say(other.to_rad))
             };
             return Err(say!(
-                "boundary-entry-region-would-overlap-region-type",
+                "region {next} would overlap region {other}, {from} … {to}; type {free}, or merge the two",
                 next = next[k].name,
                 other = other.name,
                 from = say(other.from_rad),
@@ -169,19 +169,16 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
     }
     let instead = if at_its_end {
         say!(
-            "boundary-entry-type-or-more",
+            "type {least} or more",
             least = say(from_rad + NARROWEST_RAD)
         )
     } else {
-        say!(
-            "boundary-entry-type-or-less",
-            most = say(to_rad - NARROWEST_RAD)
-        )
+        say!("type {most} or less", most = say(to_rad - NARROWEST_RAD))
     };
     let quarter = rad_from_deg(90.0);
     if width.abs() < SAME_RAD {
         return Err(say!(
-            "boundary-entry-region-would-begin-and-end",
+            "region {name} would begin and end at {from}; {instead}",
             name = name,
             from = say(*from_rad),
             instead = instead
@@ -189,7 +186,7 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
     }
     if width > 0.0 {
         return Err(say!(
-            "boundary-entry-region-would-be-wide-less",
+            "region {name} would be {width} wide, less than {least}; {instead}",
             name = name,
             width = say(width),
             least = say(NARROWEST_RAD),
@@ -198,7 +195,7 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
     }
     if *from_rad > quarter && *to_rad < -quarter {
         return Err(say!(
-            "boundary-entry-region-would-run-from-over",
+            "region {name} would run from {from} over {limit} to {to}; no region does: make two, one to {first} and one from {second}",
             name = name,
             from = say(*from_rad),
             limit = say(rad_from_deg(180.0)),
@@ -208,7 +205,7 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
         ));
     }
     Err(say!(
-        "boundary-entry-region-would-begin-at-after",
+        "region {name} would begin at {from}, after its end at {to}; {instead}",
         name = name,
         from = say(*from_rad),
         to = say(*to_rad),

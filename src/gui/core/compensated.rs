@@ -147,7 +147,7 @@ fn corrected(
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
         lines(&say!(
-            "compensated-neither-its-ending-nor-its",
+            "{path}: neither its ending nor its content says what it is; expected {all}",
             path = path.display(),
             all = all.join(", ")
         ))

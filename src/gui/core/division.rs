@@ -34,13 +34,17 @@ impl Decision {
     /// What was decided and why, in one line.
     pub(crate) fn says(&self, units: Units) -> String {
         if self.regions == 1 {
-            return say!("division-one-region-nowhere-does").to_owned();
+            return say!("One region: nowhere does the deviation change by more than the noise")
+                .to_owned();
         }
         let n = self.regions;
-        let first = say!("division-regions-a-boundary-where", n = n);
+        let first = say!(
+            "{n} regions: a boundary where the deviation changes by more than the noise",
+            n = n
+        );
         match (self.left_mm, self.even_mm) {
             (Some(left), Some(even)) => say!(
-                "division-they-leave-even-ones",
+                "{first}. They leave {left}, {n} even ones {even}",
                 first = first,
                 left = units.length(left),
                 n = n,

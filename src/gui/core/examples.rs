@@ -1,24 +1,24 @@
 //! Sessions that come with the program.
 
-use crate::gui::language::text;
 use crate::sessions::bundled::{BUNDLED, Bundled};
+use crate::text::{Template, spoken};
 
 /// A session that comes with the program: keys of what is said of it, and its files.
 pub(crate) struct Example {
-    name: &'static str,
-    what: &'static str,
+    name: Template,
+    what: Template,
     files: &'static Bundled,
 }
 
 impl Example {
     /// Its name in the menu.
     pub(crate) fn name(&self) -> &'static str {
-        text(self.name)
+        spoken(self.name)
     }
 
     /// What is in it.
     pub(crate) fn what(&self) -> &'static str {
-        text(self.what)
+        spoken(self.what)
     }
 
     /// Document and samples.
@@ -30,18 +30,18 @@ impl Example {
 /// Every session that comes with the program; the window opens on the first.
 pub(crate) const EXAMPLES: [Example; 3] = [
     Example {
-        name: "example-lamp",
-        what: "example-lamp-what",
+        name: phrase!("Lamp commissioning"),
+        what: phrase!("two reflectors, both sides, noise, while the machine warms up"),
         files: &BUNDLED[0],
     },
     Example {
-        name: "example-samples",
-        what: "example-samples-what",
+        name: phrase!("The paper's 30 samples"),
+        what: phrase!("six regions of five samples, without noise"),
         files: &BUNDLED[1],
     },
     Example {
-        name: "example-run",
-        what: "example-run-what",
+        name: phrase!("The paper's full run"),
+        what: phrase!("361 samples, every half degree"),
         files: &BUNDLED[2],
     },
 ];

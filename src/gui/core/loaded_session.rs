@@ -59,14 +59,14 @@ named! {
     /// A component of a deviation.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub(crate) enum Component {
-        Length = say!("loaded-session-length"),
+        Length = say!("length"),
         /// In the direction of motion of joint 1.
         #[default]
-        Tangential = say!("loaded-session-tangential"),
+        Tangential = say!("tangential"),
         /// Away from the axis of joint 1.
-        Radial = say!("loaded-session-radial"),
+        Radial = say!("radial"),
         /// Along the axis of joint 1.
-        Axial = say!("loaded-session-axial"),
+        Axial = say!("axial"),
         /// Along x of the measuring frame.
         X = "x",
         /// Along y.

@@ -32,20 +32,23 @@ impl Wanted {
         let path = &self.path;
         if path.extension().is_none_or(|ending| ending != "csv") {
             return Some(say!(
-                "recording-a-name-that-ends-in-csv",
+                "{path}: expected a name that ends in .csv",
                 path = path.display()
             ));
         }
         let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
         if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
             return Some(say!(
-                "recording-the-folder-is-not-there",
+                "{folder}: the folder is not there",
                 folder = folder.display()
             ));
         }
         let there = [path.clone(), self.session()];
         let there = there.iter().find(|path| path.exists())?;
-        Some(say!("recording-exists-already", path = there.display()))
+        Some(say!(
+            "{path} exists already: nothing is replaced by a recording",
+            path = there.display()
+        ))
     }
 
     /// The session that its lines become samples of.
@@ -81,18 +84,18 @@ impl Heard {
     /// In a line.
     pub(crate) fn says(&self) -> String {
         let recorded = usize::try_from(self.recorded).unwrap_or(usize::MAX);
-        let lines = say!("recording-lines", count = grouped(recorded));
+        let lines = say!(one "{count} line", "{count} lines", count = grouped(recorded));
         let left_out = match self.refused {
             0 => String::new(),
-            n => say!("recording-left-out", count = n),
+            n => say!(" · {count} left out", count = n),
         };
         let state = match &self.state {
-            State::Connecting => say!("recording-connecting").to_owned(),
-            State::Connected => say!("recording-connected").to_owned(),
-            State::Waiting(why) => say!("recording-not-connected", why = why),
+            State::Connecting => say!("connecting").to_owned(),
+            State::Connected => say!("connected").to_owned(),
+            State::Waiting(why) => say!("not connected, tries again: {why}", why = why),
         };
         say!(
-            "recording-stands",
+            "recording · {lines}{left_out} · {state}",
             lines = lines,
             left_out = left_out,
             state = state

@@ -1,7 +1,7 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
-use crate::gui::language::text;
 use crate::present::chart::{among, decade};
+use crate::text::{Template, spoken};
 
 /// Up to here samples are few.
 pub(crate) const FEW: usize = 1_000;
@@ -16,8 +16,8 @@ pub(crate) fn stride(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }
 
-/// What a plot says when it does not show everything; `what` is the key of its name.
-pub(crate) fn thinned(stride: usize, what: &'static str) -> Option<String> {
+/// What a plot says when it does not show everything; `what` is the name of one.
+pub(crate) fn thinned(stride: usize, what: Template) -> Option<String> {
     let ordinal = match (stride % 10, stride % 100) {
         (1, n) if n != 11 => "st",
         (2, n) if n != 12 => "nd",
@@ -26,10 +26,10 @@ pub(crate) fn thinned(stride: usize, what: &'static str) -> Option<String> {
     };
     (stride > 1).then(|| {
         say!(
-            "scale-every-shown",
+            "every {stride}{ordinal} {what} shown",
             stride = stride,
             ordinal = ordinal,
-            what = text(what)
+            what = spoken(what)
         )
     })
 }
@@ -65,8 +65,8 @@ mod tests {
 
     #[test]
     fn a_thinned_plot_says_so() {
-        assert_eq!(thinned(1, "scale-point"), None);
-        let says = |n| thinned(n, "scale-point").expect("thinned");
+        assert_eq!(thinned(1, phrase!("point")), None);
+        let says = |n| thinned(n, phrase!("point")).expect("thinned");
         assert_eq!(says(100), "every 100th point shown");
         assert_eq!(says(22), "every 22nd point shown");
         assert_eq!(says(13), "every 13th point shown");

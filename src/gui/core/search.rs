@@ -1,6 +1,7 @@
 //! A search for what is missing, as the window keeps it: the diagnosis of one session, and the
 //! model's term of each name that was found.
 
+use crate::text::Template;
 use std::sync::Arc;
 
 use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};
@@ -19,12 +20,12 @@ pub(crate) struct Search {
 }
 
 /// The stages of a search, in order, as they are shown.
-pub(crate) const STAGES: [&str; 5] = [
-    "search-set-up-errors",
-    "search-noise-outliers-candidates",
-    "search-search",
-    "search-other-explanations",
-    "search-poses-to-measure-next",
+pub(crate) const STAGES: [Template; 5] = [
+    phrase!("set-up errors"),
+    phrase!("noise, outliers, candidates"),
+    phrase!("search"),
+    phrase!("other explanations"),
+    phrase!("poses to measure next"),
 ];
 
 /// The stage in which names are found.
@@ -38,7 +39,7 @@ impl Search {
     pub(crate) fn of(subject: Arc<Subject>, watch: &Watch) -> Self {
         let answer = diagnose(&subject.session, &options(), &told(watch));
         let answer = answer.map_err(|error| match error {
-            DiagnoseError::Cancelled => say!("search-the-search-was-cancelled").to_owned(),
+            DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
             other => other.to_string(),
         });
         Self { subject, answer }

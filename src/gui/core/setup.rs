@@ -128,12 +128,9 @@ impl SetupForm {
             }
             let taken = self.joints[..k].iter().any(|j| j.name == form.name);
             if form.name.trim().is_empty() {
-                problems.push((
-                    Field::JointName(k),
-                    say!("setup-a-joint-needs-a-name").to_owned(),
-                ));
+                problems.push((Field::JointName(k), say!("a joint needs a name").to_owned()));
             } else if taken {
-                let says = say!("setup-another-joint-is-called", form = form.name);
+                let says = say!("another joint is called {form}", form = form.name);
                 problems.push((Field::JointName(k), says));
             }
         }
@@ -157,7 +154,10 @@ impl SetupForm {
             SigmaForm::Three(sigma) => sigma.iter().all(|s| s.is_finite() && *s > 0.0),
         };
         if !sound {
-            problems.push((Field::Sigma, say!("setup-the-noise-is-a-number").to_owned()));
+            problems.push((
+                Field::Sigma,
+                say!("the noise is a number above 0").to_owned(),
+            ));
         }
         if problems.is_empty() {
             let wrong = next.robot.problems(&Place::default()).into_iter();
@@ -183,10 +183,10 @@ impl SetupForm {
             if name.is_empty() {
                 problems.push((
                     Field::Target(k),
-                    say!("setup-a-reflector-needs-a-name").to_owned(),
+                    say!("a reflector needs a name").to_owned(),
                 ));
             } else if self.targets[..k].iter().any(|t| t.name.trim() == name) {
-                let says = say!("setup-another-reflector-is-called", name = name);
+                let says = say!("another reflector is called {name}", name = name);
                 problems.push((Field::Target(k), says));
             }
         }
@@ -242,7 +242,7 @@ fn change_joint(
             to: form.kind.inner(to),
         });
         if form.limits.is_some_and(|[from, to]| from >= to) {
-            let says = say!("setup-limits-run-from-the-smaller");
+            let says = say!("limits run from the smaller to the larger value");
             problems.push((Field::Limits(k), says.to_owned()));
         }
     }
@@ -254,7 +254,7 @@ fn change_joint(
         .link
         .is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0)
     {
-        problems.push((Field::Mass(k), say!("setup-a-mass-is-0-kg").to_owned()));
+        problems.push((Field::Mass(k), say!("a mass is 0 kg or more").to_owned()));
     }
 }
 

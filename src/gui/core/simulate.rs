@@ -18,16 +18,18 @@ const MOST_SAMPLES: f64 = 1e6;
 /// Seconds from one pose to the next.
 const SECONDS_PER_POSE: f64 = 6.0;
 
-/// What the fields are called, by key.
+/// What the fields are called.
 pub(crate) mod field {
-    pub(crate) const RADIUS: &str = "simulation-nominal-radius";
-    pub(crate) const OFFSET: &str = "simulation-zero-offset";
-    pub(crate) const LENGTH: &str = "simulation-length-error";
-    pub(crate) const TOLERANCE: &str = "common-tolerance";
-    pub(crate) const FROM: &str = "common-from";
-    pub(crate) const TO: &str = "common-to";
-    pub(crate) const STEP: &str = "common-step";
-    pub(crate) const NOISE: &str = "common-noise";
+    use crate::text::Template;
+
+    pub(crate) const RADIUS: Template = phrase!("nominal radius");
+    pub(crate) const OFFSET: Template = phrase!("zero offset");
+    pub(crate) const LENGTH: Template = phrase!("length error");
+    pub(crate) const TOLERANCE: Template = phrase!("tolerance");
+    pub(crate) const FROM: Template = phrase!("from");
+    pub(crate) const TO: Template = phrase!("to");
+    pub(crate) const STEP: Template = phrase!("step");
+    pub(crate) const NOISE: Template = phrase!("noise");
 }
 
 /// An effect with the values that are filled in.
@@ -122,12 +124,7 @@ impl Form {
         ];
         let infinite = fields.iter().filter(|(_, value)| !value.is_finite());
         let mut problems: Vec<_> = infinite
-            .map(|(name, _)| {
-                (
-                    *name,
-                    say!("simulation-this-field-needs-a-number").to_owned(),
-                )
-            })
+            .map(|(name, _)| (name.english(), say!("this field needs a number").to_owned()))
             .collect();
         let mut check = |wrong: bool, name: &'static str, says: &str| {
             if wrong && problems.iter().all(|(other, _)| *other != name) {
@@ -136,49 +133,45 @@ impl Form {
         };
         check(
             self.radius_mm <= 0.0,
-            field::RADIUS,
-            say!("simulation-the-radius-has-to-be"),
+            field::RADIUS.english(),
+            say!("the radius has to be above 0 mm"),
         );
         check(
             self.tolerance_mm < 0.0,
-            field::TOLERANCE,
-            say!("simulation-the-tolerance-cannot-be-below"),
+            field::TOLERANCE.english(),
+            say!("the tolerance cannot be below 0"),
         );
         check(
             self.from_deg >= self.to_deg,
-            field::TO,
-            say!("simulation-the-sweep-has-to-run"),
+            field::TO.english(),
+            say!("the sweep has to run from the smaller to the larger angle"),
         );
         check(
             self.step_deg <= 0.0,
-            field::STEP,
-            say!("simulation-the-step-has-to-be"),
+            field::STEP.english(),
+            say!("the step has to be above 0°"),
         );
         check(
             (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES,
-            field::STEP,
-            say!("simulation-that-is-more-than"),
+            field::STEP.english(),
+            say!("that is more than a million poses; take a larger step"),
         );
         check(
             self.noise_mm < 0.0,
-            field::NOISE,
-            say!("simulation-the-noise-cannot-be-below"),
+            field::NOISE.english(),
+            say!("the noise cannot be below 0"),
         );
         for chosen in &self.effects {
             let infinite = chosen
                 .parameters
                 .iter()
                 .any(|(_, value)| !value.is_finite());
-            check(
-                infinite,
-                chosen.id,
-                say!("simulation-every-field-needs-a-number"),
-            );
+            check(infinite, chosen.id, say!("every field needs a number"));
         }
         for term in self.parts() {
             let place = match role(term.0) {
-                Role::JointZero => field::OFFSET,
-                Role::ToolRadius => field::LENGTH,
+                Role::JointZero => field::OFFSET.english(),
+                Role::ToolRadius => field::LENGTH.english(),
                 _ => term.0,
             };
             if let Err(says) = term.1 {
@@ -350,7 +343,12 @@ mod tests {
         let names = |form: &Form| -> Vec<&str> { form.problems().iter().map(|p| p.0).collect() };
         assert_eq!(
             names(&form),
-            [field::NOISE, field::RADIUS, field::TO, field::STEP]
+            [
+                field::NOISE.english(),
+                field::RADIUS.english(),
+                field::TO.english(),
+                field::STEP.english()
+            ]
         );
         form = Form::default();
         let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");

@@ -25,7 +25,7 @@ impl Stated {
             let read = Logo::read(Path::new(path));
             read.map_err(|found| {
                 say!(
-                    "details-logo-cannot-be-used",
+                    "Logo {found}; expected {expected}",
                     found = found,
                     expected = Logo::EXPECTED
                 )

@@ -4,6 +4,7 @@
 //! gesture (a drag) is under way the document changes many times; only its state before the
 //! gesture is kept.
 
+use crate::text::Template;
 use std::sync::Arc;
 
 /// Entries that are kept; the oldest goes first.
@@ -12,7 +13,7 @@ const MOST_ENTRIES: usize = 200;
 #[derive(Debug, Clone)]
 struct Entry<D> {
     document: Arc<D>,
-    what: &'static str,
+    what: Template,
 }
 
 #[derive(Debug, Clone)]
@@ -41,7 +42,7 @@ impl<D: PartialEq> History<D> {
     }
 
     /// A finished change.
-    pub(crate) fn change(&mut self, document: D, what: &'static str) {
+    pub(crate) fn change(&mut self, document: D, what: Template) {
         self.finish_gesture();
         if *self.present == document {
             return;
@@ -54,7 +55,7 @@ impl<D: PartialEq> History<D> {
     }
 
     /// A change within a gesture; the first one begins it.
-    pub(crate) fn change_within_gesture(&mut self, document: D, what: &'static str) {
+    pub(crate) fn change_within_gesture(&mut self, document: D, what: Template) {
         if self.gesture.as_ref().is_some_and(|g| g.what != what) {
             self.finish_gesture();
         }
@@ -101,13 +102,13 @@ impl<D: PartialEq> History<D> {
     }
 
     /// What the next undo takes back.
-    pub(crate) fn undoes(&self) -> Option<&'static str> {
+    pub(crate) fn undoes(&self) -> Option<Template> {
         let open = self.gesture.as_ref().or(self.past.last());
         open.map(|entry| entry.what)
     }
 
     /// What the next redo brings back.
-    pub(crate) fn redoes(&self) -> Option<&'static str> {
+    pub(crate) fn redoes(&self) -> Option<Template> {
         self.future.last().map(|entry| entry.what)
     }
 
@@ -148,10 +149,10 @@ mod tests {
     fn a_gesture_is_one_entry_however_many_steps_it_has() {
         let mut history = History::new(0);
         for k in 1..=50 {
-            history.change_within_gesture(k, "drag");
+            history.change_within_gesture(k, phrase!("drag"));
         }
         history.finish_gesture();
-        assert_eq!(history.undoes(), Some("drag"));
+        assert_eq!(history.undoes(), Some(phrase!("drag")));
         assert!(history.undo());
         assert_eq!(**history.present(), 0);
         assert!(!history.undo());
@@ -162,8 +163,8 @@ mod tests {
     #[test]
     fn a_gesture_that_comes_back_leaves_no_entry() {
         let mut history = History::new(7);
-        history.change_within_gesture(8, "drag");
-        history.change_within_gesture(7, "drag");
+        history.change_within_gesture(8, phrase!("drag"));
+        history.change_within_gesture(7, phrase!("drag"));
         history.finish_gesture();
         assert_eq!(history.undoes(), None);
     }
@@ -171,8 +172,8 @@ mod tests {
     #[test]
     fn undo_in_the_middle_of_a_gesture_takes_the_gesture_back() {
         let mut history = History::new(1);
-        history.change(2, "type");
-        history.change_within_gesture(3, "drag");
+        history.change(2, phrase!("type"));
+        history.change_within_gesture(3, phrase!("drag"));
         assert!(history.undo());
         assert_eq!(**history.present(), 2);
     }
@@ -180,9 +181,9 @@ mod tests {
     #[test]
     fn a_new_change_after_undo_forgets_what_was_undone() {
         let mut history = History::new(1);
-        history.change(2, "a");
+        history.change(2, phrase!("a"));
         history.undo();
-        history.change(3, "b");
+        history.change(3, phrase!("b"));
         assert!(!history.redo());
         assert_eq!(**history.present(), 3);
     }
@@ -190,8 +191,8 @@ mod tests {
     #[test]
     fn what_came_to_be_true_of_all_is_no_step_of_its_own() {
         let mut history = History::new(1);
-        history.change(2, "a");
-        history.change(3, "b");
+        history.change(2, phrase!("a"));
+        history.change(3, phrase!("b"));
         history.undo();
         history.rewrite(|d| (*d != 1).then_some(10 * d));
         assert_eq!(**history.present(), 20);
@@ -206,7 +207,7 @@ mod tests {
     fn the_history_does_not_grow_without_end() {
         let mut history = History::new(0);
         for k in 1..=2 * MOST_ENTRIES {
-            history.change(k, "count");
+            history.change(k, phrase!("count"));
         }
         let mut undone = 0;
         while history.undo() {

@@ -12,10 +12,10 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, "truepose");
     widgets::hint(
         ui,
-        say!("about-version", version = env!("CARGO_PKG_VERSION")),
+        say!("version {version}", version = env!("CARGO_PKG_VERSION")),
     );
-    ui.label(say!("about-calibrates-a-robot-at-commissioning"));
-    widgets::hint(ui, say!("about-everything-in-this-window-can"));
-    widgets::hint(ui, say!("about-type-inter-by-the-inter"));
+    ui.label(say!("Calibrates a robot at commissioning: finds where measurement and simulation disagree, and writes what the controller needs"));
+    widgets::hint(ui, say!("Everything in this window can be done in the terminal too: truepose --help"));
+    widgets::hint(ui, say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"));
     done(ui, commands);
 }

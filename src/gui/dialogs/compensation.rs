@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let name = compensated.wanted.path.file_name().unwrap_or_default();
     widgets::heading(
         ui,
-        &say!("compensation-compensate", name = name.to_string_lossy()),
+        &say!("Compensate {name}", name = name.to_string_lossy()),
     );
     let differs: &[Differing] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
@@ -53,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let any = corrected.summary.corrected > 0;
             if ends::buttons_without_enter(
                 ui,
-                say!("compensation-save-corrected-file"),
+                say!("Save corrected file…"),
                 any,
                 commands,
             ) {
@@ -74,17 +74,17 @@ fn asked(ui: &mut Ui, before: &Wanted, differs: &[Differing], commands: &mut Vec
         .update_while_editing(false);
     widgets::number(
         ui,
-        say!("compensation-load-where-the-file-says"),
+        say!("load where the file says none"),
         "kg",
         field,
     );
-    let says = say!("compensation-the-measuring-frame");
+    let says = say!("the measuring frame is the robot's base (--measured-frame)");
     ui.checkbox(&mut wanted.measured_frame, says);
-    let tool = say!("compensation-tool-of-the-program");
+    let tool = say!("Tool of the program");
     if differs.contains(&Differing::Tool) || wanted.tool != Whose::Asked {
         whose(ui, tool, &mut wanted.tool);
     }
-    let frame = say!("compensation-frame-of-the-program");
+    let frame = say!("Frame of the program");
     if differs.contains(&Differing::Frame) || wanted.frame != Whose::Asked {
         whose(ui, frame, &mut wanted.frame);
     }
@@ -98,8 +98,8 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
     ui.horizontal_wrapped(|ui| {
         ui.label(of);
         let choices = [
-            (Whose::Model, say!("compensation-as-modelled")),
-            (Whose::Program, say!("compensation-as-programmed")),
+            (Whose::Model, say!("the model's tool or base (--as-modelled)")),
+            (Whose::Program, say!("as the program writes it (--as-programmed)")),
         ];
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
@@ -114,22 +114,22 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
 
 fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
     let (units, s) = (workbench.units(), corrected.summary);
-    widgets::fact_of(ui, "compensation-read-as", corrected.language);
+    widgets::fact_of(ui, phrase!("read as"), corrected.language);
     let of = say!(
-        "compensation-of",
+        "{corrected} of {targets}",
         corrected = s.corrected,
         targets = s.targets
     );
-    widgets::fact_of(ui, "compensation-targets-corrected", of);
+    widgets::fact_of(ui, phrase!("targets corrected"), of);
     if s.corrected > 0 {
         let change = |a: f64, b: f64| {
             let [a, b] = [a, b].map(|mm| units.length_number(mm));
             format!("{a} → {b} {}", units.length_name())
         };
         let rms = change(s.before_mm, s.after_mm);
-        widgets::fact_of(ui, "compensation-rms-position-error", rms);
+        widgets::fact_of(ui, phrase!("RMS position error"), rms);
         let most = change(s.max_before_mm, s.max_after_mm);
-        widgets::fact_of(ui, "compensation-largest-position-error", most);
+        widgets::fact_of(ui, phrase!("largest position error"), most);
     }
 }
 
@@ -142,7 +142,7 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
     if changed.is_empty() {
         return;
     }
-    widgets::section(ui, say!("compensation-lines-that-change"));
+    widgets::section(ui, say!("Lines that change"));
     let palette = Palette::of(ui);
     let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);
@@ -158,9 +158,9 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
         .min_scrolled_height(0.0)
         .header(ROW, |mut header| {
             for head in [
-                say!("compensation-line"),
-                say!("common-before"),
-                say!("common-corrected"),
+                say!("line"),
+                say!("before"),
+                say!("corrected"),
             ] {
                 header.col(|ui| {
                     ui.label(RichText::new(head).font(strong(size::SMALL)));
@@ -195,7 +195,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         Some((
             target.place,
             say!(
-                "compensation-is-left-as",
+                "{name} is left as it is: {left}",
                 name = name,
                 left = of_core(&left.says)
             ),
@@ -205,7 +205,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
     let at_run_time = at_run_time.map(|(l, c, says)| {
         (
             (*l, *c),
-            say!("compensation-not-corrected", says = of_core(says)),
+            say!("not corrected: {says}", says = of_core(says)),
         )
     });
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
@@ -218,7 +218,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
     }
     let at = |((line, column), says): &((u64, u64), String)| {
         say!(
-            "compensation-line-column",
+            "line {line}, column {column}: {says}",
             line = line,
             column = column,
             says = says
@@ -232,7 +232,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::wrong(ui, &at(warning));
             }
             if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
-                let says = say!("compensation-and-more-all-of-them", more = more);
+                let says = say!("and {more} more: all of them stand in the file beside the saved one", more = more);
                 widgets::hint(ui, says);
             }
             for remark in remarks.iter().take(MOST_LEFT) {

@@ -4,7 +4,7 @@ use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
-use crate::gui::language::named;
+use crate::gui::language::known_words;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;
@@ -17,8 +17,8 @@ const WIDE: f32 = 560.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
-    widgets::heading(ui, say!("details-report-details"));
-    widgets::hint(ui, say!("details-stated-at-the-head"));
+    widgets::heading(ui, say!("Report details"));
+    widgets::hint(ui, say!("Stated at the head of the report, and remembered for this machine; what is empty is a line to fill in by hand"));
     let before = workbench.stated();
     let mut stated = before.clone();
     let muted = Palette::of(ui).muted;
@@ -28,21 +28,22 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show(ui, |ui| {
             for line in Details::LINES {
                 let hint = if line.key == "date" {
-                    say!("details-such-as-a-date")
+                    say!("such as 22 Nov 2026")
                 } else {
                     ""
                 };
-                let name = named("details-field", line.key, line.name);
+                let name = known_words("details-field", line.name);
+                let name = name.as_deref().unwrap_or(line.name);
                 text(ui, name, (line.of)(&mut stated.details), hint);
                 ui.end_row();
             }
-            let name = say!("details-logo");
+            let name = say!("Logo");
             ui.label(RichText::new(name).color(muted));
             ui.horizontal(|ui| {
                 let width = ui.available_width() - 86.0;
-                let hint = say!("details-a-png-file");
+                let hint = say!("a PNG file");
                 field(ui, name, &mut stated.logo, hint, width);
-                if ui.button(say!("import-choose")).clicked() {
+                if ui.button(say!("Choose…")).clicked() {
                     commands.push(Command::ChooseLogo);
                 }
             });
@@ -50,24 +51,24 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             history(ui, workbench, &mut stated.without_history);
             ui.end_row();
         });
-    widgets::section(ui, say!("details-pass-or-fail"));
+    widgets::section(ui, say!("Pass or fail"));
     views::session::tolerance(ui, workbench, commands);
     let now = workbench.document().tolerance_mm;
     if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
-        let says = say!("details-last-time-it-was", last = last);
+        let says = say!("Last time it was {last} mm", last = last);
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
-            if ui.small_button(say!("details-use-it")).clicked() {
+            if ui.small_button(say!("Use it")).clicked() {
                 commands.push(Command::Edit(Edit::Tolerance(Some(last))));
             }
         });
     }
     let rules = [
-        (None, say!("details-not-decided")),
+        (None, say!("not decided")),
         (Some(Rule::Iso14253), "ISO 14253-1"),
-        (Some(Rule::Simple), say!("details-simple-acceptance")),
+        (Some(Rule::Simple), say!("simple acceptance")),
     ];
-    widgets::form_row(ui, say!("details-decision-rule"), |ui| {
+    widgets::form_row(ui, say!("Decision rule"), |ui| {
         if let Some(rule) = widgets::segmented(ui, &rules, stated.details.rule) {
             stated.details.rule = rule;
         }
@@ -81,13 +82,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.columns(2, |columns| {
         let measured = !workbench.subject().is_empty();
         let report =
-            columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("common-report")));
+            columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
             commands.push(Command::Sheet(None));
             commands.push(Command::ChooseWhereToExport(What::Report(About::Session)));
         }
         // Enter ends what is typed into one of many fields.
-        if widgets::primary(&mut columns[1], say!("common-done")).clicked() {
+        if widgets::primary(&mut columns[1], say!("Done")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });
@@ -95,13 +96,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 /// Whether the report says what became of the machine.
 fn history(ui: &mut Ui, workbench: &Workbench, without: &mut bool) {
-    ui.label(RichText::new(say!("details-history")).color(Palette::of(ui).muted));
+    ui.label(RichText::new(say!("History of the machine")).color(Palette::of(ui).muted));
     let in_file = workbench.folder().is_some();
     let mut with = in_file && !*without;
     let text = if in_file {
-        say!("details-compare-the-sessions")
+        say!("Compare the sessions of this robot in the folder of the session")
     } else {
-        say!("details-save-the-session-first")
+        say!("The session is in no folder yet: save it first")
     };
     let switch = ui.add_enabled(in_file, Checkbox::new(&mut with, text));
     if switch.changed() {
@@ -112,9 +113,9 @@ fn history(ui: &mut Ui, workbench: &Workbench, without: &mut bool) {
 /// What choosing a rule means.
 fn about(rule: Option<Rule>) -> &'static str {
     match rule {
-        None => say!("details-the-reader-decides"),
-        Some(Rule::Iso14253) => say!("details-pass-with-its-uncertainty"),
-        Some(Rule::Simple) => say!("details-pass-without-its-uncertainty"),
+        None => say!("The report states the errors and leaves the decision to its reader"),
+        Some(Rule::Iso14253) => say!("Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven"),
+        Some(Rule::Simple) => say!("Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)"),
     }
 }
 

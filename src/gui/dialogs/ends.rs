@@ -21,7 +21,7 @@ pub(super) fn buttons_without_enter(
 ) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], say!("common-cancel")).clicked() {
+        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
             commands.push(Command::Sheet(None));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
@@ -32,7 +32,7 @@ pub(super) fn buttons_without_enter(
 /// The button at the end of a sheet that only says something.
 pub(super) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
-    if widgets::primary(ui, say!("common-done")).clicked() || entered(ui) {
+    if widgets::primary(ui, say!("Done")).clicked() || entered(ui) {
         commands.push(Command::Sheet(None));
     }
 }

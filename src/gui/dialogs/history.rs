@@ -4,6 +4,7 @@
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
 use crate::gui::language::known_words;
+use crate::text::filled;
 use crate::gui::language::names::{title_on, with_parameter};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
@@ -52,18 +53,18 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let Some(robot) = found.or(all.first()) else {
         return commands.push(Command::Sheet(None));
     };
-    widgets::heading(ui, &say!("history-of", robot = robot.robot));
+    widgets::heading(ui, &say!("History of {robot}", robot = robot.robot));
     let name = past.folder.file_name().unwrap_or(past.folder.as_os_str());
     let name = name.to_string_lossy();
     let says = match robot.ordered_by {
-        Order::Time => say!("history-of-the-folder-by-time", folder = name),
-        Order::Name => say!("history-of-the-folder-by-name", folder = name),
+        Order::Time => say!("Sessions and models of the folder {folder}, by the time of the first sample", folder = name),
+        Order::Name => say!("Sessions and models of the folder {folder}, by file name, numbers in it by their value", folder = name),
     };
     widgets::hint(ui, says);
     if all.len() > 1 {
         let names: Vec<&str> = all.iter().map(|one| one.robot.as_str()).collect();
         let now = names.iter().position(|name| *name == robot.robot);
-        if let Some(next) = list(ui, say!("history-robot"), &names, now.unwrap_or(0)) {
+        if let Some(next) = list(ui, say!("Robot"), &names, now.unwrap_or(0)) {
             choice = Choice {
                 robot: names[next].to_owned(),
                 two: choice.two,
@@ -72,8 +73,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
     }
     let ways = [
-        (false, say!("history-all-sessions")),
-        (true, say!("history-before-and-after")),
+        (false, say!("All sessions")),
+        (true, say!("Before and after")),
     ];
     if let Some(two) = widgets::segmented(ui, &ways, choice.two) {
         choice.two = two;
@@ -85,7 +86,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
     for file in &past.history.not_read {
         let says = say!(
-            "history-is-excluded",
+            "{file} is excluded: {because}",
             file = file.file,
             because = file.because
         );
@@ -94,10 +95,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.data_mut(|data| data.insert_temp(id, choice));
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], say!("history-other-folder")).clicked() {
+        if widgets::other(&mut columns[0], say!("Other folder…")).clicked() {
             commands.push(Command::ChooseFolder);
         }
-        let done = widgets::primary(&mut columns[1], say!("common-done")).clicked();
+        let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
         if done || super::ends::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }
@@ -106,7 +107,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 /// All sessions: their errors, their parameters, and one of these as a chart.
 fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &mut Choice) {
-    widgets::section(ui, say!("history-errors"));
+    widgets::section(ui, say!("Errors"));
     let errors = translated(entries(robot), usize::MAX, &[1, 6]);
     table(ui, "errors", &errors, None);
     let mut rows = rows(robot, title_on);
@@ -117,9 +118,9 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     let changed = || rows.iter().position(is_changed);
     let mut charted = choice.row.or_else(changed).unwrap_or(0);
     let Some(row) = rows.get(charted).or(rows.first()) else {
-        return widgets::hint(ui, say!("history-no-parameter-was-identified"));
+        return widgets::hint(ui, say!("No parameter was identified"));
     };
-    widgets::section(ui, say!("history-parameters"));
+    widgets::section(ui, say!("Parameters"));
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
@@ -128,9 +129,9 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     if rows.get(charted).is_some_and(|now| now.name != row.name) {
         choice.row = Some(charted);
     }
-    let mut says = say!("history-half-the-95-interval", mark = CHANGED);
+    let mut says = say!("± half the 95 % interval; {mark} changed by more than its interval", mark = CHANGED);
     if shown.len() < last {
-        says += &say!("history-the-last-sessions", shown = shown.len(), all = last);
+        says += &say!("; the last {shown} of {all} sessions", shown = shown.len(), all = last);
     }
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);
@@ -149,7 +150,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
         let (response, _) = chart::show(ui, id, &chart, workbench.view(), |_, _| {});
         figure(
             &response,
-            &say!("history-over-the-sessions", parameter = row.name),
+            &say!("{parameter} over the sessions", parameter = row.name),
             String::new(),
         );
     });
@@ -162,7 +163,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
     let newest = names.len().saturating_sub(1);
     let usual = [newest.saturating_sub(1), newest];
     let mut ends = [0, 1].map(|k| choice.ends[k].unwrap_or(usual[k]).min(newest));
-    for (k, says) in [say!("history-before"), say!("history-after")]
+    for (k, says) in [say!("Before"), say!("After")]
         .into_iter()
         .enumerate()
     {
@@ -175,14 +176,14 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
         return;
     };
     if both.rows.is_empty() {
-        return widgets::hint(ui, say!("history-no-parameter-in-common"));
+        return widgets::hint(ui, say!("They have no parameter in common"));
     }
     let changed = both.rows.iter().filter(|row| {
         row.last()
             .is_some_and(|cell| cell.shown.starts_with(CHANGED))
     });
     let says = say!(
-        "history-parameters-changed",
+        "{changed} of {all} parameters changed by more than the 95 % interval of the difference",
         changed = changed.count(),
         all = both.rows.len()
     );
@@ -191,17 +192,17 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
     table(ui, "before and after", &both, None);
     for (end, key) in ends
         .into_iter()
-        .zip(["history-errors-before", "history-errors-after"])
+        .zip([phrase!("Before: RMS error {nominal} nominal, {identified} after identification"; nominal, identified), phrase!("After: RMS error {nominal} nominal, {identified} after identification"; nominal, identified)])
     {
         let entry = &robot.entries[end];
         let [nominal, identified] = [entry.before_mm, entry.after_mm].map(mm);
-        widgets::hint(ui, say!(key, nominal = nominal, identified = identified));
+        widgets::hint(ui, filled(key, &[("nominal", &nominal), ("identified", &identified)]));
     }
 }
 
 fn title(entry: &Entry) -> String {
     let source = entry.source.name();
-    let source = known_words("history-cell", source).unwrap_or(source);
+    let source = known_words("history-cell", source).unwrap_or_else(|| source.to_owned());
     format!("{} ({source})", short_name(entry))
 }
 
@@ -241,7 +242,7 @@ fn translated(mut table: Table, headings: usize, columns: &[usize]) -> Table {
                 continue;
             };
             if let Some((changed, all)) = cell.shown.split_once(" of ") {
-                cell.shown = say!("history-changed-of", changed = changed, all = all);
+                cell.shown = say!("{changed} of {all}", changed = changed, all = all);
             } else if let Some(word) = cell.shown.strip_prefix(CHANGED) {
                 let mut word = word.trim().to_owned();
                 translate("history-cell", &mut word);
@@ -257,7 +258,7 @@ fn translated(mut table: Table, headings: usize, columns: &[usize]) -> Table {
 /// What the table of texts does not know stays as it is.
 fn translate(kind: &str, text: &mut String) {
     if let Some(known) = known_words(kind, text) {
-        known.clone_into(text);
+        *text = known;
     }
 }
 

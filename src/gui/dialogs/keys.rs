@@ -1,6 +1,6 @@
 //! Keyboard and mouse: what can be pressed, and what it does.
 
-use crate::gui::language::text;
+use crate::text::spoken;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::actions;
@@ -13,18 +13,18 @@ use super::ends::done;
 
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
-    widgets::heading(ui, say!("common-keyboard-and-mouse"));
+    widgets::heading(ui, say!("Keyboard and mouse"));
     let others: [(&str, &str); 7] = [
-        ("← →", say!("keys-move-the-boundary-that-has")),
-        ("Shift+← →", say!("keys-move-it-further")),
-        ("← → ↑ ↓ + −", say!("keys-orbit-and-zoom-the-3")),
-        ("Tab, Shift+Tab", say!("keys-next-control-the-one-before")),
-        (say!("keys-space-or-enter"), say!("keys-press")),
+        ("← →", say!("move the boundary that has the focus")),
+        ("Shift+← →", say!("move it further")),
+        ("← → ↑ ↓ + −", say!("orbit and zoom the 3-D view that has the focus")),
+        ("Tab, Shift+Tab", say!("next control, the one before")),
+        (say!("Space or Enter"), say!("press it")),
         (
             "Ctrl++, Ctrl+−, Ctrl+0",
-            say!("keys-larger-smaller-usual-text"),
+            say!("larger, smaller, usual text"),
         ),
-        ("Esc", say!("keys-close-a-sheet")),
+        ("Esc", say!("close a sheet")),
     ];
     let all = actions::ALL.iter().map(|action| action.help(ui.ctx()));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
@@ -36,8 +36,8 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.add_space(space::ROW);
-    ui.label(RichText::new(say!("keys-the-mouse-in-the-plots")).font(strong(size::BODY)));
-    let mouse = gestures::GESTURES.map(|(how, what)| (text(how).to_owned(), text(what)));
+    ui.label(RichText::new(say!("The mouse, in the plots")).font(strong(size::BODY)));
+    let mouse = gestures::GESTURES.map(|(how, what)| (spoken(how).to_owned(), spoken(what)));
     key_rows(ui, &mouse);
     done(ui, commands);
 }

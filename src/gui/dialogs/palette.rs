@@ -25,10 +25,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut typed = before.unwrap_or_default();
     let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter]
         .map(|key| ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)));
-    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("palette-what-to-do"));
+    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("what to do"));
     let room = egui::vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
-    widgets::label(&field, say!("palette-command"));
+    widgets::label(&field, say!("Command"));
     if first || !field.has_focus() {
         field.request_focus();
     }
@@ -57,7 +57,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         }
         if fitting.is_empty() {
-            widgets::hint(ui, say!("palette-no-command-has-this"));
+            widgets::hint(ui, say!("No command has this in its name"));
         }
     });
     if done.is_some() || ui.input(|i| i.key_pressed(Key::Escape)) {

@@ -32,14 +32,8 @@ pub(super) fn save(
     typed: (&str, bool),
     commands: &mut Vec<Command>,
 ) {
-    let says = say!("path-the-samples-are-written-beside");
-    match path_form(
-        ui,
-        workbench,
-        (say!("common-save-session"), says),
-        typed,
-        commands,
-    ) {
+    let says = say!("The samples are written beside it, as a CSV file of the same name");
+    match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
         Typed::Changed { path, replace } => {
             commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
@@ -59,7 +53,7 @@ fn path_form(
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
-    widgets::label(&field, say!("path-path-to-save"));
+    widgets::label(&field, say!("Path to save to"));
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
     if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
@@ -68,12 +62,19 @@ fn path_form(
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
         let (folder, name) = (folder.display(), name.to_string_lossy());
-        widgets::hint(ui, say!("path-in-the-folder", name = name, folder = folder));
+        widgets::hint(
+            ui,
+            say!(
+                "{name}, in the folder {folder}",
+                name = name,
+                folder = folder
+            ),
+        );
     }
-    ui.checkbox(&mut allowed, say!("path-replace-the-file-if"));
+    ui.checkbox(&mut allowed, say!("replace the file if it exists"));
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
-    let pressed = buttons(ui, say!("path-save"), named, commands);
+    let pressed = buttons(ui, say!("Save"), named, commands);
     if named && (pressed || entered) {
         Typed::Done {
             path: typed.trim().into(),
@@ -99,22 +100,30 @@ pub(super) fn export(
 ) {
     let (title, says) = match what {
         What::Table => (
-            say!("common-save-table"),
-            say!("path-a-file-that-says-what"),
+            say!("Save table"),
+            say!("A file that says what the table means is written beside it"),
         ),
         What::Model => (
-            say!("common-save-model-2"),
-            say!("path-the-model-can-be-exported"),
+            say!("Save model"),
+            say!("The model can be exported and verified later"),
         ),
-        What::Poses => (say!("common-save-measuring-list"), say!("path-a-csv-table")),
-        What::Report(_) => (say!("common-save-report"), say!("path-a-name-that-ends")),
+        What::Poses => (
+            say!("Save measuring list"),
+            say!("A CSV table with the session's column names, to be measured next"),
+        ),
+        What::Report(_) => (
+            say!("Save report"),
+            say!(
+                "A name that ends in .html or .pdf; a session that was not searched yet is searched first"
+            ),
+        ),
         What::Picture(_) => (
-            say!("common-save-picture"),
-            say!("path-a-name-that-ends-in-svg-or-png"),
+            say!("Save picture"),
+            say!("A name that ends in .svg or .png"),
         ),
         What::Targets => (
-            say!("common-save-corrected-file"),
-            say!("path-what-was-changed-is-written"),
+            say!("Save corrected file"),
+            say!("What was changed is written beside it, as NAME.meta.json"),
         ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {

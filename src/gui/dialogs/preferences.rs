@@ -1,6 +1,6 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use crate::gui::language::LANGUAGES;
+use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
@@ -30,12 +30,12 @@ fn language(
     let languages = LANGUAGES
         .iter()
         .map(|(one, _, own)| (Some(*one), name(own)));
-    let languages: Vec<_> = std::iter::once((None, say!("preferences-as-the-system")))
+    let languages: Vec<_> = std::iter::once((None, say!("as the system")))
         .chain(languages)
         .collect();
     choice(
         ui,
-        say!("preferences-language"),
+        say!("Language"),
         &languages,
         &mut next.language,
     );
@@ -50,25 +50,25 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, name: &str, offered: &[(T, &str)], v
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(440.0);
-    widgets::heading(ui, say!("preferences-preferences"));
+    widgets::heading(ui, say!("Preferences"));
     let now = workbench.view().preferences;
     let mut next = now;
     language(ui, workbench, &mut next, commands);
     let lengths = [
         (LengthUnit::Millimetre, "mm"),
         (LengthUnit::Micrometre, "µm"),
-        (LengthUnit::Inch, say!("preferences-inch")),
+        (LengthUnit::Inch, say!("inch")),
     ];
-    choice(ui, say!("common-lengths"), &lengths, &mut next.length);
+    choice(ui, say!("Lengths in"), &lengths, &mut next.length);
     let angles = [
-        (AngleUnit::Degree, say!("common-degrees")),
+        (AngleUnit::Degree, say!("degrees")),
         (AngleUnit::Radian, "rad"),
         (AngleUnit::Milliradian, "mrad"),
         (AngleUnit::ArcSecond, "arcsec"),
     ];
-    choice(ui, say!("preferences-angles"), &angles, &mut next.angle);
+    choice(ui, say!("Angles in"), &angles, &mut next.angle);
     let decimals = [
-        (None, say!("preferences-readable")),
+        (None, say!("readable")),
         (Some(1), "1"),
         (Some(2), "2"),
         (Some(3), "3"),
@@ -77,29 +77,29 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ];
     choice(
         ui,
-        say!("preferences-decimals-of-lengths"),
+        say!("Decimals of lengths"),
         &decimals,
         &mut next.decimals,
     );
     let signs = [(false, "1.5"), (true, "1,5")];
     choice(
         ui,
-        say!("common-decimal-sign"),
+        say!("Decimal sign"),
         &signs,
         &mut next.decimal_comma,
     );
     let themes = [
-        (Theme::System, say!("preferences-as-the-system")),
-        (Theme::Light, say!("preferences-light")),
-        (Theme::Dark, say!("preferences-dark")),
+        (Theme::System, say!("as the system")),
+        (Theme::Light, say!("light")),
+        (Theme::Dark, say!("dark")),
     ];
-    choice(ui, say!("preferences-colours"), &themes, &mut next.theme);
-    widgets::form_row(ui, say!("preferences-size-of-text"), |ui| {
+    choice(ui, say!("Colours"), &themes, &mut next.theme);
+    widgets::form_row(ui, say!("Size of text"), |ui| {
         let mut percent = (100.0 * now.zoom).round();
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
         let slider = ui.add(slider.update_while_editing(false));
-        widgets::label(&slider, say!("preferences-size-of-text"));
+        widgets::label(&slider, say!("Size of text"));
         // While it is dragged the slider would run away from under the pointer.
         let id = ui.scope_id().with("size of text");
         if slider.dragged() {
@@ -110,17 +110,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             next.zoom = percent / 100.0;
         }
     });
-    widgets::hint(ui, say!("preferences-files-are-read-and-written"));
+    widgets::hint(ui, say!("Files are read and written in their own units, whatever is shown here"));
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let reset = now != Preferences::default();
         let button = columns[0].add_enabled_ui(reset, |ui| {
-            widgets::other(ui, say!("preferences-reset-all"))
+            widgets::other(ui, say!("Reset all"))
         });
         if button.inner.clicked() {
             next = Preferences::default();
         }
-        let done = widgets::primary(&mut columns[1], say!("common-done")).clicked();
+        let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
         if done || super::ends::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }

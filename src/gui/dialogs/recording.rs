@@ -9,7 +9,7 @@ use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, say!("recording-record-from-instrument"));
+    widgets::heading(ui, say!("Record from instrument"));
     if let Some((wanted, heard)) = workbench.recording() {
         ui.label(heard.says());
         widgets::hint(
@@ -17,9 +17,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             format!("{} → {}", wanted.address, wanted.path.display()),
         );
         if let Some(last) = &heard.last_refused {
-            widgets::hint(ui, say!("recording-left-out-last", line = last));
+            widgets::hint(ui, say!("Left out last: {line}", line = last));
         }
-        if super::ends::buttons(ui, say!("recording-stop"), true, commands) {
+        if super::ends::buttons(ui, say!("Stop recording"), true, commands) {
             commands.push(Command::StopRecording);
             commands.push(Command::Sheet(None));
         }
@@ -28,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let robot = &workbench.subject().session.robot;
     widgets::hint(
         ui,
-        say!("recording-lines-of-text-become", robot = robot.name),
+        say!("Lines of text, one for each measurement, become samples of a new session of {robot}; a connection that ends is made again", robot = robot.name),
     );
     let id = Id::unique("recording");
     let blank = || Wanted {
@@ -45,19 +45,19 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut path = wanted.path.display().to_string();
     let fields = [
         (
-            say!("recording-address"),
+            say!("Address"),
             &mut wanted.address,
-            say!("recording-address-forms"),
+            say!("tcp://HOST:PORT or udp://:PORT"),
         ),
         (
-            say!("recording-columns"),
+            say!("Columns"),
             &mut wanted.columns,
-            say!("recording-empty-the-first-line"),
+            say!("empty: the first line names them"),
         ),
         (
-            say!("recording-file"),
+            say!("File"),
             &mut path,
-            say!("recording-a-new-csv-table"),
+            say!("a new CSV table"),
         ),
     ];
     for (name, text, hint) in fields {
@@ -77,14 +77,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let problem = placed.problem();
     let empty = matches!(wanted.address.trim(), "tcp://" | "udp://" | "");
     match &problem {
-        Some(_) if empty => widgets::hint(ui, say!("recording-type-where-it-sends")),
+        Some(_) if empty => widgets::hint(ui, say!("Type where the instrument's software sends, such as tcp://192.168.0.10:4000")),
         Some(problem) => widgets::wrong(ui, problem),
         None => {}
     }
-    let small = RichText::new(say!("recording-columns-such-as"));
+    let small = RichText::new(say!("Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces"));
     ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
     ui.data_mut(|data| data.insert_temp(id, wanted));
-    if super::ends::buttons_without_enter(ui, say!("recording-record"), problem.is_none(), commands)
+    if super::ends::buttons_without_enter(ui, say!("Record"), problem.is_none(), commands)
     {
         ui.data_mut(|data| data.remove_temp::<Wanted>(id));
         commands.push(Command::Record(Box::new(placed)));

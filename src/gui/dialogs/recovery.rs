@@ -10,29 +10,29 @@ use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
-    widgets::heading(ui, say!("recovery-not-saved-when-the-program"));
-    widgets::hint(ui, say!("recovery-the-last-time-the-program"));
+    widgets::heading(ui, say!("Not saved when the program ended"));
+    widgets::hint(ui, say!("The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"));
     ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
         for (index, left) in workbench.left_behind().iter().enumerate() {
             widgets::card(ui, |ui| {
                 let title = match &left.kept {
                     Ok(kept) => kept.session.name.clone(),
-                    Err(_) => say!("recovery-a-file-that-is-damaged").to_owned(),
+                    Err(_) => say!("A file that is damaged").to_owned(),
                 };
                 ui.label(RichText::new(title).font(strong(size::BODY)));
                 if let Some(ago) = left.when.and_then(ago) {
-                    widgets::fact_of(ui, "recovery-kept", ago);
+                    widgets::fact_of(ui, phrase!("kept"), ago);
                 }
                 match &left.kept {
                     Ok(kept) => {
                         widgets::fact_of(
                             ui,
-                            "common-samples",
+                            phrase!("samples"),
                             kept.session.samples.len().to_string(),
                         );
                         let file = kept.file.as_ref().and_then(|f| f.file_name());
-                        let file = file.map_or(say!("common-none").into(), |f| f.to_string_lossy());
-                        widgets::fact_of(ui, "recovery-its-file", file);
+                        let file = file.map_or(say!("none").into(), |f| f.to_string_lossy());
+                        widgets::fact_of(ui, phrase!("its file"), file);
                     }
                     Err(because) => {
                         widgets::wrong(ui, because);
@@ -43,12 +43,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.add_space(space::TIGHT);
                 ui.columns(2, |columns| {
                     let restore = if left.kept.is_ok() {
-                        if widgets::other(&mut columns[0], say!("recovery-discard")).clicked() {
+                        if widgets::other(&mut columns[0], say!("Discard")).clicked() {
                             commands.push(Command::DiscardLeft(index));
                         }
-                        say!("recovery-restore")
+                        say!("Restore")
                     } else {
-                        say!("recovery-put-it-aside")
+                        say!("Put it aside")
                     };
                     if widgets::primary(&mut columns[1], restore).clicked() {
                         commands.push(Command::Restore(index));
@@ -59,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     ui.columns(2, |columns| {
         discard_all(&mut columns[0], workbench.left_behind().len(), commands);
-        if widgets::other(&mut columns[1], say!("recovery-not-now")).clicked() {
+        if widgets::other(&mut columns[1], say!("Not now")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });
@@ -70,9 +70,9 @@ fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
     let asked = Id::unique("discard all of the recovery");
     let sure = ui.data(|data| data.get_temp(asked).unwrap_or(false));
     let text = if sure {
-        say!("recovery-discard-all-for-good", count = count)
+        say!("Discard all {count} for good", count = count)
     } else {
-        say!("recovery-discard-all").to_owned()
+        say!("Discard all").to_owned()
     };
     if widgets::other(ui, &text).clicked() {
         ui.data_mut(|data| data.insert_temp(asked, !sure));
@@ -94,10 +94,10 @@ fn ago(when: SystemTime) -> Option<String> {
 fn in_words(ago: Duration) -> String {
     let seconds = ago.as_secs();
     match seconds {
-        0..60 => say!("recovery-less-than-a-minute-ago").to_owned(),
-        60..3600 => say!("recovery-minutes-ago", count = seconds / 60),
-        3600..86_400 => say!("recovery-hours-ago", count = seconds / 3600),
-        _ => say!("recovery-days-ago", count = seconds / 86_400),
+        0..60 => say!("less than a minute ago").to_owned(),
+        60..3600 => say!(one "{count} minute ago", "{count} minutes ago", count = seconds / 60),
+        3600..86_400 => say!(one "{count} hour ago", "{count} hours ago", count = seconds / 3600),
+        _ => say!(one "{count} day ago", "{count} days ago", count = seconds / 86_400),
     }
 }
 

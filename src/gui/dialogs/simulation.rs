@@ -1,6 +1,6 @@
 //! The form of a new simulation.
 
-use crate::gui::language::text;
+use crate::text::{Template, spoken};
 use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
 
 use crate::gui::core::simulate::{Chosen, Form, field};
@@ -11,8 +11,13 @@ use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, say!("simulation-new-by-simulation"));
-    widgets::hint(ui, say!("simulation-a-lamp-on-one-turning"));
+    widgets::heading(ui, say!("New by simulation"));
+    widgets::hint(
+        ui,
+        say!(
+            "A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find"
+        ),
+    );
     let mut filled = form.clone();
     let wrong = form.problems();
     ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
@@ -26,10 +31,13 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.x = space::ROW;
     effects(ui, &mut filled, &wrong);
     if !wrong.is_empty() {
-        widgets::hint(ui, say!("simulation-what-stands-in-colour-above"));
+        widgets::hint(
+            ui,
+            say!("What stands in colour above has to be another number first"),
+        );
     }
     let ready = filled.problem().is_none();
-    if super::ends::buttons_without_enter(ui, say!("simulation-simulate"), ready, commands) {
+    if super::ends::buttons_without_enter(ui, say!("Simulate"), ready, commands) {
         commands.push(Command::Simulate(filled));
     } else if filled != *form {
         commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
@@ -47,13 +55,13 @@ fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
 }
 
 /// A field with what is wrong with it.
-fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (&'static str, &str), value: DragValue<'_>) {
-    widgets::number(ui, text(name), unit, value);
-    fault(ui, wrong, name);
+fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (Template, &str), value: DragValue<'_>) {
+    widgets::number(ui, spoken(name), unit, value);
+    fault(ui, wrong, name.english());
 }
 
 fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("simulation-robot"));
+    widgets::section(ui, say!("Robot"));
     let mm = |value| {
         DragValue::new(value)
             .speed(0.1)
@@ -74,7 +82,7 @@ fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
         (field::LENGTH, "mm"),
         mm(&mut form.length_error_mm),
     );
-    widgets::section(ui, say!("simulation-tolerance"));
+    widgets::section(ui, say!("Tolerance"));
     number(
         ui,
         wrong,
@@ -84,30 +92,22 @@ fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
 }
 
 fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("simulation-sweep"));
+    widgets::section(ui, say!("Sweep"));
     let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
     number(ui, wrong, (field::FROM, "°"), deg(&mut form.from_deg));
     number(ui, wrong, (field::TO, "°"), deg(&mut form.to_deg));
     number(ui, wrong, (field::STEP, "°"), deg(&mut form.step_deg));
-    ui.add(Checkbox::new(
-        &mut form.both_ways,
-        say!("simulation-there-and-back"),
-    ));
-    widgets::section(ui, say!("common-instrument"));
+    ui.add(Checkbox::new(&mut form.both_ways, say!("there and back")));
+    widgets::section(ui, say!("Instrument"));
     let noise = DragValue::new(&mut form.noise_mm)
         .speed(0.002)
         .max_decimals(4);
     number(ui, wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
-    widgets::number(
-        ui,
-        say!("simulation-seed"),
-        "",
-        DragValue::new(&mut form.seed),
-    );
+    widgets::number(ui, say!("seed"), "", DragValue::new(&mut form.seed));
 }
 
 fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("simulation-other-effects"));
+    widgets::section(ui, say!("Other effects"));
     let mut gone = None;
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {
@@ -121,7 +121,7 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
                     let label = format!("{} {name}", chosen.id);
                     widgets::cell_number(ui, &label, "", 64.0, field);
                 }
-                if ui.small_button(say!("simulation-remove")).clicked() {
+                if ui.small_button(say!("Remove")).clicked() {
                     gone = Some(index);
                 }
             });
@@ -132,7 +132,7 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
         form.effects.remove(index);
     }
     let list = ComboBox::from_id_salt("add effect")
-        .selected_text(say!("simulation-add-an-effect"))
+        .selected_text(say!("Add an effect…"))
         .width(240.0)
         .show_ui(ui, |ui| {
             for (id, title) in Form::offered() {
@@ -145,5 +145,5 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
                 }
             }
         });
-    widgets::label(&list.response, say!("simulation-add-an-effect-2"));
+    widgets::label(&list.response, say!("Add an effect"));
 }

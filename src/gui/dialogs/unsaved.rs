@@ -13,17 +13,13 @@ use crate::gui::workbench::{Command, Workbench};
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &mut Vec<Command>) {
     ui.set_width(420.0);
     let (title, discard) = match then {
-        Then::Leave => (
-            say!("unsaved-leave-without-saving"),
-            say!("unsaved-leave-without-saving-2"),
-        ),
-        Then::Open(_) | Then::Example(_) => (
-            say!("unsaved-open-without-saving"),
-            say!("unsaved-open-without-saving-2"),
-        ),
+        Then::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
+        Then::Open(_) | Then::Example(_) => {
+            (say!("Open without saving?"), say!("Open without saving"))
+        }
         Then::Simulate(_) => (
-            say!("unsaved-simulate-without-saving"),
-            say!("unsaved-simulate-without-saving-2"),
+            say!("Simulate without saving?"),
+            say!("Simulate without saving"),
         ),
     };
     widgets::heading(ui, title);
@@ -33,20 +29,23 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
         let file = workbench.file().and_then(Path::file_name);
         ui.label(match file {
             Some(file) => say!(
-                "unsaved-changes-of-are-not",
+                "Changes of {name} are not in its file, {file}",
                 name = name,
                 file = file.to_string_lossy()
             ),
-            None => say!("unsaved-the-session-is-in-no", name = name),
+            None => say!("The session {name} is in no file", name = name),
         });
     }
     if losses.model {
-        ui.label(say!("unsaved-what-was-identified", name = name));
+        ui.label(say!(
+            "What was identified from {name} is in no file",
+            name = name
+        ));
     }
     let save = match (losses.session, losses.model) {
-        (true, _) => say!("common-save-session"),
-        (false, true) => say!("common-save-model"),
-        (false, false) => say!("unsaved-go"),
+        (true, _) => say!("Save session"),
+        (false, true) => say!("Save model…"),
+        (false, false) => say!("Go on"),
     };
     let sheet = |ui: &mut Ui, commands: &mut Vec<Command>| {
         ui.add_space(space::ROW);
@@ -61,7 +60,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
             if widgets::secondary(&mut columns[0], discard).clicked() {
                 commands.push(Command::Do(then.clone()));
             }
-            if widgets::secondary(&mut columns[1], say!("common-cancel")).clicked() {
+            if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
                 commands.push(Command::Sheet(None));
             }
         });
@@ -72,21 +71,21 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
 /// Asks whether a file that changed since it was read is to be replaced.
 pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
     ui.set_width(420.0);
-    widgets::heading(ui, say!("unsaved-replace-what-another-program-wrote"));
+    widgets::heading(ui, say!("Replace what another program wrote?"));
     ui.label(say!(
-        "unsaved-changed-since-it-was-read",
+        "{path} changed since it was read. Saving here would replace what was written there",
         path = path.display()
     ));
     ui.add_space(space::ROW);
-    if widgets::primary(ui, say!("unsaved-save-under-another-name")).clicked() {
+    if widgets::primary(ui, say!("Save under another name…")).clicked() {
         commands.push(Command::Sheet(None));
         commands.push(Command::ChooseWhereToSave);
     }
     ui.columns(2, |columns| {
-        if widgets::secondary(&mut columns[0], say!("unsaved-replace")).clicked() {
+        if widgets::secondary(&mut columns[0], say!("Replace it")).clicked() {
             commands.push(Command::SaveDespite);
         }
-        if widgets::secondary(&mut columns[1], say!("common-cancel")).clicked() {
+        if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
             commands.push(Command::Sheet(None));
         }
     });

@@ -205,22 +205,22 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
 
 fn read(path: &Path) -> Result<Kept, String> {
     let bytes = fs::read(path).map_err(|e| e.to_string())?;
-    let end = memchr::memchr(b'\n', &bytes).ok_or(say!("recovery-its-first-line-is-not"))?;
+    let end = memchr::memchr(b'\n', &bytes).ok_or(say!("its first line is not complete"))?;
     let (first, document) = (&bytes[..end], &bytes[end + 1..]);
     let header: Header =
-        serde_json::from_slice(first).map_err(|_| say!("recovery-its-first-line-cannot-be"))?;
+        serde_json::from_slice(first).map_err(|_| say!("its first line cannot be read"))?;
     if header.format != FORMAT {
-        return Err(say!("recovery-expected-the-format", format = FORMAT));
+        return Err(say!("expected the format {format}", format = FORMAT));
     }
     if header.bytes != document.len() as u64 {
         return Err(say!(
-            "recovery-of-bytes-are-there",
+            "{document} of {bytes} bytes are there",
             document = document.len(),
             bytes = header.bytes
         ));
     }
     if hexadecimal(&Sha256::digest(document)) != header.sha256 {
-        return Err(say!("recovery-its-contents-do-not-agree").to_owned());
+        return Err(say!("its contents do not agree with their hash").to_owned());
     }
     let loaded = pipeline::parse(document).map_err(|e| e.to_string())?;
     Ok(Kept {

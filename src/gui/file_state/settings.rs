@@ -89,10 +89,10 @@ pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
             let aside = folder.join("settings.damaged.json");
             let says = match fs::rename(&path, &aside) {
                 Ok(()) => say!(
-                    "settings-they-were-damaged-and-are",
+                    "they were damaged and are kept as {aside}",
                     aside = aside.display()
                 ),
-                Err(_) => say!("settings-is-damaged", path = path.display()),
+                Err(_) => say!("{path} is damaged", path = path.display()),
             };
             (Settings::default(), Some(says))
         }

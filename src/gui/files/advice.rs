@@ -7,7 +7,7 @@ use crate::atomic::WriteError;
 
 /// Why something was not read or written.
 pub(crate) fn cancelled() -> String {
-    say!("file-it-was-cancelled").to_owned()
+    say!("it was cancelled").to_owned()
 }
 
 /// What the system says, and what to do about it.
@@ -15,25 +15,33 @@ pub(super) fn advice(error: &WriteError) -> String {
     let source = match error {
         WriteError::Io { source, .. } => source,
         WriteError::Exists(path) => {
-            return say!("file-exists-already-allow-replacing", path = path.display());
+            return say!(
+                "{path} exists already; allow replacing it, or choose another name",
+                path = path.display()
+            );
         }
         WriteError::NotAFile(path) => {
-            return say!("file-is-a-folder-or", path = path.display());
+            return say!(
+                "{path} is a folder or a device and cannot be replaced; choose another name",
+                path = path.display()
+            );
         }
         WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
         WriteError::Cancelled(_) => return cancelled(),
     };
     let what_to_do = match source.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            say!("file-the-disk-is-full-make")
+            say!("the disk is full: make room on it, or save to another disk")
         }
-        ErrorKind::ReadOnlyFilesystem => say!("file-the-disk-can-only-be"),
-        ErrorKind::PermissionDenied => say!("file-nothing-may-be-written-there"),
+        ErrorKind::ReadOnlyFilesystem => say!("the disk can only be read: save to another disk"),
+        ErrorKind::PermissionDenied => say!("nothing may be written there: save to another folder"),
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
-            say!("file-the-folder-is-not-there")
+            say!("the folder is not there: choose another, or make it first")
         }
         ErrorKind::InvalidFilename => {
-            say!("file-the-name-is-too-long")
+            say!(
+                "the name is too long, or has a sign in it that no name may have: choose another name"
+            )
         }
         _ => return error.to_string(),
     };

@@ -1,6 +1,6 @@
 //! The system's dialogs for files.
 
-use crate::gui::language::text;
+use crate::text::{Template, spoken};
 use std::path::{Path, PathBuf};
 
 use crate::gui::import_draft::{Beside, ROBOTS, TABLES};
@@ -10,10 +10,10 @@ use crate::programs::LANGUAGES;
 /// Asks the user for a session, a model or measurements, beside this file.
 pub(crate) fn choose_to_open(beside: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(beside)
-        .set_title(say!("dialog-open-session-model-or-measurements"))
-        .add_filter(say!("dialog-sessions-and-models-json"), &["json"])
-        .add_filter(text(MEASUREMENTS), TABLES)
-        .add_filter(say!("dialog-all-files"), &["*"]);
+        .set_title(say!("Open session, model or measurements"))
+        .add_filter(say!("Sessions and models (*.json)"), &["json"])
+        .add_filter(spoken(MEASUREMENTS), TABLES)
+        .add_filter(say!("All files"), &["*"]);
     dialog.pick_file()
 }
 
@@ -25,60 +25,58 @@ pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
         .copied()
         .collect();
     let mut dialog = dialog_beside(beside)
-        .set_title(say!("dialog-targets-or-program-to-correct"))
-        .add_filter(say!("common-targets-and-programs"), &all);
+        .set_title(say!("Targets or program to correct"))
+        .add_filter(say!("Targets and programs"), &all);
     for language in LANGUAGES {
         dialog = dialog.add_filter(language.title, language.extensions);
     }
-    dialog
-        .add_filter(say!("dialog-all-files"), &["*"])
-        .pick_file()
+    dialog.add_filter(say!("All files"), &["*"]).pick_file()
 }
 
 /// Asks the user for a folder of sessions.
 pub(crate) fn choose_folder(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title(say!("dialog-folder-with-the-sessions"));
+    let dialog = dialog_beside(beside).set_title(say!("Folder with the sessions of a machine"));
     dialog.pick_folder()
 }
 
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title(say!("dialog-logo-of-the-report"));
+    let dialog = dialog_beside(beside).set_title(say!("Logo of the report"));
     dialog
-        .add_filter(say!("dialog-png-pictures"), &["png"])
+        .add_filter(say!("PNG pictures"), &["png"])
         .pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote, beside this file.
 pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(beside)
-        .set_title(say!("dialog-import-measurements"))
-        .add_filter(text(MEASUREMENTS), TABLES)
-        .add_filter(say!("dialog-all-files"), &["*"]);
+        .set_title(say!("Import measurements"))
+        .add_filter(spoken(MEASUREMENTS), TABLES)
+        .add_filter(say!("All files"), &["*"]);
     dialog.pick_file()
 }
 
 /// Asks the user for a file that goes with a measured one, beside that.
 pub(crate) fn choose_beside(which: Beside, measured: Option<&Path>) -> Option<PathBuf> {
     let title = match which {
-        Beside::Robot => say!("common-which-robot-was-measured"),
-        Beside::Commands => say!("dialog-where-the-robot-was-sent"),
-        Beside::Reference => say!("dialog-points-known-in-the-base"),
-        Beside::Targets => say!("dialog-reflectors-in-the-tool-frame"),
+        Beside::Robot => say!("Which robot was measured"),
+        Beside::Commands => say!("Where the robot was sent"),
+        Beside::Reference => say!("Points known in the base frame"),
+        Beside::Targets => say!("Reflectors in the tool frame"),
     };
     let (name, kinds) = if which == Beside::Robot {
-        (say!("dialog-robots-and-sessions-json-urdf"), ROBOTS)
+        (say!("Robots and sessions (*.json, *.urdf, *.xml)"), ROBOTS)
     } else {
-        (say!("dialog-tables-csv-txt-tsv-dat"), TABLES)
+        (say!("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)"), TABLES)
     };
     let dialog = dialog_beside(measured)
         .set_title(title)
         .add_filter(name, kinds)
-        .add_filter(say!("dialog-all-files"), &["*"]);
+        .add_filter(say!("All files"), &["*"]);
     dialog.pick_file()
 }
 
-const MEASUREMENTS: &str = "dialog-measurements-csv-txt-tsv-dat";
+const MEASUREMENTS: Template = phrase!("Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)");
 
 /// A dialog that begins in the folder of this file.
 fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
@@ -98,37 +96,37 @@ fn dialog_at(path: &Path) -> rfd::FileDialog {
 /// Asks the user where to save.
 pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path)
-        .set_title(say!("common-save-session"))
-        .add_filter(say!("dialog-session-json"), &["json"]);
+        .set_title(say!("Save session"))
+        .add_filter(say!("Session (*.json)"), &["json"]);
     dialog.save_file()
 }
 
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let title = match what {
-        What::Table => say!("common-save-table"),
-        What::Model => say!("common-save-model-2"),
-        What::Poses => say!("common-save-measuring-list"),
-        What::Report(_) => say!("common-save-report"),
-        What::Picture(_) => say!("common-save-picture"),
-        What::Targets => say!("common-save-corrected-file"),
+        What::Table => say!("Save table"),
+        What::Model => say!("Save model"),
+        What::Poses => say!("Save measuring list"),
+        What::Report(_) => say!("Save report"),
+        What::Picture(_) => say!("Save picture"),
+        What::Targets => say!("Save corrected file"),
     };
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
         What::Report(_) => dialog
-            .add_filter(say!("dialog-html-or-pdf-html-pdf"), &["html", "pdf"])
-            .add_filter(say!("dialog-pdf"), &["pdf"]),
+            .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])
+            .add_filter(say!("PDF (*.pdf)"), &["pdf"]),
         What::Picture(_) => dialog
-            .add_filter(say!("dialog-svg-or-png-picture"), &["svg", "png"])
-            .add_filter(say!("dialog-png-pictures"), &["png"]),
-        What::Model => dialog.add_filter(say!("dialog-model-json"), &["json"]),
-        What::Poses => dialog.add_filter(say!("dialog-csv-table-csv"), &["csv"]),
+            .add_filter(say!("SVG or PNG picture (*.svg, *.png)"), &["svg", "png"])
+            .add_filter(say!("PNG pictures"), &["png"]),
+        What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
+        What::Poses => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {
                 let name = if what == What::Table {
-                    say!("common-table-2")
+                    say!("Table")
                 } else {
-                    say!("dialog-targets")
+                    say!("Targets")
                 };
                 dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
             }

@@ -27,8 +27,8 @@ pub(crate) fn first_example() -> Arc<Subject> {
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(example) = EXAMPLES.get(index) else {
         return Err(Message::wrong(
-            say!("file-there-is-no-such-example").to_owned(),
-            vec![say!("file-the-examples-are").to_owned()],
+            say!("There is no such example").to_owned(),
+            vec![say!("The examples are in the File menu").to_owned()],
         ));
     };
     let (document, samples) = example.files();
@@ -39,7 +39,7 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
         subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, None, nobody.whole())?));
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(example.name(), say!("file-opened"), &error))
+        .map_err(|error| not_read(example.name(), say!("opened"), &error))
 }
 
 #[cfg(test)]

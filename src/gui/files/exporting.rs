@@ -34,7 +34,7 @@ pub(crate) fn export(
 
 fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
-    let name = name.ok_or(say!("file-expected-the-name"))?;
+    let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
     let choice = wanted.choice;
     let verified = wanted.outcome.handed_out()?;
     if what == What::Model {
@@ -67,7 +67,7 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
     if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
         return Err(say!(
-            "file-exists-already-allow-replacing-it-or",
+            "{there} exists already; allow replacing it, or choose another name",
             there = there.display()
         ));
     }
@@ -161,7 +161,9 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
     }
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
     match folder {
-        Some(folder) if !folder.is_dir() => Err(say!("file-the-folder-is-not-there").to_owned()),
+        Some(folder) if !folder.is_dir() => {
+            Err(say!("the folder is not there: choose another, or make it first").to_owned())
+        }
         _ => Ok(()),
     }
 }
@@ -174,7 +176,10 @@ pub(crate) fn saved(path: &Path, details: Vec<String>) -> Message {
 /// Says that a file was not written.
 pub(crate) fn not_written(path: &Path, problem: String) -> Message {
     Message::wrong(
-        say!("file-was-not-written", path = path.display()),
-        vec![problem, say!("file-what-was-there-before").to_owned()],
+        say!("{path} was not written", path = path.display()),
+        vec![
+            problem,
+            say!("What was there before is there still").to_owned(),
+        ],
     )
 }

@@ -43,11 +43,7 @@ pub(crate) fn open(
     if is_model(path) {
         return match load_model(path) {
             Ok(calibration) => Ok(Opened::Model(Arc::new(Given::new(calibration, path)))),
-            Err(rejected) => Err(not_read(
-                path.display(),
-                say!("file-opened"),
-                &rejected.into(),
-            )),
+            Err(rejected) => Err(not_read(path.display(), say!("opened"), &rejected.into())),
         };
     }
     let told = watch.told();
@@ -57,7 +53,7 @@ pub(crate) fn open(
         None => {}
         Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
-            return Err(not_read(path.display(), say!("file-read"), &error));
+            return Err(not_read(path.display(), say!("read"), &error));
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
@@ -69,7 +65,7 @@ pub(crate) fn open(
             (own, _) => seen(own, &mut loaded.findings),
         };
         watch.doing(say!(
-            "file-checking-samples",
+            "checking {samples} samples",
             samples = loaded.session.samples.len()
         ));
         let origin = Origin::File(path.to_path_buf());
@@ -78,7 +74,7 @@ pub(crate) fn open(
     });
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(path.display(), say!("file-opened"), &error))
+        .map_err(|error| not_read(path.display(), say!("opened"), &error))
 }
 
 /// Everything that follows from a session that was read, of a robot that looks like this.
@@ -108,7 +104,11 @@ pub(super) fn looked_through(
 /// Says that a file was not opened, or not read.
 pub(super) fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
     Message::wrong(
-        say!("file-could-not-be-nothing-was", name = name, done = done),
+        say!(
+            "{name} could not be {done}; nothing was changed",
+            name = name,
+            done = done
+        ),
         match error {
             ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
             ReadError::Cancelled(_) => vec![cancelled()],
@@ -124,7 +124,7 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
     const MOST: usize = 8;
     let mut lines: Vec<String> = findings.iter().take(MOST).map(finding).collect();
     if findings.len() > MOST {
-        lines.push(say!("common-and-more", more = findings.len() - MOST));
+        lines.push(say!(in "common", "and {more} more", more = findings.len() - MOST));
     }
     lines
 }
@@ -138,7 +138,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
             Ok(Opened::Session(Arc::new(subject)))
         }
         Err(problems) => Err(Message::wrong(
-            say!("common-the-simulation-needs-other-numbers").to_owned(),
+            say!("The simulation needs other numbers").to_owned(),
             problems,
         )),
     }

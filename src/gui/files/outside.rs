@@ -38,7 +38,7 @@ pub(crate) fn open_outside(path: &Path, in_folder: bool) -> Result<(), String> {
     match quiet.stderr(Stdio::null()).status() {
         // The explorer answers 1 although it has opened.
         Ok(status) if status.success() || cfg!(target_os = "windows") => Ok(()),
-        Ok(_) => Err(say!("file-the-system-has-no-program").to_owned()),
+        Ok(_) => Err(say!("the system has no program for it").to_owned()),
         Err(error) => Err(error.to_string()),
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn write_picture(
         let as_pixels = match ending.as_deref() {
             Some("svg") => false,
             Some("png") => true,
-            _ => return Err(say!("file-expected-a-file-name").to_owned()),
+            _ => return Err(say!("expected a file name that ends in .svg or .png").to_owned()),
         };
         can_be_written(path, replace, inputs)?;
         let (drawing, title) = draw()?;

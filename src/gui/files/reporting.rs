@@ -82,7 +82,7 @@ fn make(
                 // The tolerance may have been changed since: it decides nothing in a search.
                 found
             } else {
-                details.push(say!("file-the-diagnosis-was-run").to_owned());
+                details.push(say!("The diagnosis was run for it").to_owned());
                 made = pipeline::diagnose(&session, &options, &search::told(watch))
                     .map_err(|e| e.to_string())?;
                 &made
@@ -96,7 +96,10 @@ fn make(
     let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
     if !written.unshown.is_empty() {
         let says = fonts::cannot_be_shown(&written.unshown);
-        details.push(say!("file-some-letters-stand", says = says));
+        details.push(say!(
+            "Some letters stand in it as codes: {says}",
+            says = says
+        ));
     }
     files::write_one(path, replace, &written.bytes, watch)
 }
@@ -117,10 +120,16 @@ fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTab
     for path in paths.iter().filter(|path| sidecar_of(path).exists()) {
         match ExportedTable::read(path) {
             Ok(table) => {
-                details.push(say!("file-names-the-table-with-its", table = table.name));
+                details.push(say!(
+                    "Names the table {table} with its hash",
+                    table = table.name
+                ));
                 tables.push(table);
             }
-            Err(because) => details.push(say!("file-a-table-is-not-named", because = because)),
+            Err(because) => details.push(say!(
+                "A table is not named in it: {because}",
+                because = because
+            )),
         }
     }
     tables

@@ -76,10 +76,10 @@ pub(crate) fn save(
         match pipeline::save_watched(&session, &path, replacing, watch.told()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
             Err(error) => Err(NotSaved::Because(Message::wrong(
-                say!("file-could-not-be-saved", path = path.display()),
+                say!("{path} could not be saved", path = path.display()),
                 vec![
                     advice(&error),
-                    say!("file-what-was-there-before").to_owned(),
+                    say!("What was there before is there still").to_owned(),
                 ],
             ))),
         }

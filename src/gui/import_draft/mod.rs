@@ -10,7 +10,7 @@ mod neighbours;
 mod robot;
 mod trial;
 
-use crate::gui::language::text;
+use crate::text::{Template, spoken};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub(crate) use trial::{Trial, in_the_sheets_words};
 const LONGEST: u64 = 1 << 30;
 
 /// What is said until the file was looked at with everything that was said.
-pub(crate) const LOOKING: &str = "import-looking-at-the-file";
+pub(crate) const LOOKING: Template = phrase!("Looking at the file…");
 
 /// What was seen with what was said.
 #[derive(Debug)]
@@ -85,7 +85,8 @@ impl Foreign {
         let length = std::fs::metadata(path).ok()?.len();
         if length > LONGEST {
             let found = format!("{} MB", length / 1_000_000);
-            let expected = say!("import-a-table-of-at-most");
+            let expected =
+                say!("a table of at most 1000 MB: export fewer points, or cut it into parts");
             let place = Place::file(path);
             let refused = Rejected::because(Diagnostic::error(place, found, expected));
             return Some(Err(refused.into()));
@@ -200,34 +201,34 @@ impl Foreign {
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
         let so = |says: &'static str| Some((says, None));
         if !self.is_up_to_date() {
-            return so(text(LOOKING));
+            return so(spoken(LOOKING));
         }
         if !inspection.questions.is_empty() {
-            return so(say!("import-answer-what-is-asked-above"));
+            return so(say!("Answer what is asked above first"));
         }
         if let Some(wrong) = inspection.findings.iter().find(|finding| is_wrong(finding)) {
             let reason = in_the_sheets_words(&wrong.to_string());
-            return Some((say!("import-the-file-cannot-be-read"), Some(reason)));
+            return Some((say!("The file cannot be read like this"), Some(reason)));
         }
         if self.asks_for_confirmation() {
-            return so(say!("import-look-at-the-columns-above"));
+            return so(say!("Look at the columns above, and confirm them"));
         }
         if self.said.name.trim().is_empty() {
-            return so(say!("import-give-the-session-a-name"));
+            return so(say!("Give the session a name"));
         }
         match (&self.said.robot, &self.seen.robot) {
-            (RobotFrom::Open, _) => return so(say!("import-say-whose-robot-was-measured")),
-            (_, None) => return so(say!("import-say-which-file-the-robot")),
+            (RobotFrom::Open, _) => return so(say!("Say whose robot was measured")),
+            (_, None) => return so(say!("Say which file the robot is in")),
             (_, Some(Err(because))) => {
                 let reason = because.first().cloned();
-                return Some((say!("import-the-robot-cannot-be-read"), reason));
+                return Some((say!("The robot cannot be read like this"), reason));
             }
             (_, Some(Ok(_))) => {}
         }
         match &self.seen.trial {
             Some(Ok(_)) => None,
-            Some(Err(because)) => Some((say!("import-to-fix"), because.first().cloned())),
-            None => so(text(LOOKING)),
+            Some(Err(because)) => Some((say!("To fix"), because.first().cloned())),
+            None => so(spoken(LOOKING)),
         }
     }
 

@@ -69,17 +69,19 @@ impl TypedAxis {
         let axis = Axis::through(direction, point).map_err(|error| error.to_string())?;
         let [from, to] = self.limits_deg;
         if from >= to {
-            return Err(say!("import-the-travel-runs").to_owned());
+            return Err(say!("the travel runs from the smaller to the larger value").to_owned());
         }
         let out = Vector3::from(self.tool_mm) - point.coords;
         if out.cross(&axis.direction).norm() < 1e-6 {
-            return Err(say!("import-the-tool-lies").to_owned());
+            return Err(
+                say!("the tool lies on the axis: say where it is at home, off the axis").to_owned(),
+            );
         }
         let base_from_tool = pose_from_parts(self.tool_mm, [1.0, 0.0, 0.0, 0.0])
             .map_err(|error| error.to_string())?;
         let name = self.name.trim();
         if name.is_empty() {
-            return Err(say!("import-a-robot-needs-a-name").to_owned());
+            return Err(say!("a robot needs a name").to_owned());
         }
         Ok(Robot {
             name: name.to_owned(),

@@ -1,6 +1,6 @@
 //! An import that is tried: the session it makes, or why it is refused, in the sheet's words.
 
-use crate::gui::language::text;
+use crate::text::{Template, spoken};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -102,32 +102,38 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
         .map(|finding| in_the_sheets_words(&finding.to_string()))
         .collect();
     if errors.len() > MOST {
-        lines.push(say!("import-and-more", more = errors.len() - MOST));
+        lines.push(say!(in "common", "and {more} more", more = errors.len() - MOST));
     }
     lines
 }
 
-/// What an option of the command line is called on the sheet, by key.
-const OPTIONS: [(&str, &str); 19] = [
-    ("--clock-offset", "import-clocks-apart-2"),
-    ("--match order or name", "import-matched-by-order-or"),
-    ("--match name or time", "import-matched-by-name-or"),
-    ("--match order", "import-matched-by-order"),
-    ("--match", "import-matched-2"),
-    ("--motion all", "import-samples-are-all"),
-    ("--motion", "import-samples-are-2"),
-    ("--commands with", "import-a-file-of-commands"),
-    ("--commands", "import-a-file-of-commands-2"),
-    ("--targets with", "import-a-file-of-reflectors"),
-    ("--reference", "import-a-file-of-known-points"),
-    ("--angle-unit", "import-angles-2"),
-    ("--separator", "import-separated-3"),
-    ("--decimal", "import-decimal-sign"),
-    ("--columns", "import-the-columns-above-as"),
-    ("--z-up", "import-y-points-up"),
-    ("--scale", "import-fit-a-scale"),
-    ("--joint", "import-joint-measured-2"),
-    ("--unit", "import-lengths"),
+/// What an option of the command line is called on the sheet.
+const OPTIONS: [(&str, Template); 19] = [
+    ("--clock-offset", phrase!("“Clocks apart by”")),
+    (
+        "--match order or name",
+        phrase!("“Matched” by order or by name"),
+    ),
+    (
+        "--match name or time",
+        phrase!("“Matched” by name or by time"),
+    ),
+    ("--match order", phrase!("“Matched” by order")),
+    ("--match", phrase!("“Matched”")),
+    ("--motion all", phrase!("“Samples are” all")),
+    ("--motion", phrase!("“Samples are”")),
+    ("--commands with", phrase!("a file of commands with")),
+    ("--commands", phrase!("a file of commands")),
+    ("--targets with", phrase!("a file of reflectors with")),
+    ("--reference", phrase!("a file of known points")),
+    ("--angle-unit", phrase!("“Angles in”")),
+    ("--separator", phrase!("“Separated by”")),
+    ("--decimal", phrase!("“Decimal sign”")),
+    ("--columns", phrase!("the columns above as")),
+    ("--z-up", phrase!("“y points up”")),
+    ("--scale", phrase!("“fit a scale”")),
+    ("--joint", phrase!("“Joint measured”")),
+    ("--unit", phrase!("“Lengths in”")),
 ];
 
 /// The same sentence with the names that the sheet has for the command line's options.
@@ -135,7 +141,7 @@ pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
     let said = OPTIONS
         .iter()
         .fold(sentence.to_owned(), |said, (option, field)| {
-            said.replace(option, text(field))
+            said.replace(option, spoken(*field))
         });
     // Options that one format has, the longer names first: one may begin like another.
     let own = IMPORTERS.iter().flat_map(|importer| importer.options);

@@ -11,7 +11,7 @@
 mod latest;
 mod running;
 
-use crate::gui::language;
+use crate::text;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -90,9 +90,9 @@ impl<B: 'static> Jobs<B> {
             watch: Arc::clone(&watch),
         });
         let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
-        let spoken = language::current();
+        let spoken = text::current();
         let job = move || {
-            language::choose(spoken);
+            text::choose(spoken);
             // A bug in one job must not leave the window waiting for it.
             let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();
             let outcome = made.map(|made| Box::new(|to: &mut B| then(to, made)) as Outcome<B>);

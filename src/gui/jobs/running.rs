@@ -91,7 +91,7 @@ impl Running {
     /// What it does now, as the status bar says it.
     pub(crate) fn says(&self) -> String {
         if self.watch.stopped() {
-            return say!("running-cancelling").to_owned();
+            return say!("cancelling").to_owned();
         }
         let doing = self.watch.doing.lock().ok();
         let doing = doing.and_then(|doing| doing.clone());

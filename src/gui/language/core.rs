@@ -14,13 +14,11 @@ use std::sync::OnceLock;
 use crate::diagnostic::Diagnostic;
 use crate::effects::find;
 use crate::present::names as present;
+use crate::text::{Language, current, known, known_in, within};
 
-use super::speech::{current, said, within};
-use super::table::table;
 use super::titles::{on_joint, title, title_of};
-use super::which::Language;
 
-const PREFIX: &str = "core-";
+const CONTEXT: &str = "core";
 /// What may be filled in, by name, and what stands for it where a sentence is taken apart.
 const HOLES: [(&str, char); 6] = [
     ("a", '\u{e000}'),
@@ -68,19 +66,17 @@ pub(crate) fn finding(finding: &Diagnostic) -> String {
         found
     } else {
         let expected = of_core(&finding.expected);
-        said(
-            "finding-expected",
-            &[("found", &found), ("expected", &expected)],
+        say!(
+            "{found}; expected {expected}",
+            found = found,
+            expected = expected
         )
         .into()
     };
     if place.is_empty() {
         found.into_owned()
     } else {
-        said(
-            "finding-at",
-            &[("place", &of_core(&place)), ("found", &found)],
-        )
+        say!("{place}: {found}", place = of_core(&place), found = found)
     }
 }
 
@@ -127,7 +123,12 @@ fn translated(english: &str, deep: u32) -> Option<String> {
         .zip(&filled_in)
         .map(|((name, _), text)| (*name, text as &dyn Display))
         .collect();
-    Some(table(current()).filled(pattern.key, &arguments))
+    known_in(current(), CONTEXT, pattern.english, &arguments)
+}
+
+/// What the core says in these words, among those of this kind, where the language has it.
+pub(crate) fn known_words(kind: &str, english: &str) -> Option<String> {
+    known_in(current(), kind, english, &[])
 }
 
 /// The titles of what are ids of effects, each with its joint or without, or of coefficients that stand together;
@@ -154,7 +155,7 @@ fn of_effects(text: &str) -> String {
 
 /// An English sentence with what is filled in left out.
 struct Pattern {
-    key: &'static str,
+    english: &'static str,
     /// What stands before, between and behind, and which comes first, second, …: the place in [`HOLES`].
     around: Vec<String>,
     holes: Vec<usize>,
@@ -162,27 +163,22 @@ struct Pattern {
 
 fn patterns() -> &'static [Pattern] {
     static PATTERNS: OnceLock<Vec<Pattern>> = OnceLock::new();
-    PATTERNS.get_or_init(|| {
-        let english = table(Language::English);
-        let keys = english.keys().filter(|key| key.starts_with(PREFIX));
-        let marks = HOLES
-            .each_ref()
-            .map(|(name, mark)| (*name, mark as &dyn Display));
-        keys.map(|key| Pattern::of(key, &english.filled(key, &marks)))
-            .collect()
-    })
+    PATTERNS.get_or_init(|| known(CONTEXT).map(Pattern::of).collect())
 }
 
 impl Pattern {
-    fn of(key: &'static str, text: &str) -> Self {
+    fn of(english: &'static str) -> Self {
+        let marked = HOLES.iter().fold(english.to_owned(), |text, (name, mark)| {
+            text.replace(&format!("{{{name}}}"), &mark.to_string())
+        });
         let hole = |c: char| HOLES.iter().position(|(_, mark)| *mark == c);
         Self {
-            key,
-            around: text
+            english,
+            around: marked
                 .split(|c| hole(c).is_some())
                 .map(str::to_owned)
                 .collect(),
-            holes: text.chars().filter_map(hole).collect(),
+            holes: marked.chars().filter_map(hole).collect(),
         }
     }
 
@@ -216,17 +212,14 @@ impl Pattern {
 
 #[cfg(test)]
 mod tests {
-    use super::super::speech::{choose, known};
     use super::*;
     use crate::effects::CATALOGUE;
     use crate::effects::term::parameter_names;
     use crate::present::names::parameter;
+    use crate::text::choose;
 
-    fn pattern(text: &str) -> Pattern {
-        let marked = HOLES.iter().fold(text.to_owned(), |text, (name, mark)| {
-            text.replace(&format!("{{{name}}}"), &mark.to_string())
-        });
-        Pattern::of("core-test", &marked)
+    fn pattern(text: &'static str) -> Pattern {
+        Pattern::of(text)
     }
 
     #[test]
@@ -266,14 +259,6 @@ mod tests {
     fn what_is_said_of_every_effect_that_the_tables_name_is_known_to_them() {
         for effect in CATALOGUE {
             let about = effect.about();
-            // An effect is one file and one line: until the tables name it, it stands in English.
-            if known("effect", about.id).is_none() {
-                continue;
-            }
-            let said = [about.cause, about.check];
-            for english in said.into_iter().filter(|said| !said.is_empty()) {
-                assert!(translated(english, 0).is_some(), "{}: {english}", about.id);
-            }
             for name in parameter_names(effect) {
                 let (name, _) = parameter(name);
                 let known = name.len() == 1 || translated(&name, 0).is_some();

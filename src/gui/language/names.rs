@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use super::core::of_core;
 pub(crate) use super::core::{combination, parameter};
-use super::speech::said;
 pub(crate) use super::titles::{title, title_of, title_on};
 use crate::diagnosis::Limit;
 use crate::present::names as present;
@@ -43,7 +42,7 @@ fn named_values(text: &str) -> String {
 pub(crate) fn usual_size(size: &str) -> Cow<'_, str> {
     let known = of_core(size);
     match size.split_once(" to ").filter(|_| known == size) {
-        Some((from, to)) => said("text-size-from-to", &[("from", &from), ("to", &to)]).into(),
+        Some((from, to)) => say!("{from} to {to}", from = from, to = to).into(),
         None => known,
     }
 }

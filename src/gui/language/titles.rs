@@ -1,11 +1,11 @@
 //! Titles of effects in the language of the window. Where a language has none, it is shown in English.
 
-use super::speech::{named, said};
 use crate::effects::find;
+use crate::text::spoken;
 
 /// The title of an effect; what is no effect stays as it is.
 pub(crate) fn title(id: &str) -> &str {
-    find(id).map_or(id, |effect| named("effect", id, effect.about().title))
+    find(id).map_or(id, |effect| spoken(effect.about().title))
 }
 
 /// The title with the joint, counted from 1, where the robot has several.
@@ -26,8 +26,5 @@ pub(crate) fn title_of(name: &str) -> String {
 
 /// The title of an effect on a joint, counted from 1.
 pub(super) fn on_joint(id: &str, joint: &str) -> String {
-    said(
-        "effect-on-joint",
-        &[("effect", &title(id)), ("joint", &joint)],
-    )
+    say!("{effect}, joint {joint}", effect = title(id), joint = joint)
 }

@@ -1,7 +1,7 @@
 //! How plots are looked at with the mouse, the same in all of them: the wheel goes closer about the
 //! pointer, as in drawing programs and on maps; dragging moves; a double click shows everything.
 
-use crate::gui::language::text;
+use crate::text::{Template, spoken};
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -13,20 +13,23 @@ use crate::gui::widgets::sign;
 use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
-pub(crate) const GESTURES: [(&str, &str); 7] = [
-    ("gestures-wheel-or-pinch", "gestures-zoom-at-the-pointer"),
+pub(crate) const GESTURES: [(Template, Template); 7] = [
+    (phrase!("wheel, or pinch"), phrase!("zoom at the pointer")),
     (
-        "gestures-shift-and-wheel",
-        "gestures-zoom-along-a-charts-axis",
+        phrase!("Shift and wheel"),
+        phrase!("zoom along a chart's axis"),
     ),
-    ("gestures-drag", "gestures-move"),
+    (phrase!("drag"), phrase!("move")),
     (
-        "gestures-drag-with-the-right-button",
-        "gestures-show-a-part",
+        phrase!("drag with the right button"),
+        phrase!("show a part"),
     ),
-    ("gestures-drag-in-the-3-d", "gestures-orbit"),
-    ("gestures-shift-or-middle-button", "gestures-move"),
-    ("gestures-double-click-or-home", "gestures-fit-the-view"),
+    (phrase!("drag in the 3-D view"), phrase!("orbit")),
+    (
+        phrase!("Shift or middle button and drag in the 3-D view"),
+        phrase!("move"),
+    ),
+    (phrase!("double click, or Home"), phrase!("fit the view")),
 ];
 
 /// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
@@ -114,7 +117,7 @@ pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<
         ui.set_max_width(320.0);
         ui.label(RichText::new(name).font(strong(size::BODY)));
         for (how, what) in GESTURES {
-            let says = format!("{}: {}", text(how), text(what));
+            let says = format!("{}: {}", spoken(how), spoken(what));
             ui.label(RichText::new(says).size(size::SMALL));
         }
     });

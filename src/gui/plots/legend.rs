@@ -64,7 +64,7 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
                 Role::CheckBox,
                 true,
                 shown,
-                say!("legend-show", name = name),
+                say!("show {name}", name = name),
             )
         }),
         None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
@@ -86,9 +86,9 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let clicked = response.clicked();
     if let Some(shown) = shown {
         response.on_hover_text(if shown {
-            say!("legend-leave-it-out-so")
+            say!("Leave it out, so that what is left can be seen")
         } else {
-            say!("legend-show-it-as-well")
+            say!("Show it as well")
         });
     }
     clicked

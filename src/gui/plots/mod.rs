@@ -20,7 +20,7 @@ use crate::gui::workbench::Command;
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
-    let says = say!("plots-save-picture", plot = plot.said());
+    let says = say!("Save picture of the {plot}…", plot = plot.said());
     if widgets::save_button(ui, &says).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
     }

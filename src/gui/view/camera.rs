@@ -65,13 +65,13 @@ named! {
     /// A view that has a name.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub(crate) enum Standard {
-        Isometric = say!("camera-isometric"),
+        Isometric = say!("isometric"),
         /// Against z, x to the right.
-        Top = say!("camera-top"),
+        Top = say!("top"),
         /// Against x, y to the right.
-        Front = say!("camera-front"),
+        Front = say!("front"),
         /// Along y, x to the right.
-        Side = say!("camera-side"),
+        Side = say!("side"),
     }
     pub(crate) fn name;
     pub(crate) const ALL;
@@ -272,12 +272,12 @@ impl Camera {
     /// In words: the view's name, or from which direction.
     pub(crate) fn says(&self) -> String {
         if let Some(view) = self.standard() {
-            return say!("camera-view", view = view.name());
+            return say!("{view} view", view = view.name());
         }
         let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
             .map(|a| crate::present::numbers::trimmed(a.to_degrees(), 0));
         say!(
-            "camera-seen-from-azimuth-elevation",
+            "seen from azimuth {azimuth}°, elevation {elevation}°",
             azimuth = azimuth,
             elevation = elevation
         )

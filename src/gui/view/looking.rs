@@ -68,16 +68,16 @@ named! {
     pub(crate) enum Colouring {
         /// Before or after.
         #[default]
-        State = say!("looking-before-and-after"),
+        State = say!("before and after"),
         /// The deviation's length.
-        Deviation = say!("common-deviation"),
+        Deviation = say!("deviation"),
         /// Where it points to.
-        Direction = say!("common-direction"),
+        Direction = say!("direction"),
         /// One standard uncertainty of what the model predicts.
-        Uncertainty = say!("looking-uncertainty"),
-        Load = say!("common-load"),
-        Temperature = say!("common-temperature"),
-        Time = say!("common-time"),
+        Uncertainty = say!("uncertainty (1σ)"),
+        Load = say!("load"),
+        Temperature = say!("temperature"),
+        Time = say!("time"),
     }
     pub(crate) fn name;
     pub(crate) const ALL;

@@ -41,10 +41,7 @@ impl Message {
         let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
         Self {
             file: Some(whole),
-            ..Self::done(
-                say!("message-saved", name = name.to_string_lossy()),
-                details,
-            )
+            ..Self::done(say!("Saved {name}", name = name.to_string_lossy()), details)
         }
     }
 }

@@ -13,7 +13,7 @@ pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
-use crate::gui::language::Language;
+use crate::text::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
@@ -30,15 +30,15 @@ named! {
     pub(crate) enum Step {
         /// What was measured.
         #[default]
-        Session = say!("common-session"),
+        Session = say!("Session"),
         /// Where the joint gets corrections of its own.
-        Regions = say!("view-regions"),
+        Regions = say!("Regions"),
         /// What the robot really is.
-        Identify = say!("common-identify-2"),
+        Identify = say!("Identify"),
         /// What is missing.
-        Gap = say!("view-diagnose"),
+        Gap = say!("Diagnose"),
         /// What the controller needs.
-        Export = say!("common-export"),
+        Export = say!("Export"),
     }
     pub(crate) fn name;
     pub(crate) const ALL;

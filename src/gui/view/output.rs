@@ -1,7 +1,7 @@
 //! What can be exported.
 
 use crate::gui::core::document::plain;
-use crate::gui::language::named;
+use crate::gui::language::known_words;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {
@@ -52,9 +52,8 @@ impl Plot {
     }
 
     /// Its name in the language of the window.
-    pub(crate) fn said(self) -> &'static str {
-        let id = self.name().replace([' ', '\''], "-");
-        named("plot", &id, self.name())
+    pub(crate) fn said(self) -> String {
+        known_words("plot", self.name()).unwrap_or_else(|| self.name().to_owned())
     }
 
     /// What its file is called unless the user says otherwise.

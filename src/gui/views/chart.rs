@@ -204,7 +204,7 @@ fn charts(workbench: &Workbench, current: &dyn Kind) -> Choice<'static, &'static
     let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
     let offered = offered.map(|chart| chart.about());
     Choice {
-        of: say!("common-chart"),
+        of: say!("Chart"),
         offered: offered.map(|a| (a.id, a.short(), a.name())).collect(),
         current: current.about().id,
     }
@@ -215,7 +215,7 @@ fn components(workbench: &Workbench) -> Choice<'static, Component> {
     let offered = Component::ALL.into_iter();
     let offered = offered.filter(|c| !(planar && c.out_of_plane()));
     Choice {
-        of: say!("chart-component"),
+        of: say!("Component"),
         offered: offered.map(|c| (c, c.name(), c.name())).collect(),
         current: workbench.view().component,
     }
@@ -226,7 +226,7 @@ fn joints<'a>(workbench: &'a Workbench, chart: &dyn Kind) -> Option<Choice<'a, u
     let joints = &workbench.subject().session.robot.joints;
     let offered = joints.iter().enumerate();
     (chart.about().of_joint && joints.len() > 1).then(|| Choice {
-        of: say!("chart-joint-of-the-chart"),
+        of: say!("Joint of the chart"),
         offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
         current: workbench.chart_joint(),
     })
@@ -262,12 +262,7 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn Kind, commands: &mut Vec<C
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = space::TIGHT;
             picture(ui, Plot::Chart(about.id), commands);
-            gestures::fit(
-                ui,
-                say!("chart-fit-chart-to-view"),
-                Command::FitChart,
-                commands,
-            );
+            gestures::fit(ui, say!("Fit chart to view"), Command::FitChart, commands);
             copies::chart_button(ui, about.name(), || {
                 kind.numbers(&workbench.scene_of(kind)).tabbed()
             });

@@ -6,9 +6,14 @@ use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
-    widgets::section(ui, say!("common-targets-and-programs"));
-    if widgets::secondary(ui, say!("compensate-compensate")).clicked() {
+    widgets::section(ui, say!("Targets and programs"));
+    if widgets::secondary(ui, say!("Compensate…")).clicked() {
         commands.push(Command::ChooseTargets);
     }
-    widgets::hint(ui, say!("compensate-a-table-of-targets-csv"));
+    widgets::hint(
+        ui,
+        say!(
+            "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved"
+        ),
+    );
 }

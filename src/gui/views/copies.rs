@@ -23,19 +23,15 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     let copied = is_recent(ui, id);
     // Higher than the rows of a dense table: it is pressed, not read. As wide as its longest text.
     let says = if copied {
-        say!("copies-copied")
+        say!("Copied")
     } else {
-        say!("common-copy-table")
+        say!("Copy table")
     };
     let button = Button::new(RichText::new(says).size(size::SMALL));
     let button = ui.add(button.min_size(vec2(78.0, 22.0)));
     ui.ctx().accesskit_node_builder(button.id, |node| {
-        let says = if copied {
-            say!("copies-copied")
-        } else {
-            say!("copies-copy")
-        };
-        node.set_label(say!("copies-table", says = says, of = of));
+        let says = if copied { say!("Copied") } else { say!("Copy") };
+        node.set_label(say!("{says} table of {of}", says = says, of = of));
     });
     if button.clicked() {
         ui.copy_text(text());
@@ -67,7 +63,7 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 
 /// The mark in a chart's bar that copies its numbers.
 pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
-    let says = say!("copies-copy-numbers", of = of.to_lowercase());
+    let says = say!("Copy numbers: {of}", of = of.to_lowercase());
     let id = ui.scope_id().with(("copied", of));
     let button = widgets::copy_button(ui, &says);
     if button.clicked() {
@@ -79,7 +75,7 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
         Popup::from_response(&button)
             .kind(PopupKind::Tooltip)
             .interactable(false)
-            .show(|ui| ui.label(say!("copies-copied")));
+            .show(|ui| ui.label(say!("Copied")));
     }
 }
 

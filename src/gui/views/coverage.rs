@@ -1,7 +1,8 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::gui::language::{of_core, text};
+use crate::gui::language::of_core;
+use crate::text::{Template, spoken};
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
@@ -49,7 +50,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     widgets::card(ui, |ui| {
         let name =
-            ui.label(RichText::new(say!("coverage-rms-error-of-the-nominal")).color(palette.muted));
+            ui.label(RichText::new(say!("RMS error of the nominal robot")).color(palette.muted));
         widgets::explained(name, crate::gui::help::GAP);
         let rms = subject.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
@@ -59,24 +60,29 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
                 .color(palette.before),
         );
         if let Some(gap) = subject.gap_before {
-            widgets::fact_of(ui, "coverage-largest-deviation", units.length(gap.max_mm));
+            widgets::fact_of(ui, phrase!("largest deviation"), units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = subject.overview.lengths.within(tolerance_mm);
             widgets::fact_of(
                 ui,
-                "common-within-tolerance",
-                say!("coverage-of", inside = inside, all = all),
+                phrase!("within tolerance"),
+                say!("{inside} of {all}", inside = inside, all = all),
             );
         }
         if let Some(floor_mm) = subject.known.floor_mm {
-            let floor = say!("coverage-instrument", floor = units.length(floor_mm));
-            widgets::fact_of(ui, "common-noise-floor", floor);
+            let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
+            widgets::fact_of(ui, phrase!("noise floor"), floor);
         }
         if workbench.document().identified {
             return;
         }
-        widgets::hint(ui, say!("coverage-not-identified-yet-the-identified"));
+        widgets::hint(
+            ui,
+            say!(
+                "Not identified yet. The identified parameters will stand here, with the interval of every number"
+            ),
+        );
     });
 }
 
@@ -95,50 +101,45 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     widgets::card(ui, |ui| {
-        title(ui, say!("coverage-what-the-samples-cover"));
+        title(ui, say!("What the samples cover"));
         strip(ui, known);
         if let Some([from, to]) = known.measured {
             widgets::fact_of(
                 ui,
-                "coverage-measured-range",
+                phrase!("measured range"),
                 format!("{} … {}", at(from), at(to)),
             );
         }
         if let Some([from, to]) = known.hole {
             widgets::fact_of(
                 ui,
-                "coverage-widest-hole",
+                phrase!("widest hole"),
                 format!("{} … {}", at(from), at(to)),
             );
         }
         let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
-        of_joints(ui, "coverage-came-from", &came_from, |k| {
-            say!("coverage-came-from-joint", joint = k)
+        of_joints(ui, phrase!("came from"), &came_from, |k| {
+            say!("came from, joint {joint}", joint = k)
         });
         let speeds: Vec<String> = survey.joints.iter().map(speeds).collect();
-        of_joints(ui, "coverage-speed", &speeds, |k| {
-            say!("coverage-speed-joint", joint = k)
+        of_joints(ui, phrase!("speed"), &speeds, |k| {
+            say!("speed, joint {joint}", joint = k)
         });
-        widgets::fact_of(ui, "common-load", range(known.load_kg, "kg", 2));
+        widgets::fact_of(ui, phrase!("load"), range(known.load_kg, "kg", 2));
         widgets::fact_of(
             ui,
-            "common-temperature",
+            phrase!("temperature"),
             range(known.temperature_c, "°C", 1),
         );
         let time = survey
             .duration_s
-            .map_or_else(|| say!("coverage-not-recorded").to_owned(), duration);
-        widgets::fact_of(ui, "coverage-took", time);
+            .map_or_else(|| say!("not recorded").to_owned(), duration);
+        widgets::fact_of(ui, phrase!("took"), time);
     });
 }
 
 /// What is so of each joint; once where all are alike, as where nothing was recorded of any.
-fn of_joints(
-    ui: &mut Ui,
-    of_all: &'static str,
-    values: &[String],
-    of_joint: impl Fn(usize) -> String,
-) {
+fn of_joints(ui: &mut Ui, of_all: Template, values: &[String], of_joint: impl Fn(usize) -> String) {
     if values.windows(2).all(|pair| pair[0] == pair[1]) {
         if let Some(value) = values.first() {
             widgets::fact_of(ui, of_all, value);
@@ -153,9 +154,9 @@ fn of_joints(
 /// A range with its unit once.
 fn range(ends: Option<[f64; 2]>, unit: &str, decimals: usize) -> String {
     match ends {
-        None => say!("coverage-not-recorded").to_owned(),
+        None => say!("not recorded").to_owned(),
         Some([from, to]) if from == to => say!(
-            "coverage-throughout",
+            "{decimals} {unit} throughout",
             decimals = trimmed(from, decimals),
             unit = unit
         ),
@@ -187,7 +188,7 @@ fn strip(ui: &mut Ui, known: &Known) {
     let palette = Palette::of(ui);
     let room = vec2(ui.available_width(), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    let says = say!("coverage-samples-over-the-range");
+    let says = say!("samples over the range of joint 1");
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
     let painter = ui.painter();
     painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
@@ -202,7 +203,9 @@ fn strip(ui: &mut Ui, known: &Known) {
         );
         painter.rect_filled(bar, 0.0, palette.accent);
     }
-    response.on_hover_text(say!("coverage-samples-over-the-range-of-joint"));
+    response.on_hover_text(say!(
+        "Samples over the range of joint 1: where it is empty nothing is known"
+    ));
 }
 
 /// Which effects can be seen in such samples, and which cannot.
@@ -211,13 +214,13 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
     let name = |id: &str| crate::gui::language::names::title(id).to_owned();
     widgets::card(ui, |ui| {
-        title(ui, say!("coverage-testable-effects"));
+        title(ui, say!("Testable effects"));
         widgets::fact_of(
             ui,
-            "common-testable-effects",
-            say!("common-of", yes = yes, no = yes + no),
+            phrase!("testable effects"),
+            say!("{yes} of {no}", yes = yes, no = yes + no),
         );
-        let can = say!("coverage-can-be-tested", yes = yes);
+        let can = say!("{yes} can be tested", yes = yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
             let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
@@ -225,7 +228,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         if no == 0 {
             return;
         }
-        let cannot = say!("coverage-cannot-and-why", no = no);
+        let cannot = say!("{no} cannot, and why", no = no);
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
             for one in &subject.not_testable {
                 ui.label(name(one.effect));
@@ -238,25 +241,40 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        title(ui, say!("coverage-no-diagnosis-yet"));
-        widgets::hint(ui, say!("coverage-effects-that-are-found-will"));
+        title(ui, say!("No diagnosis yet"));
+        widgets::hint(
+            ui,
+            say!(
+                "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
+            ),
+        );
         ui.add_space(space::TIGHT);
         for (k, stage) in STAGES.into_iter().enumerate() {
             ui.horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = size::HEADING;
                 widgets::caption(ui, &format!("{}", k + 1));
-                ui.label(text(stage));
+                ui.label(spoken(stage));
             });
         }
-        widgets::hint(ui, say!("coverage-it-takes-a-moment"));
+        widgets::hint(
+            ui,
+            say!(
+                "It takes a moment, and some seconds with a million samples. The window stays free meanwhile, and the search can be stopped"
+            ),
+        );
     });
 }
 
 /// What can be written, before there is anything to write.
 fn formats(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
-        title(ui, say!("coverage-nothing-to-export-yet"));
-        widgets::hint(ui, say!("coverage-the-table-comes"));
+        title(ui, say!("Nothing to export yet"));
+        widgets::hint(
+            ui,
+            say!(
+                "The table comes from the identified robot. It will stand here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
+            ),
+        );
         ui.add_space(space::TIGHT);
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
@@ -268,10 +286,10 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
 /// From which sides a joint was approached, and how often.
 fn sides(joint: &JointSurvey) -> String {
     match joint.from_sides {
-        [0, 0] => say!("coverage-not-recorded").to_owned(),
-        [0, up] => say!("coverage-below-none-above", up = up),
-        [down, 0] => say!("coverage-none-below-above", down = down),
-        [down, up] => say!("coverage-below-above", up = up, down = down),
+        [0, 0] => say!("not recorded").to_owned(),
+        [0, up] => say!("{up} below, none above", up = up),
+        [down, 0] => say!("none below, {down} above", down = down),
+        [down, up] => say!("{up} below, {down} above", up = up, down = down),
     }
 }
 
@@ -282,10 +300,10 @@ fn speeds(joint: &JointSurvey) -> String {
         JointKind::Prismatic => format!("{} mm/s", trimmed(joint.largest_speed, 1)),
     };
     match joint.speeds {
-        0 => say!("coverage-not-recorded").to_owned(),
-        1 if joint.largest_speed == 0.0 => say!("coverage-standstill").to_owned(),
-        1 => say!("coverage-throughout-2", speed = speed),
-        _ => say!("coverage-up", speed = speed),
+        0 => say!("not recorded").to_owned(),
+        1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),
+        1 => say!("{speed} throughout", speed = speed),
+        _ => say!("up to {speed}", speed = speed),
     }
 }
 

@@ -18,23 +18,25 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let name = name.to_string_lossy();
     let (title, says) = match on_disk.fate {
         Fate::Changed => (
-            say!("disk-was-changed-by-another-program", name = name),
-            say!("disk-reload-reads-it-again-undo"),
+            say!("{name} was changed by another program", name = name),
+            say!(
+                "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting"
+            ),
         ),
         Fate::Vanished => (
-            say!("common-is-not-there-any-more", name = name),
-            say!("disk-what-was-read-is-here"),
+            say!("{name} is not there any more", name = name),
+            say!("What was read is here still: saving writes it again, or put the file back"),
         ),
     };
     let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button(say!("disk-keep-this")).clicked() {
+                if ui.button(say!("Keep this")).clicked() {
                     commands.push(Command::KeepMine);
                 }
                 match on_disk.fate {
-                    Fate::Changed if ui.button(say!("disk-reload")).clicked() => {
+                    Fate::Changed if ui.button(say!("Reload")).clicked() => {
                         commands.push(Command::Reload);
                     }
                     Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
@@ -55,9 +57,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// where it is the document somebody has to.
 fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
     let (says, command) = if workbench.samples_file() == Some(gone) {
-        (say!("disk-save-it-again"), Command::Save)
+        (say!("Save it again"), Command::Save)
     } else {
-        (say!("disk-save-it-again-2"), Command::ChooseWhereToSave)
+        (say!("Save it again…"), Command::ChooseWhereToSave)
     };
     if ui.button(says).clicked() {
         commands.push(command);

@@ -26,7 +26,7 @@ pub(crate) fn show(ui: &Ui, commands: &mut Vec<Command>) {
         painter.text(
             card.center(),
             Align2::CENTER_CENTER,
-            say!("dropped-drop-the-file-to-open"),
+            say!("Drop the file to open it"),
             strong(size::HEADING),
             palette.accent,
         );

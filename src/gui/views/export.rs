@@ -33,13 +33,16 @@ fn state(workbench: &Workbench) -> (String, Progress) {
         .and_then(|path| path.file_name())
     {
         Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
-        None => (say!("common-not-yet").to_owned(), Progress::Open),
+        None => (say!("not yet").to_owned(), Progress::Open),
     }
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
-        widgets::hint(ui, say!("export-there-is-nothing-to-export"));
+        widgets::hint(
+            ui,
+            say!("There is nothing to export yet: the table comes from the identified robot"),
+        );
     } else {
         not_added(ui, workbench, commands);
         export(ui, workbench, commands);
@@ -58,7 +61,10 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .iter()
         .map(|term| names::title(term.effect.about().id));
     let names = names.collect::<Vec<_>>().join(", ");
-    let says = say!("export-found-but-not", names = names);
+    let says = say!(
+        "Found, but not in the model, so not corrected: {names}",
+        names = names
+    );
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
     if widgets::secondary(ui, &add_all(missing.len())).clicked() {
         commands.push(Command::Edit(Edit::Add(missing)));
@@ -68,8 +74,8 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the button says that adds every found effect.
 pub(super) fn add_all(n: usize) -> String {
     match n {
-        1 => say!("export-add-it-to-the-model").to_owned(),
-        n => say!("export-add-all-to-the-model", n = n),
+        1 => say!("Add it to the model").to_owned(),
+        n => say!("Add all {n} to the model", n = n),
     }
 }
 
@@ -80,7 +86,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if !measured && !identified {
         return;
     }
-    widgets::section(ui, say!("export-report"));
+    widgets::section(ui, say!("Report"));
     let mut offer = |ui: &mut Ui, text: &str, command: Command| {
         if widgets::secondary(ui, text).clicked() {
             commands.push(command);
@@ -90,22 +96,22 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if measured {
         offer(
             ui,
-            say!("common-report-details"),
+            say!("Report details…"),
             Command::Sheet(Some(Sheet::DETAILS)),
         );
-        offer(ui, say!("common-report"), report(About::Session));
+        offer(ui, say!("Report…"), report(About::Session));
         let says = if workbench.diagnosis().is_some() {
-            say!("export-html-or-pdf-what-was")
+            say!("HTML or PDF: what was measured, what the search found, what stays open")
         } else {
-            say!("export-html-or-pdf-the-session")
+            say!("HTML or PDF: the session is searched for it first, which takes a while")
         };
         widgets::hint(ui, says);
     }
     if identified {
         let text = if measured {
-            say!("export-report-of-the-model")
+            say!("Report of the model…")
         } else {
-            say!("common-report")
+            say!("Report…")
         };
         offer(ui, text, report(About::Model));
     }
@@ -113,7 +119,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
-    widgets::section(ui, say!("export-format"));
+    widgets::section(ui, say!("Format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let robot = &workbench.subject().session.robot;
@@ -129,11 +135,11 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
-        widgets::section(ui, say!("common-table-2"));
+        widgets::section(ui, say!("Table"));
         joint_and_step(ui, workbench, choice, commands);
     }
     match workbench.export() {
-        None => widgets::hint(ui, say!("export-the-table-is-being-prepared")),
+        None => widgets::hint(ui, say!("The table is being prepared")),
         Some(Err(because)) => {
             let color = Palette::of(ui).outside;
             ui.label(RichText::new(because).color(color));
@@ -141,18 +147,18 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                widgets::fact_of(ui, "export-entries", entries.to_string());
+                widgets::fact_of(ui, phrase!("entries"), entries.to_string());
             }
-            widgets::section(ui, say!("export-also"));
+            widgets::section(ui, say!("Also"));
             let what = if made.export.reads_as.is_some() {
-                say!("common-copy-table")
+                say!("Copy table")
             } else {
-                say!("export-copy-text")
+                say!("Copy text")
             };
             if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
-            if widgets::secondary(ui, say!("common-save-model")).clicked() {
+            if widgets::secondary(ui, say!("Save model…")).clicked() {
                 commands.push(Command::ChooseWhereToExport(What::Model));
             }
         }
@@ -171,7 +177,7 @@ fn joint_and_step(
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        let response = widgets::number(ui, say!("common-joint"), "", field);
+        let response = widgets::number(ui, say!("joint"), "", field);
         next.joint = joint - 1;
         dragged |= response.dragged();
         if response.drag_stopped() {
@@ -180,7 +186,7 @@ fn joint_and_step(
     }
     let unit = joints[choice.joint].kind.sign();
     let mut own = choice.step.is_some();
-    if ui.checkbox(&mut own, say!("export-custom-step")).changed() {
+    if ui.checkbox(&mut own, say!("Custom step")).changed() {
         next.step = own.then_some(FIRST_STEP);
     }
     let mut let_go = false;
@@ -190,7 +196,7 @@ fn joint_and_step(
             .speed(0.02)
             .max_decimals(4)
             .suffix(unit);
-        let response = widgets::number(ui, say!("common-step"), unit.trim(), field);
+        let response = widgets::number(ui, say!("step"), unit.trim(), field);
         dragged |= response.dragged();
         let_go = response.drag_stopped();
     }
@@ -221,7 +227,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         Some(Err(because)) => widgets::hint(ui, because),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
-        None => widgets::hint(ui, say!("export-the-table-is-being-prepared")),
+        None => widgets::hint(ui, say!("The table is being prepared")),
     }
     super::standards::show(ui, workbench);
 }
@@ -233,16 +239,15 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
-            Some(gap) if made.export.robot.is_some() => (
-                say!("export-rms-error-to-this-robot"),
+            Some(gap) if made.export.robot.is_some() => {
+                (say!("RMS error to this robot"), units.length(gap.rms_mm))
+            }
+            Some(gap) => (
+                say!("RMS error left by the table"),
                 units.length(gap.rms_mm),
             ),
-            Some(gap) => (say!("export-rms-error-left"), units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
-            None => (
-                say!("export-not-correctable-by-joint-commands"),
-                stays.clone(),
-            ),
+            None => (say!("Not correctable by joint commands"), stays.clone()),
         };
         ui.label(RichText::new(says).color(palette.muted));
         ui.label(
@@ -251,24 +256,31 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
                 .color(palette.after),
         );
         if made.gap.is_some() {
-            let says = say!("export-over-the-samples-noise");
+            let says = say!(
+                "Over the samples: noise, and loads and warmth that no table knows, are in it; what the model by itself promises stands below"
+            );
             widgets::hint(ui, says);
         }
         if let Some(before) = workbench.subject().gap_before {
-            widgets::fact_of(ui, "export-without-it", units.length(before.rms_mm));
+            widgets::fact_of(
+                ui,
+                phrase!(in "export", "without it"),
+                units.length(before.rms_mm),
+            );
         }
         if let Some(answer) = workbench.answer().filter(|_| measured) {
             let after = answer.identification.gap.after.rms_mm;
-            widgets::fact_of(ui, "export-model-and-measurement", units.length(after));
+            widgets::fact_of(ui, phrase!("model and measurement"), units.length(after));
         }
         // A robot's description carries what joint commands cannot correct.
         if made.export.robot.is_some() {
             return;
         }
         if let Some(gap) = made.gap {
-            widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
+            widgets::fact_of(ui, phrase!("not correctable by joint commands"), stays);
             if gap.rms_mm < made.remainder.rms_mm {
-                let says = say!("export-the-model-says-that-more");
+                let says =
+                    say!("The model says that more stays than was measured: it is not the robot");
                 widgets::hint(ui, says);
             }
         }
@@ -277,7 +289,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         }
     });
     widgets::card(ui, |ui| {
-        title(ui, say!("export-what-the-numbers-mean"));
+        title(ui, say!("What the numbers mean"));
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
         for line in said.chain(&made.said) {
@@ -323,27 +335,30 @@ fn text(ui: &mut Ui, text: &str) {
     let more = text.lines().count().saturating_sub(lines.len());
     if more > 0 {
         ui.add_space(space::TIGHT);
-        widgets::hint(ui, say!("export-and-more-lines", more = more));
+        widgets::hint(ui, say!("and {more} more lines", more = more));
     }
 }
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
-        if widgets::primary(ui, say!("export-go-to-identify")).clicked() {
+        if widgets::primary(ui, say!("Go to identify")).clicked() {
             commands.push(Command::GoTo(Step::Identify));
         }
         return;
     }
     let format = find(workbench.document().export.format);
-    let title = format.map_or(say!("common-table"), |f| f.extension);
+    let title = format.map_or(say!("table"), |f| f.extension);
     let what = if format.is_some_and(|f| f.rules.is_none()) {
-        say!("common-robot")
+        say!("robot")
     } else {
-        say!("common-table")
+        say!("table")
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(ui, &say!("export-save-as", what = what, title = title))
+        widgets::primary(
+            ui,
+            &say!("Save {what} as .{title}…", what = what, title = title),
+        )
     });
     if save.inner.clicked() {
         commands.push(Command::ChooseWhereToExport(What::Table));

@@ -1,6 +1,7 @@
 //! Step 4: search for what is missing.
 
-use crate::gui::language::{names, text, within};
+use crate::gui::language::names;
+use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;
@@ -22,10 +23,18 @@ pub(super) const STEP: StepView = StepView {
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.subject().is_empty() {
-        widgets::hint(ui, say!("diagnose-open-a-session-that-was"));
+        widgets::hint(
+            ui,
+            say!("Open a session that was measured on this robot first"),
+        );
         return;
     }
-    widgets::hint(ui, say!("diagnose-looks-for-the-physical-effect"));
+    widgets::hint(
+        ui,
+        say!(
+            "Looks for the physical effect that the model lacks, and proves each name on samples that the search has not seen"
+        ),
+    );
     if workbench.searching().is_some() {
         stages(ui, workbench);
         return;
@@ -36,21 +45,21 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return switches(ui, workbench, commands);
     };
     let units = workbench.units();
-    widgets::section(ui, say!("common-rms-error"));
+    widgets::section(ui, say!("RMS error"));
     widgets::fact_of(
         ui,
-        "diagnose-nominal-robot",
+        phrase!("nominal robot"),
         units.length(diagnosis.gap.start_mm),
     );
     widgets::fact_of(
         ui,
-        "common-identified",
+        phrase!("identified"),
         units.length(diagnosis.gap.identified_mm),
     );
     let end = units.length(diagnosis.gap.end_mm);
-    widgets::fact_of(ui, "diagnose-with-found-effects", end);
-    widgets::fact_of(ui, "common-noise-floor", units.length(diagnosis.floor.mm));
-    if widgets::secondary(ui, say!("diagnose-run-diagnosis-again")).clicked() {
+    widgets::fact_of(ui, phrase!("with found effects"), end);
+    widgets::fact_of(ui, phrase!("noise floor"), units.length(diagnosis.floor.mm));
+    if widgets::secondary(ui, say!("Run diagnosis again")).clicked() {
         commands.push(Command::Search);
     }
     switches(ui, workbench, commands);
@@ -60,43 +69,54 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn before(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let units = workbench.units();
-    widgets::section(ui, say!("diagnose-rms-error-so-far"));
+    widgets::section(ui, say!("RMS error so far"));
     if let Some(gap) = subject.gap_before {
-        widgets::fact_of(ui, "diagnose-nominal-robot", units.length(gap.rms_mm));
+        widgets::fact_of(ui, phrase!("nominal robot"), units.length(gap.rms_mm));
     }
     let answer = workbench.answer();
     let left = answer.map(|a| a.identification.gap.after.rms_mm);
     if let Some(left) = left {
-        widgets::fact_of(ui, "common-identified", units.length(left));
+        widgets::fact_of(ui, phrase!("identified"), units.length(left));
     }
     let floor = subject.known.floor_mm;
     if let Some(floor) = floor {
-        widgets::fact_of(ui, "common-noise-floor", units.length(floor));
+        widgets::fact_of(ui, phrase!("noise floor"), units.length(floor));
     }
     let says = match (left, floor) {
-        (None, _) => say!("diagnose-the-diagnosis-identifies-by-itself"),
+        (None, _) => say!("The diagnosis identifies by itself: Identify need not come first"),
         (Some(left), Some(floor)) if left < 1.2 * floor => {
-            say!("diagnose-little-error-is-left-above")
+            say!(
+                "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
+            )
         }
         (Some(_), _) => {
-            say!("diagnose-more-error-is-left-than")
+            say!(
+                "More error is left than noise explains, or no noise is stated: the diagnosis will tell which"
+            )
         }
     };
     widgets::hint(ui, says);
     let document = workbench.document();
     if document.given.is_some() || document.identified && document.method == Method::Regional {
-        let says = say!("diagnose-the-diagnosis-starts");
+        let says = say!(
+            "The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back"
+        );
         widgets::hint(ui, says);
     }
-    widgets::section(ui, say!("diagnose-what-it-can-find"));
+    widgets::section(ui, say!("What it can find"));
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
     widgets::fact_of(
         ui,
-        "common-testable-effects",
-        say!("common-of", yes = yes, no = yes + no),
+        phrase!("testable effects"),
+        say!("{yes} of {no}", yes = yes, no = yes + no),
     );
     if no > 0 {
-        widgets::hint(ui, say!("diagnose-why-the-others-are-not"));
+        widgets::hint(
+            ui,
+            say!(
+                "Why the others are not testable is listed at the right, with what to measure for them"
+            ),
+        );
     }
 }
 
@@ -106,10 +126,10 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     let palette = Palette::of(ui);
-    widgets::section(ui, say!("diagnose-diagnosing"));
+    widgets::section(ui, say!("Diagnosing"));
     let (reached, found) = (running.stage(), running.found());
     for (k, stage) in STAGES.into_iter().enumerate() {
-        let text = RichText::new(text(stage));
+        let text = RichText::new(spoken(stage));
         ui.label(match k.cmp(&reached) {
             std::cmp::Ordering::Less => text.color(palette.within),
             std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
@@ -130,10 +150,13 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 fn names_so_far(ui: &mut Ui, found: &[String]) {
     for name in found {
         let title = crate::gui::language::names::title_of(name);
-        ui.indent((say!("diagnose-found-so-far"), name), |ui| ui.label(title));
+        ui.indent((say!("found so far"), name), |ui| ui.label(title));
     }
     if !found.is_empty() {
-        widgets::hint(ui, say!("diagnose-so-far-a-likelier-name"));
+        widgets::hint(
+            ui,
+            say!("so far; a likelier name may take the place of one"),
+        );
     }
 }
 
@@ -143,11 +166,11 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if added.is_empty() {
         return;
     }
-    widgets::section(ui, say!("diagnose-in-the-model"));
+    widgets::section(ui, say!("In the model"));
     for (index, one) in added.iter().enumerate() {
         let mut on = one.on;
         let name = say!(
-            "diagnose-use",
+            "use {effect}",
             effect = within(names::title(one.term.effect.about().id))
         );
         if ui.checkbox(&mut on, name).changed() {
@@ -159,18 +182,18 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the step has to show for itself.
 fn state(workbench: &Workbench) -> (String, Progress) {
     if workbench.searching().is_some() {
-        return (say!("common-searching").to_owned(), Progress::Open);
+        return (say!("searching").to_owned(), Progress::Open);
     }
     let on = workbench.document().in_the_model().count();
     let caption = match (workbench.diagnosis(), on) {
-        (_, 1) => say!("diagnose-one-effect-in-the-model").to_owned(),
-        (_, 2..) => say!("diagnose-effects-in-the-model", on = on),
-        (None, _) => return (say!("common-not-yet").to_owned(), Progress::Open),
+        (_, 1) => say!("one effect in the model").to_owned(),
+        (_, 2..) => say!("{on} effects in the model", on = on),
+        (None, _) => return (say!("not yet").to_owned(), Progress::Open),
         (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
-            (Verdict::Noise, _) => say!("diagnose-nothing-is-missing").to_owned(),
-            (Verdict::Unexplained, _) => say!("diagnose-something-unexplained").to_owned(),
-            (_, 1) => say!("diagnose-one-effect-found").to_owned(),
-            (_, n) => say!("diagnose-effects-found", n = n),
+            (Verdict::Noise, _) => say!("nothing is missing").to_owned(),
+            (Verdict::Unexplained, _) => say!("something unexplained").to_owned(),
+            (_, 1) => say!("one effect found").to_owned(),
+            (_, n) => say!("{n} effects found", n = n),
         },
     };
     (caption, Progress::Done)
@@ -178,7 +201,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
-        if widgets::secondary(ui, say!("diagnose-stop-the-search")).clicked() {
+        if widgets::secondary(ui, say!("Stop the search")).clicked() {
             commands.push(Command::StopSearch);
         }
         return;
@@ -186,9 +209,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
         let measured = !workbench.subject().is_empty();
-        let button = ui.add_enabled_ui(measured, |ui| {
-            widgets::primary(ui, say!("common-run-diagnosis"))
-        });
+        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, say!("Run diagnosis")));
         if button.inner.clicked() {
             commands.push(Command::Search);
         }
@@ -198,7 +219,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if widgets::primary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Add(missing)));
         }
-    } else if widgets::primary(ui, say!("common-continue-to-export")).clicked() {
+    } else if widgets::primary(ui, say!("Continue to export")).clicked() {
         commands.push(Command::GoTo(Step::Export));
     }
 }

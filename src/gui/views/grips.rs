@@ -33,12 +33,12 @@ pub(crate) fn show(
             ..preferences
         }));
     };
-    let left = widgets::grip(ui, say!("grips-steps"), middle, middle.left());
+    let left = widgets::grip(ui, say!("steps"), middle, middle.left());
     pulled(left, &|sizes, x| sizes.left = x);
     if let Some(width) = room.right {
         // The samples, where they stand beside the results, keep their width.
         let end = middle.right() + width;
-        let right = widgets::grip(ui, say!("grips-results"), middle, middle.right());
+        let right = widgets::grip(ui, say!("results"), middle, middle.right());
         pulled(right, &|sizes, x| sizes.right = x.map(|x| end - x));
     }
 }

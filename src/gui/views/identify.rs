@@ -1,6 +1,7 @@
 //! Step 3: how the robot is identified.
 
 use crate::gui::language::of_core;
+use crate::text::spoken;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;
@@ -22,15 +23,15 @@ pub(super) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     let caption = match (document.identified, document.method) {
-        _ if document.given.is_some() => say!("identify-model-from-a-file").to_owned(),
-        (false, _) => say!("common-not-yet").to_owned(),
-        (true, Method::Regional) => say!("identify-by-region").to_owned(),
+        _ if document.given.is_some() => say!("model from a file").to_owned(),
+        (false, _) => say!("not yet").to_owned(),
+        (true, Method::Regional) => say!("by region").to_owned(),
         (true, Method::Exact) => match workbench.answer() {
             Some(answer) => {
                 let count = answer.identification.parameters.len();
-                say!("identify-parameters", count = count)
+                say!("full model, {count} parameters", count = count)
             }
-            None => say!("identify-with-the-full-model").to_owned(),
+            None => say!("full model").to_owned(),
         },
     };
     (caption, Progress::of(workbench.answer().is_some()))
@@ -41,21 +42,27 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if let Some(given) = &document.given {
         widgets::hint(
             ui,
-            say!("identify-the-model-in-takes", given = given.file_name()),
+            say!(
+                "The model in {given} takes the place of an identification",
+                given = given.file_name()
+            ),
         );
         if workbench.subject().is_empty() {
-            widgets::hint(ui, say!("identify-to-identify-the-robot-anew"));
+            widgets::hint(
+                ui,
+                say!("To identify the robot anew, open a session that was measured on it"),
+            );
             return;
         }
-        if widgets::secondary(ui, say!("identify-identify-from-this-session")).clicked() {
+        if widgets::secondary(ui, say!("Identify from this session")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
         return;
     }
-    widgets::section(ui, say!("identify-method"));
+    widgets::section(ui, say!("Method"));
     let methods = [
-        (Method::Exact, say!("identify-full-model")),
-        (Method::Regional, say!("identify-by-region-2")),
+        (Method::Exact, say!("Full model")),
+        (Method::Regional, say!("By region")),
     ];
     let offered = if workbench.subject().single_revolute() {
         &methods[..]
@@ -67,14 +74,24 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     match document.method {
         Method::Exact => {
-            widgets::hint(ui, say!("identify-one-model-for-the-whole"));
+            widgets::hint(
+                ui,
+                say!(
+                    "One model for the whole range, fitted in the measuring frame, with an interval for every number"
+                ),
+            );
             effects(ui, workbench, commands);
         }
         Method::Regional => {
-            widgets::hint(ui, say!("identify-the-source-papers-method"));
+            widgets::hint(
+                ui,
+                say!(
+                    "The source paper's method: a constant correction of angle and radius for each region. It leaves out the rotation between lamp and base, so that one constant error looks different in every region; use it to compare with earlier reports"
+                ),
+            );
             let n = document.regions.len();
-            widgets::fact_of(ui, "common-regions", n.to_string());
-            if ui.link(say!("identify-change-the-regions")).clicked() {
+            widgets::fact_of(ui, phrase!("regions"), n.to_string());
+            if ui.link(say!("Change the regions")).clicked() {
                 commands.push(Command::GoTo(Step::Regions));
             }
         }
@@ -84,7 +101,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let subject = workbench.subject();
-    widgets::section(ui, say!("identify-effects-to-fit"));
+    widgets::section(ui, say!("Effects to fit"));
     ui.spacing_mut().item_spacing.y = 4.0;
     for id in &subject.testable {
         let Some(about) = find(id).map(crate::effects::Effect::about) else {
@@ -98,7 +115,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
             ui.label(RichText::new(about.id).monospace());
-            ui.label(of_core(about.cause));
+            ui.label(spoken(about.cause));
             widgets::hint(ui, about.equation);
         });
         if response.changed() {
@@ -109,7 +126,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     let title = say!(
-        "identify-that-this-session-cannot-show",
+        "{not_testable} that this session cannot show",
         not_testable = subject.not_testable.len()
     );
     let palette = Palette::of(ui);
@@ -127,15 +144,15 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if !document.identified {
-        if widgets::primary(ui, say!("common-identify-2")).clicked() {
+        if widgets::primary(ui, say!("Identify")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
         return;
     }
     if document.given.is_none() {
-        widgets::hint(ui, say!("identify-identified-the-result-follows-every"));
+        widgets::hint(ui, say!("Identified; the result follows every change"));
     }
-    if widgets::primary(ui, say!("identify-continue-to-diagnose")).clicked() {
+    if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
         commands.push(Command::GoTo(Step::Gap));
     }
 }

@@ -14,22 +14,27 @@ use crate::present::units::Units;
 pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
-        title(ui, say!("model-model-from-a-file"));
-        widgets::fact_of(ui, "model-file", &loaded.file);
-        widgets::fact_of(ui, "common-robot", &calibration.model.robot.name);
-        widgets::fact_of(ui, "model-identified", &calibration.session);
+        title(ui, say!("Model from a file"));
+        widgets::fact_of(ui, phrase!("file"), &loaded.file);
+        widgets::fact_of(ui, phrase!("robot"), &calibration.model.robot.name);
+        widgets::fact_of(ui, phrase!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
             let says = |q| format!("{}{}", trimmed(joint.kind.outer(q), 2), joint.kind.sign());
             let measured = format!("{} … {}", says(range.from), says(range.to));
             let name = match joints.len() {
-                1 => say!("common-measured").to_owned(),
-                _ => say!("model-measured", joint = joint.name),
+                1 => say!("measured").to_owned(),
+                _ => say!("measured, {joint}", joint = joint.name),
             };
             widgets::fact(ui, &name, measured);
         }
         if workbench.subject().is_empty() {
-            widgets::hint(ui, say!("model-nothing-was-measured-yet-open"));
+            widgets::hint(
+                ui,
+                say!(
+                    "Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will stand here"
+                ),
+            );
         }
     });
     if !calibration.history.is_empty() {
@@ -39,12 +44,12 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
 
 /// How the gap shrank while the model was made.
 fn history(ui: &mut Ui, units: Units, answer: &Answer) {
-    title(ui, say!("model-how-it-came-about"));
+    title(ui, say!("How it came about"));
     for step in &answer.calibration.history {
         let gap = units.length(step.gap_mm);
         let gap = match step.held_out_mm {
             Some(held_out) => say!(
-                "model-held-out",
+                "{gap}, held out {held_out}",
                 gap = gap,
                 held_out = units.length(held_out)
             ),
@@ -58,21 +63,21 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
 pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
-        title(ui, say!("model-held-against-this-session"));
-        widgets::fact_of(ui, "common-samples", verification.samples.to_string());
+        title(ui, say!("Held against this session"));
+        widgets::fact_of(ui, phrase!("samples"), verification.samples.to_string());
         let model = units.length(verification.model.rms_mm);
-        widgets::fact_of(ui, "model-measured-and-model", model);
+        widgets::fact_of(ui, phrase!("measured and model"), model);
         if let Some(compensated) = verification.compensated {
             let unit = units.length_name();
             let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
-            widgets::fact_of(ui, "model-with-corrected-commands", gap);
+            widgets::fact_of(ui, phrase!("with corrected commands"), gap);
             let largest = format!("{} {unit}", number(compensated.gap.max_mm));
-            widgets::fact_of(ui, "model-largest-then", largest);
+            widgets::fact_of(ui, phrase!("largest then"), largest);
             let stays = format!(
                 "{} {unit}",
                 number(compensated.cannot_be_removed_by_joints_mm)
             );
-            widgets::fact_of(ui, "common-not-correctable-by-joint-commands", stays);
+            widgets::fact_of(ui, phrase!("not correctable by joint commands"), stays);
         }
     });
 }

@@ -5,11 +5,12 @@ use egui::{RichText, Ui};
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
 use crate::gui::charts::effect;
 use crate::gui::language::names::{combination, parameter, title_of, title_on, usual_size};
-use crate::gui::language::{of_core, within};
+use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names;
+use crate::text::within;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
@@ -27,7 +28,7 @@ pub(in crate::gui::views) fn in_words(
 /// Names in words; one with its joint is `id joint`.
 pub(in crate::gui::views) fn titles(all: &[String]) -> String {
     let all = all.iter().map(|name| within(&title_of(name)).into_owned());
-    all.collect::<Vec<_>>().join(say!("names-and"))
+    all.collect::<Vec<_>>().join(say!(" and "))
 }
 
 /// Says which sizes no machine has.
@@ -50,7 +51,7 @@ pub(in crate::gui::views) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiabl
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, say!("names-not-identifiable"));
+        title(ui, say!("Not identifiable"));
         for one in all {
             ui.label(combination(&one.combination));
             widgets::hint(ui, of_core(&one.because));
@@ -67,9 +68,7 @@ pub(in crate::gui::views) fn curve_link(
 ) {
     let view = workbench.view();
     let shown = workbench.chart().about().id == effect::ID && view.effect == index;
-    let button = ui.add_enabled_ui(!shown, |ui| {
-        widgets::secondary(ui, say!("names-show-its-curve"))
-    });
+    let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, say!("Show its curve")));
     if button.inner.clicked() {
         commands.push(Command::ShowEffect(index));
     }

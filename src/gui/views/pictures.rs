@@ -55,7 +55,7 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
 
 /// A chart as it is shown, of many samples with what is seen of them on paper.
 fn chart(workbench: &Workbench, name: &str) -> Result<Chart, String> {
-    let kind = find(name).ok_or(say!("pictures-there-is-no-such-chart"))?;
+    let kind = find(name).ok_or(say!("there is no such chart"))?;
     let scene = workbench.scene_of(kind);
     let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
     let mut chart = shown.chart;
@@ -83,13 +83,13 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
         None => None,
     };
     if session.samples.is_empty() {
-        return Err(say!("common-there-are-no-samples").to_owned());
+        return Err(say!("there are no samples to draw").to_owned());
     }
     if wanted.plot == Plot::Polar {
         let (subject, tolerance) = (&wanted.document.subject, wanted.document.tolerance_mm);
         let (component, only_after) = wanted.component;
         let drawing = polar_sheet(subject, answer, component, only_after, tolerance)?;
-        return Ok((drawing, of(say!("pictures-the-deviation-around-the-angle"))));
+        return Ok((drawing, of(say!("the deviation around the angle"))));
     }
     let stages = match answer {
         None => as_measured(&session, wanted.floor_mm),
@@ -102,7 +102,7 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
     };
     let (mut drawing, magnification) = workspace(&stages);
     let says = of(&say!(
-        "pictures-measured-points-deviations-magnified-times",
+        "measured points, deviations magnified {magnification} times",
         magnification = magnification
     ));
     drawing.height += CAPTION;

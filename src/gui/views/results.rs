@@ -31,7 +31,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
         Side::Results
     };
     if workbench.view().step == Step::Export {
-        widgets::heading(ui, say!("common-export"));
+        widgets::heading(ui, say!("Export"));
         ui.add_space(space::TIGHT);
         widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
         return;
@@ -40,14 +40,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
         return super::findings::show(ui, workbench, commands);
     }
     widgets::row(ui, |ui| {
-        widgets::heading(ui, say!("common-results"));
+        widgets::heading(ui, say!("Results"));
         if !alone {
             return;
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let sides = [
-                (Side::Results, say!("results-summary")),
-                (Side::Samples, say!("results-samples")),
+                (Side::Results, say!("Summary")),
+                (Side::Samples, say!("Samples")),
             ];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
                 commands.push(Command::Side(side));
@@ -65,7 +65,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
 
 /// Shows the samples, where they have a place of their own.
 pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::heading(ui, say!("results-samples"));
+    widgets::heading(ui, say!("Samples"));
     ui.add_space(space::TIGHT);
     samples::show(ui, workbench, commands);
 }
@@ -76,7 +76,7 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
         None => super::coverage::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
-            let title = RichText::new(say!("results-this-could-not-be-identified"));
+            let title = RichText::new(say!("This could not be identified"));
             ui.label(title.font(strong(size::BODY)).color(color));
             ui.label(because);
         }),
@@ -127,9 +127,9 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
-            "regional" => say!("results-rms-error-by-region"),
-            loaded::METHOD => say!("results-rms-error-model"),
-            _ => say!("results-rms-error-full-model"),
+            "regional" => say!("RMS error, by region"),
+            loaded::METHOD => say!("RMS error, model from a file"),
+            _ => say!("RMS error, full model"),
         };
         ui.label(RichText::new(method).color(palette.muted));
         ui.horizontal(|ui| {
@@ -150,18 +150,23 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             )
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        widgets::fact_of(ui, "results-largest", from_to(&found.gap, largest));
+        widgets::fact_of(ui, phrase!("largest"), from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            widgets::fact_of(ui, "common-held-out", from_to(held_out, rms));
+            widgets::fact_of(ui, phrase!("held out"), from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
             widgets::fact_of(
                 ui,
-                "common-within-tolerance",
-                say!("results-of", before = before, after = after, all = all),
+                phrase!("within tolerance"),
+                say!(
+                    "{before} → {after} of {all}",
+                    before = before,
+                    after = after,
+                    all = all
+                ),
             );
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);
@@ -176,7 +181,10 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     match workbench.decision() {
         None => {}
         Some(Err(because)) => {
-            widgets::hint(ui, say!("results-no-decision", because = of_core(&because)));
+            widgets::hint(
+                ui,
+                say!("No decision: {because}", because = of_core(&because)),
+            );
         }
         Some(Ok((outcome, says))) => {
             let color = match outcome {
@@ -193,7 +201,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
 
 fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
     let palette = Palette::of(ui);
-    title(ui, say!("results-identified-parameters"));
+    title(ui, say!("Identified parameters"));
     dense(ui);
     let mut last = None;
     for one in estimates {
@@ -217,10 +225,8 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
         );
     }
     implausible(ui, estimates);
-    widgets::hint(ui, say!("results-half-the-95-interval"));
-    copies::button(ui, say!("results-parameters"), || {
-        copies::parameters(estimates)
-    });
+    widgets::hint(ui, say!("± half the 95 % interval"));
+    copies::button(ui, say!("parameters"), || copies::parameters(estimates));
 }
 
 /// The target, place or setup that a parameter belongs to: where there are several, each has its own.
@@ -280,7 +286,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let is_given = workbench.document().given.is_some();
-    title(ui, say!("results-correction-of-each-region"));
+    title(ui, say!("Correction of each region"));
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     // The numbers keep their places, however long a name is.
     let longest = (ui.available_width() - NUMBERS).max(44.0);
@@ -292,10 +298,10 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
             let (angle, length) = (units.angle_name().trim(), units.length_name());
             let of = |quantity: &str, unit: &str| format!("{quantity}, {unit}");
             for head in [
-                say!("results-region").to_owned(),
+                say!("region").to_owned(),
                 of("Δθ", angle),
                 of("Δl1", length),
-                of(say!("common-rms-error"), length),
+                of(say!("RMS error"), length),
             ] {
                 ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
             }
@@ -307,7 +313,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                     correction.name,
                     trimmed(deg_from_rad(correction.from_rad), 2),
                     trimmed(deg_from_rad(correction.to_rad), 2),
-                    say!("samples", count = grouped(correction.samples))
+                    say!(one "{count} sample", "{count} samples", count = grouped(correction.samples))
                 );
                 let color = palette.text;
                 let font = strong(size::BODY);
@@ -332,7 +338,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.y = 0.0;
                     ui.label(mm(result.rms_after_mm));
-                    let before = say!("results-was", rms_before = mm(result.rms_before_mm));
+                    let before = say!("was {rms_before}", rms_before = mm(result.rms_before_mm));
                     ui.label(RichText::new(before).size(size::SMALL).color(palette.muted));
                 });
                 ui.end_row();
@@ -341,12 +347,12 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     widgets::hint(
         ui,
         if is_given {
-            say!("results-what-to-add")
+            say!("What to add")
         } else {
-            say!("results-what-to-add-half")
+            say!("What to add, ± half the 95 % interval")
         },
     );
-    copies::button(ui, say!("common-regions"), || copies::regions(results));
+    copies::button(ui, say!("regions"), || copies::regions(results));
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -360,13 +366,17 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         .collect();
     if !found.quality.converged {
         let stopped = found.quality.stopped;
-        lines.push(say!("common-the-fit-did-not-converge", stopped = stopped));
+        lines.push(say!(
+            "the fit did not converge: {stopped}",
+            stopped = stopped
+        ));
     }
     if let Some(noise) = &found.noise {
         let stated = noise.against_stated(&workbench.subject().session);
         let differs = stated.filter(StatedNoise::differs);
-        lines
-            .extend(differs.map(|n| say!("results-measurement-noise", noise = of_core(&n.says()))));
+        lines.extend(
+            differs.map(|n| say!("measurement noise: {noise}", noise = of_core(&n.says()))),
+        );
         lines.extend(
             noise
                 .slow
@@ -376,14 +386,14 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.outliers.is_empty() {
         let (excluded, all) = (found.outliers.len(), grouped(found.samples));
         lines.push(say!(
-            "results-excluded-outliers-of-samples",
+            "excluded outliers: {excluded} of {all} samples",
             excluded = excluded,
             all = all
         ));
     }
     for outlier in found.outliers.iter().take(MOST) {
         lines.push(say!(
-            "results-sample-is-an-outlier",
+            "sample {sample} is an outlier: {deviation} from the model",
             sample = outlier.sample + 1,
             deviation = units.length(outlier.deviation_mm)
         ));
@@ -395,20 +405,20 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         .filter(|l| l.because != Unusable::Excluded);
     for left_out in lost.clone().take(MOST) {
         lines.push(say!(
-            "results-sample-is-excluded",
+            "sample {sample} is excluded: {because}",
             sample = left_out.sample + 1,
             because = of_core(left_out.because.says())
         ));
     }
     let more = found.outliers.len().saturating_sub(MOST) + lost.count().saturating_sub(MOST);
     if more > 0 {
-        lines.push(say!("results-and-more", more = more));
+        lines.push(say!("and {more} more", more = more));
     }
     if lines.is_empty() {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, say!("results-notes"));
+        title(ui, say!("Notes"));
         for line in &lines {
             widgets::hint(ui, line);
         }

@@ -27,25 +27,25 @@ pub(super) const STEP: StepView = StepView {
 
 fn state(workbench: &Workbench) -> (String, Progress) {
     let says = if workbench.subject().is_empty() {
-        say!("session-a-model-nothing-measured").to_owned()
+        say!("a model, nothing measured").to_owned()
     } else {
-        say!("samples", count = grouped(workbench.subject().len()))
+        say!(one "{count} sample", "{count} samples", count = grouped(workbench.subject().len()))
     };
     (says, Progress::Done)
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::section(ui, say!("session-measured"));
+    widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
     follow(ui, workbench, commands);
     findings(ui, workbench, commands);
-    widgets::section(ui, say!("session-another-session-or-model"));
-    if widgets::secondary(ui, say!("common-open")).clicked() {
+    widgets::section(ui, say!("Another session or model"));
+    if widgets::secondary(ui, say!("Open…")).clicked() {
         commands.push(Command::ChooseFile);
     }
     path_field(ui, commands);
-    if widgets::secondary(ui, say!("common-new-by-simulation")).clicked() {
+    if widgets::secondary(ui, say!("New by simulation…")).clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
     recent(ui, workbench, commands);
@@ -60,7 +60,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     let palette = Palette::of(ui);
-    widgets::section(ui, say!("common-recent-files"));
+    widgets::section(ui, say!("Recent files"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for (path, there) in recent {
         let name = path.file_name().unwrap_or(path.as_os_str());
@@ -73,11 +73,11 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             continue;
         }
-        let says = say!("common-is-not-there-any-more", name = name);
+        let says = say!("{name} is not there any more", name = name);
         let says = RichText::new(says).size(size::NOTE);
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
-        if ui.link(say!("common-forget", name = name)).clicked() {
+        if ui.link(say!("Forget {name}", name = name)).clicked() {
             commands.push(Command::Forget(path.to_path_buf()));
         }
     }
@@ -87,54 +87,62 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let session = &subject.session;
     let units = workbench.units();
-    widgets::fact_of(ui, "common-robot", &session.robot.name);
+    widgets::fact_of(ui, phrase!("robot"), &session.robot.name);
     if let [joint] = session.robot.joints.as_slice() {
         let (from, to) = subject.travel();
         let range = match joint.kind {
             JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
             JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
         };
-        widgets::fact_of(ui, "common-joint", format!("{}, {range}", joint.name));
+        widgets::fact_of(ui, phrase!("joint"), format!("{}, {range}", joint.name));
     } else {
-        widgets::fact_of(ui, "common-joints", session.robot.joints.len().to_string());
+        widgets::fact_of(
+            ui,
+            phrase!("joints"),
+            session.robot.joints.len().to_string(),
+        );
     }
     if subject.is_empty() {
-        widgets::fact_of(ui, "common-samples", say!("session-none-this-is-a-model"));
+        widgets::fact_of(ui, phrase!("samples"), say!("none: this is a model"));
         return;
     }
     let mut samples = grouped(subject.len());
     for (n, what) in [
-        (subject.overview.held_out, say!("common-held-out")),
-        (subject.overview.excluded, say!("common-excluded")),
+        (subject.overview.held_out, say!("held out")),
+        (subject.overview.excluded, say!("excluded")),
     ] {
         if n > 0 {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
-    widgets::fact_of(ui, "common-samples", samples);
+    widgets::fact_of(ui, phrase!("samples"), samples);
     if let Some(kinds) = &subject.overview.kinds {
-        widgets::fact_of(ui, "common-measured", kinds);
+        widgets::fact_of(ui, phrase!("measured"), kinds);
     }
     if session.targets.len() > 1 {
-        widgets::fact_of(ui, "session-reflectors", session.targets.len().to_string());
+        widgets::fact_of(ui, phrase!("reflectors"), session.targets.len().to_string());
     }
     if !session.instrument.name.is_empty() {
-        widgets::fact_of(ui, "common-instrument-2", &session.instrument.name);
+        widgets::fact_of(ui, phrase!("instrument"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
-        None => say!("session-not-given").to_owned(),
+        None => say!("not given").to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    widgets::fact_of(ui, "session-noise-one", sigma);
+    widgets::fact_of(ui, phrase!("noise, one σ"), sigma);
     if session.samples.z_mm.is_none() {
-        widgets::fact_of(ui, "session-coordinates", say!("session-x-and-y-z-was"));
+        widgets::fact_of(
+            ui,
+            phrase!("coordinates"),
+            say!("x and y; z was not measured"),
+        );
     }
     if session.compensated_by.is_some() {
         widgets::fact_of(
             ui,
-            "session-compensated",
-            say!("session-yes-this-shows-what"),
+            phrase!("compensated"),
+            say!("yes: this shows what is left"),
         );
     }
 }
@@ -153,16 +161,11 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
             if value > 0.0 {
                 egui::emath::format_with_decimals_in_range(value, decimals)
             } else {
-                say!("common-none").to_owned()
+                say!("none").to_owned()
             }
         })
         .suffix(if now > 0.0 { " mm" } else { "" });
-    let response = widgets::number(
-        ui,
-        say!("common-tolerance"),
-        &format!("mm{}", or_none()),
-        field,
-    );
+    let response = widgets::number(ui, say!("tolerance"), &format!("mm{}", or_none()), field);
     let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
     commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
 }
@@ -174,8 +177,8 @@ fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let following = workbench.following();
     let mut on = following.is_some();
-    let says = say!("session-new-lines-are-read-as");
-    let response = ui.checkbox(&mut on, say!("common-follow-the-file-as"));
+    let says = say!("New lines are read as they are written, and the answer follows");
+    let response = ui.checkbox(&mut on, say!("Follow the file as it grows"));
     if response.on_hover_text(says).changed() {
         commands.push(Command::Follow(on));
     }
@@ -183,8 +186,8 @@ fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         widgets::hint(
             ui,
             say!(
-                "session-came-since",
-                samples = say!("samples", count = came)
+                "{samples} came since",
+                samples = say!(one "{count} sample", "{count} samples", count = came)
             ),
         );
     }
@@ -196,7 +199,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if findings.is_empty() {
         return;
     }
-    widgets::section(ui, &say!("session-import-log", count = findings.len()));
+    widgets::section(ui, &say!("Import log: {count}", count = findings.len()));
     ui.scope(|ui| {
         // Rows are as high as their text, the first of a finding too.
         ui.spacing_mut().interact_size.y = 0.0;
@@ -208,16 +211,19 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     if findings.len() > MOST {
-        widgets::hint(ui, say!("common-and-more", more = findings.len() - MOST));
+        widgets::hint(
+            ui,
+            say!(in "common", "and {more} more", more = findings.len() - MOST),
+        );
     }
 }
 
 fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let (mark, color) = match finding.severity {
-        Severity::Note => (say!("session-note"), palette.muted),
-        Severity::Warning => (say!("session-warning"), palette.warning),
-        Severity::Error => (say!("session-error"), palette.outside),
+        Severity::Note => (say!("note"), palette.muted),
+        Severity::Warning => (say!("warning"), palette.warning),
+        Severity::Error => (say!("error"), palette.outside),
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
@@ -227,7 +233,7 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
             ui.label(text);
         } else if ui
             .link(text)
-            .on_hover_text(say!("common-show-these-samples"))
+            .on_hover_text(say!("Show these samples"))
             .clicked()
         {
             commands.push(Command::Mark(finding.samples.clone()));
@@ -240,7 +246,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     let id = ui.scope_id().with("typed path");
     let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
     ui.horizontal(|ui| {
-        let open = say!("common-open-2");
+        let open = say!("Open");
         let font = egui::TextStyle::Button.resolve(ui.style());
         let open_width = ui
             .painter()
@@ -249,12 +255,12 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
         let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
         let width = ui.available_width() - (open_width.size().x + around).max(64.0);
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(say!("session-type-a-path-or-drop"))
+            .hint_text(say!("type a path, or drop a file"))
             .desired_width(width)
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add(field);
-        widgets::label(&field, say!("session-path-of-a-session-or"));
+        widgets::label(&field, say!("Path of a session or model"));
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
         let button = ui.add_enabled(!path.is_empty(), egui::Button::new(open));
@@ -268,14 +274,14 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.origin == Origin::Bundled {
-        widgets::hint(ui, say!("session-this-is-an-example"));
+        widgets::hint(ui, say!("This is an example that comes with the program"));
     }
     let (step, text) = if workbench.document().given.is_some() {
-        (Step::Export, say!("common-continue-to-export"))
+        (Step::Export, say!("Continue to export"))
     } else if subject.single_revolute() {
-        (Step::Regions, say!("session-continue-to-regions"))
+        (Step::Regions, say!("Continue to regions"))
     } else {
-        (Step::Identify, say!("common-continue-to-identify"))
+        (Step::Identify, say!("Continue to identify"))
     };
     if widgets::primary(ui, text).clicked() {
         commands.push(Command::GoTo(step));

@@ -1,6 +1,7 @@
 //! Robot, reflectors and instrument, to be edited: checked as they are typed, with the message at
 //! the field, and in the plots at once.
 
+use crate::text::{Template, filled};
 use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;
@@ -26,17 +27,17 @@ impl Fields {
         }
     }
 
-    /// So many numbers in a row; `key` is that of their name.
+    /// So many numbers in a row, and their name.
     fn numbers(
         &mut self,
         ui: &mut Ui,
-        key: &'static str,
+        key: Template,
         unit: &str,
         parts: &[&str],
         values: &mut [f64],
         speed: f64,
     ) {
-        let label = say!(key, n = self.n);
+        let label = filled(key, &[("n", &self.n)]);
         let gap = 6.0;
         let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
         ui.horizontal(|ui| {
@@ -73,35 +74,39 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let is_open = |fields: &Fields, wrong: &dyn Fn(Field) -> bool| {
         fields.problems.iter().any(|(field, _)| wrong(*field))
     };
-    widgets::section(ui, say!("setup-robot-and-instrument"));
+    widgets::section(ui, say!("Robot and instrument"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for k in 0..form.joints.len() {
-        let title = say!("setup-joint", k = k + 1, joints = now.joints[k].name);
+        let title = say!(
+            "Joint {k}, {joints}",
+            k = k + 1,
+            joints = now.joints[k].name
+        );
         let wrong = |f: Field| matches!(f, Field::JointName(j) | Field::Axis(j) | Field::Limits(j) | Field::Mass(j) if j == k);
         let open = is_open(&fields, &|f| wrong(f) || f == Field::Joints);
-        folded(ui, &title, (say!("common-joint"), k), open, |ui| {
+        folded(ui, &title, (say!("joint"), k), open, |ui| {
             joint(ui, &mut form.joints[k], k, &mut fields);
         });
     }
     let open = is_open(&fields, &|f| f == Field::Tool);
-    folded(ui, say!("setup-tool-and-gravity"), "tool", open, |ui| {
+    folded(ui, say!("Tool and gravity"), "tool", open, |ui| {
         tool(ui, &mut form, &mut fields);
     });
     let open = is_open(&fields, &|f| matches!(f, Field::Target(_)));
-    folded(ui, say!("setup-reflectors"), "targets", open, |ui| {
+    folded(ui, say!("Reflectors"), "targets", open, |ui| {
         let free = now.last_target_is_free(session);
         targets(ui, &mut form, free, &mut fields);
     });
     if !workbench.subject().is_empty() {
         let open = is_open(&fields, &|f| f == Field::Sigma);
-        folded(ui, say!("common-instrument"), "instrument", open, |ui| {
+        folded(ui, say!("Instrument"), "instrument", open, |ui| {
             instrument(ui, &mut form, &mut fields);
         });
     }
     if workbench.view().setup.is_some() {
         fields.message(ui, Field::Joints);
-        widgets::hint(ui, say!("setup-not-taken-over-while-something"));
-        if ui.link(say!("setup-back-to-what-was-there")).clicked() {
+        widgets::hint(ui, say!("Not taken over while something is wrong"));
+        if ui.link(say!("Back to what was there")).clicked() {
             commands.push(Command::Draft(None));
             return;
         }
@@ -160,29 +165,36 @@ const XYZ: [&str; 3] = ["x", "y", "z"];
 fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     let n = k + 1;
     fields.n = n;
-    text(ui, &say!("setup-name-of-joint", n = n), &mut joint.name);
+    text(ui, &say!("Name of joint {n}", n = n), &mut joint.name);
     fields.message(ui, Field::JointName(k));
     let kinds = [
-        (JointKind::Revolute, say!("setup-turns")),
-        (JointKind::Prismatic, say!("setup-slides")),
+        (JointKind::Revolute, say!("turns")),
+        (JointKind::Prismatic, say!("slides")),
     ];
     if let Some(kind) = widgets::segmented(ui, &kinds, joint.kind) {
         joint.kind = kind;
     }
     ui.horizontal(|ui| {
-        widgets::caption(ui, say!("setup-axis-direction-at-home"));
+        widgets::caption(ui, say!("axis, direction at home"));
         widgets::question(ui, help::AXIS);
     });
-    fields.numbers(ui, "setup-axis", "", &XYZ, &mut joint.axis, 0.01);
+    fields.numbers(ui, phrase!("Axis {n}"; n), "", &XYZ, &mut joint.axis, 0.01);
     fields.message(ui, Field::Axis(k));
-    widgets::caption(ui, say!("setup-a-point-on-it-mm"));
-    fields.numbers(ui, "setup-point", "mm", &XYZ, &mut joint.point_mm, 0.1);
+    widgets::caption(ui, say!("a point on it, mm"));
+    fields.numbers(
+        ui,
+        phrase!("Point {n}"; n),
+        "mm",
+        &XYZ,
+        &mut joint.point_mm,
+        0.1,
+    );
     let unit = joint.kind.sign().trim();
     let mut limited = joint.limits.is_some();
     if ui
         .checkbox(
             &mut limited,
-            say!("setup-limits-of-joint", n = n, unit = unit),
+            say!("limits of joint {n}, {unit}", n = n, unit = unit),
         )
         .changed()
     {
@@ -191,9 +203,9 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     if let Some(limits) = &mut joint.limits {
         fields.numbers(
             ui,
-            "setup-limit",
+            phrase!("Limit {n}"; n),
             unit,
-            &[say!("common-from"), say!("common-to")],
+            &[say!("from"), say!("to")],
             limits,
             0.5,
         );
@@ -201,31 +213,31 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     }
     let mut heavy = joint.link.is_some();
     if ui
-        .checkbox(&mut heavy, say!("setup-mass-of-link-kg", n = n))
+        .checkbox(&mut heavy, say!("mass of link {n}, kg", n = n))
         .changed()
     {
         joint.link = heavy.then_some((1.0, joint.point_mm));
     }
     if let Some((mass, centre_mm)) = &mut joint.link {
         let mass = std::slice::from_mut(mass);
-        fields.numbers(ui, "setup-mass", "kg", &[""], mass, 0.05);
+        fields.numbers(ui, phrase!("Mass {n}"; n), "kg", &[""], mass, 0.05);
         fields.message(ui, Field::Mass(k));
-        widgets::caption(ui, say!("setup-its-centre-at-home-mm"));
-        fields.numbers(ui, "setup-centre", "mm", &XYZ, centre_mm, 0.5);
+        widgets::caption(ui, say!("its centre at home, mm"));
+        fields.numbers(ui, phrase!("Centre {n}"; n), "mm", &XYZ, centre_mm, 0.5);
     }
 }
 
 fn tool(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
     ui.horizontal(|ui| {
-        widgets::caption(ui, say!("setup-tool-at-home-mm"));
+        widgets::caption(ui, say!("tool at home, mm"));
         widgets::question(ui, help::TOOL);
     });
-    fields.numbers(ui, "common-tool", "mm", &XYZ, &mut form.tool_mm, 0.1);
-    widgets::caption(ui, say!("setup-orientation-quaternion-w-x-y"));
+    fields.numbers(ui, phrase!("Tool"), "mm", &XYZ, &mut form.tool_mm, 0.1);
+    widgets::caption(ui, say!("orientation, quaternion w x y z"));
     let wxyz = ["w", "x", "y", "z"];
     fields.numbers(
         ui,
-        "setup-orientation",
+        phrase!("Orientation"),
         "",
         &wxyz,
         &mut form.tool_wxyz,
@@ -234,31 +246,27 @@ fn tool(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
     fields.message(ui, Field::Tool);
     let mut known = form.gravity.is_some();
     if ui
-        .checkbox(&mut known, say!("setup-gravity-is-known-m-s"))
+        .checkbox(&mut known, say!("gravity is known, m/s²"))
         .changed()
     {
         form.gravity = known.then_some([0.0, 0.0, -9.81]);
     }
     if let Some(gravity) = &mut form.gravity {
-        fields.numbers(ui, "setup-gravity", "", &XYZ, gravity, 0.01);
+        fields.numbers(ui, phrase!("Gravity"), "", &XYZ, gravity, 0.01);
     }
 }
 
 fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut Fields) {
-    widgets::caption(ui, say!("setup-in-the-tool-frame-mm"));
+    widgets::caption(ui, say!("in the tool frame, mm"));
     let mut gone = false;
     let count = form.targets.len();
     for (k, target) in form.targets.iter_mut().enumerate() {
         let n = k + 1;
         fields.n = n;
-        text(
-            ui,
-            &say!("setup-name-of-reflector", n = n),
-            &mut target.name,
-        );
+        text(ui, &say!("Name of reflector {n}", n = n), &mut target.name);
         fields.numbers(
             ui,
-            "setup-reflector",
+            phrase!("Reflector {n}"; n),
             "mm",
             &XYZ,
             &mut target.position_mm,
@@ -266,12 +274,12 @@ fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut F
         );
         fields.message(ui, Field::Target(k));
         if n == count && last_is_free {
-            gone = ui.link(say!("setup-remove-this-reflector")).clicked();
+            gone = ui.link(say!("Remove this reflector")).clicked();
         }
     }
     if gone {
         form.targets.pop();
-    } else if ui.link(say!("setup-add-a-reflector")).clicked() {
+    } else if ui.link(say!("Add a reflector")).clicked() {
         form.targets.push(TargetForm {
             name: format!("T{}", count + 1),
             position_mm: [0.0; 3],
@@ -280,13 +288,9 @@ fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut F
 }
 
 fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
-    text(
-        ui,
-        say!("setup-name-of-the-instrument"),
-        &mut form.instrument,
-    );
+    text(ui, say!("Name of the instrument"), &mut form.instrument);
     ui.horizontal(|ui| {
-        widgets::caption(ui, say!("setup-noise-one-mm"));
+        widgets::caption(ui, say!("noise, one σ, mm"));
         widgets::question(ui, help::NOISE);
     });
     let kind = match form.sigma {
@@ -295,8 +299,8 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
         SigmaForm::Three(_) => 3,
     };
     let kinds = [
-        (0, say!("setup-unknown")),
-        (1, say!("setup-one-number")),
+        (0, say!("unknown")),
+        (1, say!("one number")),
         (3, "x, y, z"),
     ];
     if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
@@ -315,10 +319,10 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
         SigmaForm::Unknown => {}
         SigmaForm::One(sigma) => {
             let sigma = std::slice::from_mut(sigma);
-            fields.numbers(ui, "setup-noise", "mm", &[""], sigma, 0.001);
+            fields.numbers(ui, phrase!("Noise"), "mm", &[""], sigma, 0.001);
         }
         SigmaForm::Three(sigma) => {
-            fields.numbers(ui, "setup-noise", "mm", &XYZ, sigma, 0.001);
+            fields.numbers(ui, phrase!("Noise"), "mm", &XYZ, sigma, 0.001);
         }
     }
     fields.message(ui, Field::Sigma);

@@ -67,8 +67,8 @@ fn one(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let parts = [
-        (Part::Workspace, say!("common-workspace")),
-        (Part::Chart, say!("common-chart")),
+        (Part::Workspace, say!("Workspace")),
+        (Part::Chart, say!("Chart")),
     ];
     if let Some(part) = widgets::segmented(ui, &parts, workbench.view().part) {
         commands.push(Command::Part(part));
@@ -155,7 +155,7 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button(say!("common-dismiss")).clicked() {
+                if ui.button(say!("Dismiss")).clicked() {
                     commands.push(Command::Dismiss);
                 }
                 ui.with_layout(Layout::top_down(Align::Min), |ui| {

@@ -17,11 +17,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     widgets::card(ui, |ui| {
-        ui.label(
-            RichText::new(say!("standards-accuracy-and-repeatability")).font(strong(size::BODY)),
-        );
+        ui.label(RichText::new(say!("Accuracy and repeatability")).font(strong(size::BODY)));
         match &figures.made {
-            None => widgets::hint(ui, say!("standards-the-figures-are-being-worked")),
+            None => widgets::hint(ui, say!("The figures are being worked out")),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(made)) => tables(ui, made),
         }
@@ -30,7 +28,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
 
 fn tables(ui: &mut Ui, made: &Made) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
-        copies::button(ui, say!("standards-figures"), || as_text(made));
+        copies::button(ui, say!("figures"), || as_text(made));
     }
     let mut explained = "";
     for group in &made.groups {
@@ -49,7 +47,7 @@ fn tables(ui: &mut Ui, made: &Made) {
             }
         }
         for line in &group.missing {
-            widgets::hint(ui, say!("standards-missing", line = of_core(line)));
+            widgets::hint(ui, say!("missing: {line}", line = of_core(line)));
         }
     }
     for line in &made.notes {
@@ -65,7 +63,7 @@ fn legend(group: &Group) -> String {
         .map(|row| format!("{} {}", row.symbol, row.name))
         .collect();
     if group.rows.iter().any(|row| sides(row.symbol)) {
-        names.push(say!("standards-from-below-from-above").to_owned());
+        names.push(say!("↑ from below, ↓ from above").to_owned());
     }
     names.join(" · ")
 }
@@ -77,8 +75,8 @@ fn table(ui: &mut Ui, group: &Group) {
         .num_columns(3)
         .spacing([20.0, 3.0])
         .show(ui, |ui| {
-            let measured = say!("standards-measured", group = group.unit);
-            for head in ["", &measured, say!("common-corrected")] {
+            let measured = say!("measured, {group}", group = group.unit);
+            for head in ["", &measured, say!("corrected")] {
                 let head = RichText::new(head).size(size::SMALL).color(palette.muted);
                 widgets::cell_right(ui, head);
             }

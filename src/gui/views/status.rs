@@ -16,12 +16,12 @@ pub(crate) fn line(workbench: &Workbench) -> String {
     let subject = workbench.subject();
     if subject.is_empty() {
         return say!(
-            "status-model-of-open-a-session",
+            "model of {robot} · open a session measured on this robot to see what the model does",
             robot = subject.session.robot.name
         );
     }
     let units = workbench.units();
-    let samples = say!("samples", count = grouped(subject.len()));
+    let samples = say!(one "{count} sample", "{count} samples", count = grouped(subject.len()));
     let unit = units.length_name();
     let mm = |mm: f64| units.length_number(mm);
     let gap = match (workbench.answer(), &subject.gap_before) {
@@ -38,19 +38,23 @@ pub(crate) fn line(workbench: &Workbench) -> String {
             );
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
-            say!("status-rms-error", gaps = gaps.join(" → "), unit = unit)
+            say!(
+                "RMS error {gaps} {unit}",
+                gaps = gaps.join(" → "),
+                unit = unit
+            )
         }
-        (None, Some(gap)) => say!("status-rms-error-2", rms = mm(gap.rms_mm), unit = unit),
-        (None, None) => say!("status-no-sample-can-be-used").to_owned(),
+        (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit = unit),
+        (None, None) => say!("no sample can be used").to_owned(),
     };
     let floor = match (workbench.diagnosis(), subject.known.floor_mm) {
         (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
-        (None, Some(mm)) => Some((mm, say!("common-instrument-2"))),
+        (None, Some(mm)) => Some((mm, say!("instrument"))),
         (None, None) => None,
     };
     let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
         say!(
-            "status-floor",
+            " · floor {floor} {unit} ({from})",
             floor = mm(floor_mm),
             unit = unit,
             from = from
@@ -62,9 +66,9 @@ pub(crate) fn line(workbench: &Workbench) -> String {
 /// Where a noise floor comes from, in a word.
 fn floor_from(from: FloorFrom) -> &'static str {
     match from {
-        FloorFrom::Repeats => say!("status-repeats"),
-        FloorFrom::Instrument => say!("common-instrument-2"),
-        FloorFrom::Estimated => say!("common-estimated"),
+        FloorFrom::Repeats => say!("repeats"),
+        FloorFrom::Instrument => say!("instrument"),
+        FloorFrom::Estimated => say!("estimated"),
     }
 }
 
@@ -73,21 +77,18 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
-        if ui.small_button(say!("status-identify-again")).clicked() {
+        if ui.small_button(say!("Identify again")).clicked() {
             commands.push(Command::Edit(Edit::Identify));
         }
-        ui.label(
-            small(say!("status-the-identification-was-cancelled").to_owned())
-                .color(palette.warning),
-        );
+        ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
     } else if let Some(came) = workbench.following() {
-        if ui.small_button(say!("status-stop-following")).clicked() {
+        if ui.small_button(say!("Stop following")).clicked() {
             commands.push(Command::Follow(false));
         }
-        let says = say!("status-following-the-file-new", came = came);
+        let says = say!("following the file · {came} new", came = came);
         ui.label(small(says).color(palette.accent));
     } else if !workbench.letters().unshown.is_empty() {
-        if ui.small_button(say!("status-understood")).clicked() {
+        if ui.small_button(say!("Understood")).clicked() {
             commands.push(Command::DismissLetters);
         }
         let says = fonts::cannot_be_shown(&workbench.letters().unshown);
@@ -102,7 +103,7 @@ fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) ->
         return false;
     };
     let palette = Palette::of(ui);
-    if ui.small_button(say!("recording-stop")).clicked() {
+    if ui.small_button(say!("Stop recording")).clicked() {
         commands.push(Command::StopRecording);
     }
     let color = match heard.state {
@@ -138,7 +139,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let Some(task) = workbench.jobs().newest() else {
                 return idle(ui, workbench, commands);
             };
-            if ui.small_button(say!("common-cancel")).clicked() {
+            if ui.small_button(say!("Cancel")).clicked() {
                 commands.push(Command::Cancel);
             }
             let what = RichText::new(task.says());

@@ -73,10 +73,7 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
     if let Some(file) = &message.file {
         let name = file.file_name().unwrap_or(file.as_os_str());
         let name = name.to_string_lossy();
-        for (text, in_folder) in [
-            (say!("common-open-2"), false),
-            (say!("toast-show-in-folder"), true),
-        ] {
+        for (text, in_folder) in [(say!("Open"), false), (say!("Show in folder"), true)] {
             let button = ui.add(Button::new(text));
             let says = format!("{text}: {name}");
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
@@ -86,7 +83,7 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
             }
         }
     }
-    if ui.button(say!("common-dismiss")).clicked() {
+    if ui.button(say!("Dismiss")).clicked() {
         commands.push(Command::Dismiss);
     }
 }

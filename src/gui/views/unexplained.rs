@@ -24,22 +24,22 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
     }
     let warning = Palette::of(ui).warning;
     widgets::card(ui, |ui| {
-        let text = RichText::new(say!("unexplained-unexplained")).font(strong(size::HEADING));
+        let text = RichText::new(say!("Unexplained")).font(strong(size::HEADING));
         ui.label(text.color(warning));
         widgets::fact_of(
             ui,
-            "unexplained-what-is-left",
+            phrase!("what is left"),
             workbench.units().length(left.rms_mm),
         );
         if let Some(place) = &left.place {
-            widgets::fact_of(ui, "unexplained-where", of_core(&place.says()));
+            widgets::fact_of(ui, phrase!("where"), of_core(&place.says()));
         }
         widgets::hint(ui, of_core(&left.says));
         if !left.resembles.is_empty() {
             let resembles = titles(&left.resembles);
             widgets::hint(
                 ui,
-                say!("unexplained-a-part-of-it-looks", resembles = resembles),
+                say!("A part of it looks like {resembles}", resembles = resembles),
             );
         }
         match &left.correction {
@@ -48,7 +48,7 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
                 widgets::hint(
                     ui,
                     say!(
-                        "unexplained-it-cannot-be-corrected",
+                        "It cannot be corrected: {because}",
                         because = of_core(because)
                     ),
                 );
@@ -67,7 +67,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mm = |mm: f64| significant(units.length_value(mm), 3);
     let [before, after] = found.held_out_mm;
     let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
-    widgets::fact_of(ui, "unexplained-cross-validated-rms-error-corrected", gap);
+    widgets::fact_of(ui, phrase!("cross-validated RMS error, corrected"), gap);
     range(
         ui,
         workbench.subject().session.robot.joints[found.term.joint].kind,
@@ -76,7 +76,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mut added = workbench.document().added.iter();
     match added.position(|a| a.term.same_column(&found.term)) {
         None => {
-            if widgets::secondary(ui, say!("unexplained-add-smooth-correction")).clicked() {
+            if widgets::secondary(ui, say!("Add smooth correction")).clicked() {
                 // It is what the names leave: without them it would correct something else.
                 let mut terms = workbench.not_added();
                 terms.push(found.term.clone());
@@ -85,7 +85,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
-            let checkbox = ui.checkbox(&mut on, say!("unexplained-smooth-correction-in-the-model"));
+            let checkbox = ui.checkbox(&mut on, say!("smooth correction in the model"));
             if checkbox.changed() {
                 commands.push(Command::Edit(Edit::Switch(index, on)));
             }
@@ -102,31 +102,32 @@ fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
     };
     let knots = curve.knots();
     let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
-    widgets::fact_of(ui, "common-measured", between.join(" … "));
+    widgets::fact_of(ui, phrase!("measured"), between.join(" … "));
     let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
     let [motion, radial, axial] = curve.largest();
     let parts = [
-        (
-            say!("unexplained-largest-along-the-motion"),
-            outer(motion),
-            unit,
-        ),
-        (say!("unexplained-largest-along-the-radius"), radial, " mm"),
-        (say!("unexplained-largest-along-the-axis"), axial, " mm"),
+        (say!("largest along the motion"), outer(motion), unit),
+        (say!("largest along the radius"), radial, " mm"),
+        (say!("largest along the axis"), axial, " mm"),
     ];
     for (name, size, unit) in parts {
         if size > 0.0 {
             widgets::fact(ui, name, most(size, unit));
         }
     }
-    widgets::hint(ui, say!("unexplained-a-smooth-curve-without"));
+    widgets::hint(
+        ui,
+        say!(
+            "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
+        ),
+    );
 }
 
 /// The smooth corrections of a model, beside its parameters.
 pub(super) fn in_the_model(ui: &mut Ui, model: &Model) {
     for term in model.terms().iter().filter(|t| t.curve.is_some()) {
         widgets::card(ui, |ui| {
-            let text = RichText::new(say!("unexplained-unexplained")).font(strong(size::BODY));
+            let text = RichText::new(say!("Unexplained")).font(strong(size::BODY));
             ui.label(text);
             range(ui, model.robot.joints[term.joint].kind, term);
         });

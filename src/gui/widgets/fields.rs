@@ -18,7 +18,7 @@ struct Refused {
 
 /// Behind the unit of a number that may be absent: "none" is 0.
 pub(crate) fn or_none() -> &'static str {
-    say!("fields-or-none")
+    say!(", or none")
 }
 
 /// So long it is said, seconds.
@@ -30,7 +30,7 @@ fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Resp
     let refused: Rc<RefCell<Option<String>>> = Rc::default();
     let said = Rc::clone(&refused);
     let (own, none) = match unit.strip_suffix(or_none()) {
-        Some(own) => (own.to_owned(), Some(say!("common-none"))),
+        Some(own) => (own.to_owned(), Some(say!("none"))),
         None => (unit.to_owned(), None),
     };
     let parse = move |text: &str| match typed_in(text, &own, &own) {
@@ -63,7 +63,7 @@ fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Resp
         ui.set_max_width(space::TIP);
         super::wrong(
             ui,
-            &say!("fields-the-value-is-kept", because = refused.because),
+            &say!("{because}; the value is kept", because = refused.because),
         );
     });
     response

@@ -27,7 +27,7 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     let middle = x + inwards * REACH;
     let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
     let response = ui.interact(rect, Id::unique("grip").with(name), Sense::click_and_drag());
-    let says = say!("grip-width", name = name);
+    let says = say!("width of {name}", name = name);
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, &says));
     let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
     let palette = Palette::of(ui);

@@ -11,7 +11,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 pub(crate) fn side_button(ui: &mut Ui, open: bool, says: &str) -> Response {
     let palette = Palette::of(ui);
     let name = (!open).then(|| {
-        let text = say!("common-results").to_owned();
+        let text = say!("Results").to_owned();
         ui.painter()
             .layout_no_wrap(text, strong(size::SMALL), palette.accent)
     });

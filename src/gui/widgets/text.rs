@@ -1,6 +1,6 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
-use crate::gui::language::{names, of_core, text, within};
+use crate::text::{Template, spoken, within};
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};
@@ -84,9 +84,9 @@ pub(crate) fn wrong(ui: &mut Ui, text: &str) {
     sentence(ui, RichText::new(text).size(size::NOTE).color(color));
 }
 
-/// As [`fact`], of a name by its key.
-pub(crate) fn fact_of(ui: &mut Ui, key: &'static str, value: impl Into<String>) {
-    fact(ui, text(key), value);
+/// As [`fact`], of a name that is spoken here.
+pub(crate) fn fact_of(ui: &mut Ui, name: Template, value: impl Into<String>) {
+    fact(ui, spoken(name), value);
 }
 
 /// Names a control for those who do not see it.
@@ -156,9 +156,9 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
         ui.label(RichText::new(crate::gui::language::names::title(id)).font(strong(size::BODY)));
-        ui.label(of_core(about.cause));
-        let usual_size = names::usual_size(about.usual_size);
-        hint(ui, say!("text-usually", usual_size = usual_size));
+        ui.label(spoken(about.cause));
+        let usual_size = spoken(about.usual_size);
+        hint(ui, say!("usually {usual_size}", usual_size = usual_size));
         hint(ui, about.equation);
     })
 }
@@ -176,7 +176,7 @@ pub(crate) fn explained(response: Response, word: Word) -> Response {
 pub(crate) fn question(ui: &mut Ui, word: Word) {
     let palette = Palette::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-    let says = say!("text-what-means", word = within(word.name()));
+    let says = say!("what {word} means", word = within(word.name()));
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
     let painter = ui.painter();
     painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));

@@ -216,8 +216,8 @@ impl Workbench {
     pub(super) fn search(&mut self) {
         if self.subject().is_empty() {
             return self.complain(
-                say!("message-there-is-nothing-to-search"),
-                vec![say!("message-open-a-session-that-was").to_owned()],
+                say!("There is nothing to search yet"),
+                vec![say!("Open a session that was measured on this robot").to_owned()],
             );
         }
         let document = self.document();
@@ -225,13 +225,17 @@ impl Workbench {
             document.identified && document.method == Method::Exact && document.given.is_none();
         if !exact {
             let before = match &document.given {
-                Some(_) => Some(say!("message-the-model-from-a-file")),
-                None if document.identified => Some(say!("message-the-identification-by-region")),
+                Some(_) => Some(say!("the model from a file")),
+                None if document.identified => Some(say!("the identification by region")),
                 None => None,
             };
             self.view.message = before.map(|before| {
-                let title = say!("message-identified-with-the-full-model", before = before);
-                let undo = say!("message-the-diagnosis-starts");
+                let title = say!(
+                    "Identified with the full model in place of {before}",
+                    before = before
+                );
+                let undo =
+                    say!("The diagnosis starts from the full model; undo brings the other back");
                 Message::done(title, vec![undo.to_owned()])
             });
             self.edit(&Edit::IdentifyBy(Method::Exact), false);

@@ -77,10 +77,11 @@ impl Workbench {
     }
 
     fn identify(&mut self, question: Question) {
-        let samples = say!("samples", count = grouped(question.subject.len()));
+        let samples =
+            say!(one "{count} sample", "{count} samples", count = grouped(question.subject.len()));
         self.jobs.start(
             Kind::Identifies,
-            say!("message-identifying", samples = samples),
+            say!("identifying, {samples}", samples = samples),
             move |watch| Outcome::of(question, watch),
             |bench: &mut Self, outcome| {
                 let before = bench.outcome.replace(Arc::new(outcome));
@@ -103,7 +104,7 @@ impl Workbench {
     fn prepare(&mut self, wanted: Wanted) {
         self.jobs.start(
             Kind::Prepares,
-            say!("message-preparing-the-table"),
+            say!("preparing the table"),
             move |_| Preview::of(wanted),
             |bench: &mut Self, preview| bench.preview = Some(preview),
         );
@@ -122,7 +123,7 @@ impl Workbench {
         let last = self.backdrop.clone();
         self.jobs.start(
             Kind::Draws,
-            say!("message-drawing"),
+            say!("drawing"),
             move |_| Backdrop::of(scenery, last.as_deref()),
             |bench: &mut Self, backdrop| {
                 let before = bench.backdrop.replace(Arc::new(backdrop));
@@ -139,7 +140,7 @@ impl Workbench {
         self.stopped = None;
         self.jobs.start(
             Kind::Searches,
-            say!("common-searching"),
+            say!("searching"),
             move |watch| Search::of(subject, watch),
             |bench: &mut Self, search| {
                 bench.searched = Some(Arc::new(search));
@@ -214,7 +215,7 @@ impl Workbench {
         work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
         then: fn(&mut Self, T),
     ) {
-        let says = say!("message-writing", path = path.display());
+        let says = say!("writing {path}", path = path.display());
         let work = move |watch: &Watch| work(&path, watch);
         self.jobs.start(Kind::Writes, says, work, then);
     }
@@ -250,7 +251,7 @@ impl Workbench {
         let beside = self.file().map(Path::to_path_buf);
         let beside = beside.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
         self.choose(
-            say!("message-waiting-for-a-file"),
+            say!("waiting for a file to be chosen"),
             move || ask(beside.as_deref()),
             |bench, path| match path {
                 Some(path) => bench.execute(Command::OpenFile(path)),
@@ -264,48 +265,40 @@ impl Workbench {
     pub(super) fn choose_where_to_save(&mut self) {
         let path = self.proposed_path();
         let ask = move || files::choose_to_save(&path);
-        self.choose(
-            say!("message-waiting-for-a-file-name"),
-            ask,
-            |bench, path| {
-                let command = match path {
-                    // The dialog has asked.
-                    Some(path) => Command::SaveAs {
-                        path,
-                        replace: true,
-                    },
-                    None => bench.typed_path(),
-                };
-                bench.execute(command);
-            },
-        );
+        self.choose(say!("waiting for a file name"), ask, |bench, path| {
+            let command = match path {
+                // The dialog has asked.
+                Some(path) => Command::SaveAs {
+                    path,
+                    replace: true,
+                },
+                None => bench.typed_path(),
+            };
+            bench.execute(command);
+        });
     }
 
     /// Asks where to export to.
     pub(super) fn choose_where_to_export(&mut self, what: What) {
         let path = self.placed(self.name_of(what).as_ref());
         let ask = move || files::choose_to_export(what, &path);
-        self.choose(
-            say!("message-waiting-for-a-file-name"),
-            ask,
-            move |bench, path| {
-                if let Some(path) = path {
-                    // The dialog has asked.
-                    let replace = true;
-                    return bench.execute(Command::ExportTo {
-                        what,
-                        path,
-                        replace,
-                    });
-                }
-                let path = bench.placed(bench.name_of(what).as_ref());
-                bench.view.sheet = Some(Sheet::ExportPath {
+        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                let replace = true;
+                return bench.execute(Command::ExportTo {
                     what,
-                    path: path.display().to_string(),
-                    replace: false,
+                    path,
+                    replace,
                 });
-            },
-        );
+            }
+            let path = bench.placed(bench.name_of(what).as_ref());
+            bench.view.sheet = Some(Sheet::ExportPath {
+                what,
+                path: path.display().to_string(),
+                replace: false,
+            });
+        });
     }
 
     /// Waits for the system's dialog.
@@ -324,7 +317,7 @@ impl Workbench {
             move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
             |bench: &mut Self, opened| {
                 if let Err((path, because)) = opened {
-                    let title = say!("message-could-not-be-opened", path = path.display());
+                    let title = say!("{path} could not be opened", path = path.display());
                     bench.complain(&title, vec![because]);
                 }
             },
@@ -334,15 +327,18 @@ impl Workbench {
     fn broke_off(&mut self) {
         self.stop_figuring();
         self.complain(
-            say!("message-something-went-wrong-inside"),
-            vec![say!("message-nothing-was-changed-save-your").to_owned()],
+            say!("Something went wrong inside the program"),
+            vec![
+                say!("Nothing was changed; save your work, and please report what you did last")
+                    .to_owned(),
+            ],
         );
     }
 }
 
 fn no_file_was_chosen() -> Message {
     Message::done(
-        say!("message-no-file-was-chosen").to_owned(),
-        vec![say!("message-if-no-dialog-appeared-drop").to_owned()],
+        say!("No file was chosen").to_owned(),
+        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
     )
 }

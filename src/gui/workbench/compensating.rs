@@ -20,19 +20,23 @@ impl Workbench {
     pub(super) fn choose_targets(&mut self) {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_targets(beside.as_deref());
-        self.choose(say!("message-waiting-for-a-file"), ask, |bench, path| {
-            if let Some(path) = path {
-                bench.execute(Command::Compensate(Wanted::new(path)));
-            }
-        });
+        self.choose(
+            say!("waiting for a file to be chosen"),
+            ask,
+            |bench, path| {
+                if let Some(path) = path {
+                    bench.execute(Command::Compensate(Wanted::new(path)));
+                }
+            },
+        );
     }
 
     /// Corrects the targets of a file by the model that is shown.
     pub(super) fn compensate(&mut self, mut wanted: Wanted) {
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
-                say!("message-there-is-no-model"),
-                vec![say!("message-identify-the-robot-first-or").to_owned()],
+                say!("There is no model to correct targets by"),
+                vec![say!("Identify the robot first, or open a model").to_owned()],
             );
         };
         // What is typed is within the field's range; a command need not be.
@@ -46,7 +50,7 @@ impl Workbench {
             .file_name()
             .unwrap_or_default()
             .to_string_lossy();
-        let says = say!("message-correcting-the-targets", name = name);
+        let says = say!("correcting the targets of {name}", name = name);
         let work = move |_: &Watch| {
             Some(match outcome.handed_out() {
                 Ok(verified) => Compensated::of(&verified, &model, wanted),
@@ -66,8 +70,8 @@ impl Workbench {
     pub(super) fn write_targets(&mut self, path: PathBuf, replace: bool) {
         let Some(compensated) = self.compensated.clone() else {
             return self.complain(
-                say!("message-there-are-no-corrected-targets"),
-                vec![say!("message-choose-a-table-of-targets").to_owned()],
+                say!("There are no corrected targets yet"),
+                vec![say!("Choose a table of targets or a robot program first").to_owned()],
             );
         };
         let mut inputs = self.inputs();

@@ -67,16 +67,20 @@ impl Workbench {
     pub(super) fn choose_logo(&mut self) {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_logo(beside.as_deref());
-        self.choose(say!("message-waiting-for-a-file"), ask, |bench, path| {
-            if let Some(path) = path {
-                let logo = path.display().to_string();
-                bench.state(Stated {
-                    logo,
-                    ..bench.stated()
-                });
-                bench.keep_stated();
-            }
-        });
+        self.choose(
+            say!("waiting for a file to be chosen"),
+            ask,
+            |bench, path| {
+                if let Some(path) = path {
+                    let logo = path.display().to_string();
+                    bench.state(Stated {
+                        logo,
+                        ..bench.stated()
+                    });
+                    bench.keep_stated();
+                }
+            },
+        );
     }
 
     /// Whether the robot is within its tolerance by the rule that was chosen, and what that rests on;

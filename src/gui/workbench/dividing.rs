@@ -26,13 +26,16 @@ impl Workbench {
         let subject = Arc::clone(self.subject());
         if subject.is_empty() || !subject.single_revolute() {
             return self.complain(
-                say!("message-this-change-cannot-be-made"),
-                vec![say!("message-regions-divide-what-was-measured").to_owned()],
+                say!("This change cannot be made"),
+                vec![
+                    say!("regions divide what was measured with a single joint that turns")
+                        .to_owned(),
+                ],
             );
         }
         self.jobs.start(
             Kind::Once,
-            say!("message-looking-where-regions-are-needed"),
+            say!("looking where regions are needed"),
             move |_| adapted(subject),
             Self::take_adapted,
         );
@@ -49,7 +52,7 @@ impl Workbench {
                 self.execute(Command::Edit(edit));
             }
             Err(because) => {
-                self.complain(say!("message-this-change-cannot-be-made"), vec![because]);
+                self.complain(say!("This change cannot be made"), vec![because]);
             }
         }
     }

@@ -57,8 +57,8 @@ impl Workbench {
         if what == What::Poses {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
-                    say!("message-there-is-no-measuring-list"),
-                    vec![say!("message-run-the-diagnosis-first").to_owned()],
+                    say!("There is no measuring list yet"),
+                    vec![say!("Run the diagnosis first").to_owned()],
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
@@ -69,8 +69,8 @@ impl Workbench {
         // From what is shown, but under the name that was chosen.
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
-                say!("message-there-is-nothing-to-export"),
-                vec![say!("common-identify-the-robot-first").to_owned()],
+                say!("There is nothing to export yet"),
+                vec![say!("Identify the robot first").to_owned()],
             );
         };
         let choice = self.document().export;

@@ -37,8 +37,8 @@ impl Workbench {
         }
         let Some(path) = self.samples_file() else {
             return self.complain(
-                say!("message-there-is-no-file"),
-                vec![say!("message-the-samples-of-this-session").to_owned()],
+                say!("There is no file to follow"),
+                vec![say!("The samples of this session are not in a file of their own").to_owned()],
             );
         };
         let growing = Growing::new(&self.subject().session, path);
@@ -64,7 +64,7 @@ impl Workbench {
                 self.count_new(samples.len().saturating_sub(before));
                 if !grown {
                     self.view.message = Some(Message::done(
-                        say!("message-the-file-was-rewritten").to_owned(),
+                        say!("The file was rewritten and is read anew").to_owned(),
                         Vec::new(),
                     ));
                 }
@@ -76,8 +76,11 @@ impl Workbench {
                 self.set_followed(None);
                 let lines = rejected.diagnostics.iter().take(5).map(ToString::to_string);
                 let mut details: Vec<String> = lines.collect();
-                details.push(say!("message-what-was-read-before").to_owned());
-                self.complain(say!("message-the-file-cannot-be-followed"), details);
+                details.push(
+                    say!("What was read before is here still; mend the file, then follow it again")
+                        .to_owned(),
+                );
+                self.complain(say!("The file cannot be followed any further"), details);
             }
         }
     }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fonts::{Library, Purpose};
-use crate::gui::language::LANGUAGES;
 use crate::gui::style::font_fallback::Letters;
+use crate::text::LANGUAGES;
 
 use super::Workbench;
 

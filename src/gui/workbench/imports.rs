@@ -42,7 +42,7 @@ impl Workbench {
         let measured = self.foreign().map(|foreign| foreign.path.clone());
         let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(
-            say!("message-waiting-for-a-file"),
+            say!("waiting for a file to be chosen"),
             ask,
             move |bench, path| bench.take_beside(which, path),
         );
@@ -71,7 +71,7 @@ impl Workbench {
         };
         self.jobs.start(
             Kind::Looks,
-            say!("message-looking-at-the-file"),
+            say!("looking at the file"),
             work,
             |bench: &mut Self, (seen, of)| {
                 // Of one that was cancelled nobody takes anything.

@@ -72,7 +72,7 @@ impl Workbench {
     pub(super) fn ask_then(&mut self, then: Then) {
         if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
             // Nobody has to choose between a file and leaving.
-            let title = say!("message-the-window-closes-after", what = writing.what);
+            let title = say!("The window closes after {what}", what = writing.what);
             self.view.message = Some(Message::done(title, Vec::new()));
             self.desk.then = Some(then);
             return;
@@ -90,17 +90,17 @@ impl Workbench {
         match then {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
-                let what = say!("message-reading", path = path.display());
+                let what = say!("reading {path}", path = path.display());
                 let chain = meshes::remembered(&self.desk.meshes, &path);
                 self.open(what, move |watch| files::open(&path, chain, watch));
             }
             Then::Example(index) => {
-                self.open(say!("message-reading-an-example"), move |_| {
+                self.open(say!("reading an example"), move |_| {
                     files::open_example(index)
                 });
             }
             Then::Simulate(form) => {
-                self.open(say!("message-simulating"), move |watch| {
+                self.open(say!("simulating"), move |watch| {
                     files::simulate(&form, watch)
                 });
             }
@@ -155,7 +155,7 @@ impl Workbench {
         let known = self.desk.places.get(&document.subject.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (
-            say!("message-saving", path = path.display()),
+            say!("saving {path}", path = path.display()),
             path.to_path_buf(),
         );
         self.watch_nothing();

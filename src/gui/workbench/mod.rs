@@ -31,7 +31,7 @@ mod under_way;
 #[cfg(test)]
 mod walk;
 
-use crate::gui::language::text;
+use crate::text::spoken;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -159,11 +159,11 @@ impl Workbench {
     }
 
     pub(crate) fn undoes(&self) -> Option<&'static str> {
-        self.history.undoes().map(text)
+        self.history.undoes().map(spoken)
     }
 
     pub(crate) fn redoes(&self) -> Option<&'static str> {
-        self.history.redoes().map(text)
+        self.history.redoes().map(spoken)
     }
 
     pub(crate) fn execute(&mut self, command: Command) {
@@ -183,8 +183,8 @@ impl Workbench {
                 if self.subject().is_empty() =>
             {
                 self.complain(
-                    say!("message-there-is-no-session"),
-                    vec![say!("message-a-model-by-itself").to_owned()],
+                    say!("There is no session to save"),
+                    vec![say!("A model by itself is saved in the Export step").to_owned()],
                 );
             }
             Command::ChooseWhereToSave => self.choose_where_to_save(),
@@ -234,10 +234,7 @@ impl Workbench {
             Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
-                    self.complain(
-                        say!("common-the-simulation-needs-other-numbers"),
-                        vec![problem],
-                    );
+                    self.complain(say!("The simulation needs other numbers"), vec![problem]);
                 } else {
                     self.ask_then(Then::Simulate(form));
                 }
@@ -373,7 +370,7 @@ impl Workbench {
         let before = Arc::clone(self.subject());
         match edit.apply(self.document()) {
             Err(because) => {
-                self.complain(say!("message-this-change-cannot-be-made"), vec![because]);
+                self.complain(say!("This change cannot be made"), vec![because]);
             }
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),

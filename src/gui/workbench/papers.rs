@@ -49,8 +49,8 @@ impl Workbench {
             }
             _ => {
                 return self.complain(
-                    say!("message-there-is-nothing-to-report"),
-                    vec![say!("message-open-a-session-or-identify").to_owned()],
+                    say!("There is nothing to report yet"),
+                    vec![say!("Open a session, or identify the robot first").to_owned()],
                 );
             }
         };
@@ -124,7 +124,7 @@ impl Workbench {
     /// A task broke off: it may have been the one that everybody waits for.
     pub(super) fn stop_figuring(&mut self) {
         if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
-            figures.made = Some(Err(say!("message-the-figures-could-not-be").to_owned()));
+            figures.made = Some(Err(say!("The figures could not be worked out").to_owned()));
         }
     }
 }

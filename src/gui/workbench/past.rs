@@ -31,7 +31,7 @@ impl Workbench {
         let beside = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_folder(beside.as_deref());
         self.choose(
-            say!("message-waiting-for-a-folder"),
+            say!("waiting for a folder to be chosen"),
             ask,
             |bench, folder| {
                 if let Some(folder) = folder {
@@ -43,7 +43,10 @@ impl Workbench {
 
     /// Compares the sessions of a folder, and shows what changed.
     pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
-        let says = say!("message-comparing-the-sessions", folder = folder.display());
+        let says = say!(
+            "comparing the sessions of {folder}",
+            folder = folder.display()
+        );
         let work = move |watch: &Watch| {
             let told = pipeline::history_watched(&folder, &watch.told());
             (folder, told)
@@ -60,7 +63,7 @@ impl Workbench {
                 Err(ReadError::Cancelled(_)) => {}
                 Err(ReadError::Rejected(rejected)) => {
                     let lines = rejected.diagnostics.iter().take(5);
-                    let title = say!("message-there-are-no-sessions").to_owned();
+                    let title = say!("There are no sessions to compare").to_owned();
                     let details = lines.map(ToString::to_string).collect();
                     bench.view.message = Some(Message::wrong(title, details));
                 }

@@ -21,7 +21,7 @@ impl Workbench {
     /// Begins to record.
     pub(super) fn record(&mut self, mut wanted: Wanted) {
         wanted.path = self.placed(&wanted.path);
-        let title = say!("message-nothing-can-be-recorded");
+        let title = say!("Nothing can be recorded");
         if let Some(problem) = wanted.problem() {
             return self.complain(title, vec![problem]);
         }
@@ -51,7 +51,7 @@ impl Workbench {
         if heard.recorded > 0 {
             let path = under_way.recording.wanted.path.clone();
             let title = say!(
-                "message-recorded",
+                "Recorded {path}: {says}",
                 path = path.display(),
                 says = heard.says()
             );
@@ -68,10 +68,10 @@ impl Workbench {
         if let Some(Err(problem)) = &under_way.heard.over {
             let details = vec![
                 problem.clone(),
-                say!("message-what-was-recorded-before").to_owned(),
+                say!("What was recorded before is in the file").to_owned(),
             ];
             self.desk.recording = None;
-            return self.complain(say!("message-the-recording-ended"), details);
+            return self.complain(say!("The recording ended"), details);
         }
         if under_way.heard.recorded > 0 && !under_way.opened {
             under_way.opened = true;

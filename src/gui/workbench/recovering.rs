@@ -81,7 +81,7 @@ impl Workbench {
                 self.desk.restored.push(left);
                 self.keep_recovery();
                 self.view.message = Some(Message::done(
-                    say!("message-restored-it-is-not-saved").to_owned(),
+                    say!("Restored; it is not saved yet").to_owned(),
                     Vec::new(),
                 ));
             }
@@ -89,10 +89,10 @@ impl Workbench {
                 let because = because.clone();
                 let aside = left.put_aside();
                 self.complain(
-                    say!("message-what-was-left-behind"),
+                    say!("What was left behind is damaged and cannot be restored"),
                     vec![
                         because,
-                        say!("message-it-is-kept-as", aside = aside.display()),
+                        say!("It is kept as {aside}", aside = aside.display()),
                     ],
                 );
             }

@@ -29,17 +29,17 @@ impl Workbench {
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();
         details
-            .extend(damaged.map(|says| say!("message-preferences-could-not-be-read", says = says)));
+            .extend(damaged.map(|says| say!("Preferences could not be read: {says}", says = says)));
         match keeper {
             Ok(keeper) => self.desk.keeper = Some(keeper),
             Err(error) => details.push(say!(
-                "message-what-is-not-saved-cannot",
+                "What is not saved cannot be kept against a crash: {home}: {error}",
                 home = home.display(),
                 error = error
             )),
         }
         if !details.is_empty() {
-            self.complain(say!("message-not-everything-could-be-set"), details);
+            self.complain(say!("Not everything could be set up"), details);
         }
         self.order(Order::Recent(self.desk.recent.clone()));
         let folder = home.clone();
@@ -235,7 +235,7 @@ impl Workbench {
         let (path, files) = (place.path.clone(), place.files.clone());
         self.desk.then = None;
         self.view.sheet = None;
-        let what = say!("message-reading", path = path.display());
+        let what = say!("reading {path}", path = path.display());
         let chain = meshes::remembered(&self.desk.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
@@ -325,8 +325,11 @@ impl Workbench {
     pub(super) fn take_kept(&mut self, kept: Result<(), String>) {
         if let Err(because) = kept {
             self.complain(
-                say!("message-not-everything-could-be-kept"),
-                vec![because, say!("message-the-session-is-as").to_owned()],
+                say!("Not everything could be kept for tomorrow"),
+                vec![
+                    because,
+                    say!("The session is as it was; save it under a name of your own").to_owned(),
+                ],
             );
         }
     }

@@ -21,7 +21,7 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         if joints > values.len() {
             values.push("…");
         }
-        lines.push((say!("common-joints").to_owned(), values.join(", ")));
+        lines.push((say!("joints").to_owned(), values.join(", ")));
     } else {
         lines.extend(all.iter().take(joints).cloned());
     }
@@ -29,11 +29,11 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let component = workbench.view().component;
     let matters = |name: &str| {
         [
-            say!("common-excluded"),
-            say!("common-deviation"),
-            say!("common-before"),
-            say!("common-after"),
-            say!("common-tolerance"),
+            say!("excluded"),
+            say!("deviation"),
+            say!("before"),
+            say!("after"),
+            say!("tolerance"),
         ]
         .contains(&name)
             || name == colour.name()
@@ -42,17 +42,15 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let rest = all.into_iter().skip(joints);
     lines.extend(rest.filter(|(name, _)| matters(name)));
     // Before and after are one line where both are there.
-    if let Some(k) = lines
-        .iter()
-        .position(|(name, _)| name == say!("common-before"))
+    if let Some(k) = lines.iter().position(|(name, _)| name == say!("before"))
         && lines
             .get(k + 1)
-            .is_some_and(|(name, _)| name == say!("common-after"))
+            .is_some_and(|(name, _)| name == say!("after"))
     {
         let after = lines.remove(k + 1).1;
         let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
         lines[k] = (
-            say!("sample-before-after").to_owned(),
+            say!("before → after").to_owned(),
             format!("{before} → {after}"),
         );
     }
@@ -63,7 +61,7 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let subject = &**workbench.subject();
     let units = workbench.units();
-    let title = say!("common-sample", sample = sample + 1);
+    let title = say!("sample {sample}", sample = sample + 1);
     let mut lines = Vec::new();
     let joints = &subject.session.robot.joints;
     for (joint, q) in joints.iter().zip(&subject.session.samples.q) {
@@ -74,15 +72,15 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         lines.push((joint.name.clone(), value));
     }
     let came = match subject.side(sample) {
-        s if s > 0.0 => say!("common-moving-positive"),
-        s if s < 0.0 => say!("sample-moving-negative"),
-        _ => say!("sample-not-known"),
+        s if s > 0.0 => say!("moving positive"),
+        s if s < 0.0 => say!("moving negative"),
+        _ => say!("not known"),
     };
-    lines.push((say!("sample-approached").to_owned(), came.to_owned()));
+    lines.push((say!("approached").to_owned(), came.to_owned()));
     if !subject.usable[sample] {
         lines.push((
-            say!("common-excluded").to_owned(),
-            say!("sample-a-value-is-missing").to_owned(),
+            say!("excluded").to_owned(),
+            say!("a value is missing").to_owned(),
         ));
         return (title, lines);
     }
@@ -90,11 +88,11 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let length = |e: [f64; 3]| units.length(subject.component(e, sample, Component::Length));
     let mut shown = before;
     match workbench.answer() {
-        None => lines.push((say!("common-deviation").to_owned(), length(before))),
+        None => lines.push((say!("deviation").to_owned(), length(before))),
         Some(answer) => {
             shown = answer.deviation_after(sample);
-            lines.push((say!("common-before").to_owned(), length(before)));
-            lines.push((say!("common-after").to_owned(), length(shown)));
+            lines.push((say!("before").to_owned(), length(before)));
+            lines.push((say!("after").to_owned(), length(shown)));
         }
     }
     if let Some(u) = workbench.uncertain().map(|u| u.mm[sample]) {
@@ -109,9 +107,9 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     }
     let samples = &subject.session.samples;
     let conditions = [
-        (say!("common-load"), &samples.load_kg, "kg"),
-        (say!("common-temperature"), &samples.temperature_c, "°C"),
-        (say!("common-time"), &samples.time_s, "s"),
+        (say!("load"), &samples.load_kg, "kg"),
+        (say!("temperature"), &samples.temperature_c, "°C"),
+        (say!("time"), &samples.time_s, "s"),
     ];
     for (name, column, unit) in conditions {
         if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
@@ -121,17 +119,17 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let [right, up] = workbench.facing().flat(shown);
     let direction = up.atan2(right).to_degrees();
     lines.push((
-        say!("common-direction").to_owned(),
+        say!("direction").to_owned(),
         format!("{}°", trimmed(direction, 0)),
     ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
         let says = if within {
-            say!("common-within")
+            say!("within")
         } else {
-            say!("common-outside")
+            say!("outside")
         };
-        lines.push((say!("common-tolerance").to_owned(), says.to_owned()));
+        lines.push((say!("tolerance").to_owned(), says.to_owned()));
     }
     (title, lines)
 }

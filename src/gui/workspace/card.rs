@@ -44,7 +44,7 @@ pub(super) fn show(
     };
     let small = || FontId::proportional(size::SMALL);
     let head = text(&title, strong(size::BODY), palette.text);
-    let hint = (!chosen).then(|| text(say!("sample-click-for-more"), small(), palette.muted));
+    let hint = (!chosen).then(|| text(say!("click for more"), small(), palette.muted));
     let rows: Vec<[Arc<Galley>; 2]> = lines
         .iter()
         .map(|(name, value)| {
@@ -98,7 +98,11 @@ pub(super) fn show(
 /// The card in one line.
 fn spoken(title: &str, lines: &[Line]) -> String {
     let parts: Vec<String> = lines.iter().map(|(n, v)| format!("{n} {v}")).collect();
-    say!("sample-card", title = title, parts = parts.join(", "))
+    say!(
+        "card of {title}: {parts}",
+        title = title,
+        parts = parts.join(", ")
+    )
 }
 
 /// Where names and values of these sizes stand, with values flush right in each column; and width

@@ -48,7 +48,7 @@ pub(crate) fn show(
             .on_hover_cursor(CursorIcon::Grab);
         let at_deg = deg_from_rad(boundary.at_rad);
         response.widget_info(|| {
-            let label = say!("handles-boundary", at = trimmed(at_deg, 2));
+            let label = say!("boundary at {at}°", at = trimmed(at_deg, 2));
             let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
             info.role = Role::Slider;
             info
@@ -87,7 +87,9 @@ pub(crate) fn show(
             let sides = [boundary.below, boundary.above];
             badge(ui, workbench, (at_deg, sides), centre, *transform.frame());
         }
-        response.on_hover_text(say!("handles-drag-or-press-the-arrow"));
+        response.on_hover_text(say!(
+            "drag, or press the arrow keys; shift takes larger steps"
+        ));
     }
 }
 
@@ -197,11 +199,11 @@ fn badge(
 /// A region in a line.
 fn says(name: &str, held: &Held, units: Units) -> String {
     match held.correction() {
-        None => say!("handles-no-samples", name = name),
+        None => say!("{name}: no samples", name = name),
         Some((theta_rad, l1_mm, left_mm)) => say!(
-            "handles-l1-left",
+            "{name}: {samples}, Δθ {theta}, Δl1 {l1}, left {left}",
             name = name,
-            samples = say!("samples", count = grouped(held.samples)),
+            samples = say!(one "{count} sample", "{count} samples", count = grouped(held.samples)),
             theta = units.angle(theta_rad),
             l1 = units.length(l1_mm),
             left = units.length(left_mm)

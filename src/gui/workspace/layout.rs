@@ -139,17 +139,20 @@ pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String>
     let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
     let note = |(count, what): (usize, &str)| {
         let why = if scene.canvas == Canvas::Layers(count) {
-            say!("layout-this-computer-draws-in-software")
+            say!("this computer draws in software")
         } else {
-            say!("layout-zoom-in-for-more")
+            say!("zoom in for more")
         };
-        (count < scene.samples)
-            .then(|| say!("layout-1", one_of = one_of(count), what = what, why = why))
+        (count < scene.samples).then(|| {
+            say!(
+                "1 of {one_of} {what}: {why}",
+                one_of = one_of(count),
+                what = what,
+                why = why
+            )
+        })
     };
-    let layers = [
-        (points, say!("layout-points")),
-        (vectors, say!("common-vectors")),
-    ];
+    let layers = [(points, say!("points")), (vectors, say!("vectors"))];
     layers.into_iter().filter_map(note).collect()
 }
 

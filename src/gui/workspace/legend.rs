@@ -127,19 +127,19 @@ pub(super) fn show(
         }
         // Whether somebody points at a sample or not: nothing moves under the pointer.
         if let Some(robot) = robot {
-            sign(ui, say!("common-robot"), Sign::Tube, palette);
+            sign(ui, say!("robot"), Sign::Tube, palette);
             match &robot.real {
                 Some(real) if real.identified => {
                     sign(
                         ui,
-                        say!("common-identified"),
+                        say!("identified"),
                         Sign::Line(palette.after, 2.5),
                         palette,
                     );
                 }
                 Some(_) => sign(
                     ui,
-                    say!("legend-as-measured"),
+                    say!("as measured"),
                     Sign::Line(palette.before, 2.5),
                     palette,
                 ),
@@ -170,7 +170,7 @@ pub(super) const LOW: f32 = 330.0;
 
 /// A word that shows what the marks mean when it is pressed.
 fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
-    let word = RichText::new(say!("legend-legend")).size(size::SMALL);
+    let word = RichText::new(say!("legend")).size(size::SMALL);
     let word = ui.add(Link::new(word));
     Popup::menu(&word)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
@@ -225,20 +225,15 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
     if !scene.paths_mm.is_empty() {
         sign(
             ui,
-            say!("legend-nominal-path"),
+            say!("nominal path"),
             Sign::Line(palette.nominal, 1.25),
             palette,
         );
     }
     if scene.look.ghosts() {
         let faint = palette.before.gamma_multiply(0.5);
-        sign(ui, say!("common-before"), Sign::Line(faint, 1.5), palette);
-        sign(
-            ui,
-            say!("common-after"),
-            Sign::Line(palette.after, 1.8),
-            palette,
-        );
+        sign(ui, say!("before"), Sign::Line(faint, 1.5), palette);
+        sign(ui, say!("after"), Sign::Line(palette.after, 1.8), palette);
     }
     // Where colour says something else, shape alone says what is within the tolerance.
     let colouring = scene.look.colouring;
@@ -253,19 +248,19 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
     };
     if workbench.document().tolerance_mm.is_some() {
         let inner = if plain { palette.surface } else { middle };
-        sign(ui, say!("common-within"), disc(palette.within), palette);
+        sign(ui, say!("within"), disc(palette.within), palette);
         sign(
             ui,
-            say!("common-outside"),
+            say!("outside"),
             Sign::Diamond(inner, palette.outside),
             palette,
         );
     } else {
-        sign(ui, say!("common-measured"), disc(palette.text), palette);
+        sign(ui, say!("measured"), disc(palette.text), palette);
     }
     if !scene.over.is_empty() {
         let square = Sign::Square(middle, SQUARE);
-        sign(ui, say!("legend-over-the-ranges"), square, palette);
+        sign(ui, say!("poses over the joints’ ranges"), square, palette);
     }
 }
 
@@ -278,26 +273,21 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
     let marks = |ui: &mut Ui| {
         sign(
             ui,
-            say!("legend-nominal-circle"),
+            say!("nominal circle"),
             Sign::Line(palette.nominal, 1.75),
             palette,
         );
         if !only_after {
-            sign(
-                ui,
-                say!("common-before"),
-                Sign::Ring(palette.before),
-                palette,
-            );
+            sign(ui, say!("before"), Sign::Ring(palette.before), palette);
         }
         if answered {
-            sign(ui, say!("common-after"), Sign::Disc(palette.after), palette);
+            sign(ui, say!("after"), Sign::Disc(palette.after), palette);
         }
         if !many {
             if !only_after {
                 sign(
                     ui,
-                    say!("legend-mean-before"),
+                    say!("mean before"),
                     Sign::Dashes(palette.before),
                     palette,
                 );
@@ -305,28 +295,18 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
             if answered {
                 sign(
                     ui,
-                    say!("legend-mean-after"),
+                    say!("mean after"),
                     Sign::Line(palette.after, 1.5),
                     palette,
                 );
             }
         }
         if polar.spots.iter().any(|s| s.side != 0.0) {
-            sign(
-                ui,
-                say!("common-moving-positive"),
-                Sign::Triangle(1.0),
-                palette,
-            );
-            sign(ui, say!("common-negative"), Sign::Triangle(-1.0), palette);
+            sign(ui, say!("moving positive"), Sign::Triangle(1.0), palette);
+            sign(ui, say!("negative"), Sign::Triangle(-1.0), palette);
         }
         if polar.tolerance_mm.is_some() {
-            sign(
-                ui,
-                say!("common-tolerance"),
-                Sign::Band(palette.within),
-                palette,
-            );
+            sign(ui, say!("tolerance"), Sign::Band(palette.within), palette);
         }
     };
     rows(ui, |ui| {
@@ -338,7 +318,11 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
             marks(ui);
         }
         if many {
-            note(ui, say!("legend-from-the-smallest"), palette);
+            note(
+                ui,
+                say!("from the smallest to the largest at each angle"),
+                palette,
+            );
         }
     });
 }

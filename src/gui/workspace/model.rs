@@ -198,12 +198,12 @@ impl Scene {
             return Vec::new();
         }
         let largest = if self.with_largest {
-            say!("model-the-largest-deviations-among-them")
+            say!(", the largest deviations among them")
         } else {
             ""
         };
         vec![say!(
-            "model-of-samples",
+            "{drawn} of {samples} samples{largest}",
             drawn = drawn,
             samples = self.samples,
             largest = largest

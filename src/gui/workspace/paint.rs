@@ -125,7 +125,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         WidgetInfo::labeled(
             Role::Figure,
             true,
-            say!("paint-workspace-plot-samples", samples = samples),
+            say!("workspace plot, {samples} samples", samples = samples),
         )
     });
     names_of_regions(ui, &scene, &transform, regions, &palette);

@@ -50,9 +50,9 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     let mut scales = Vec::new();
     match colouring {
         Colouring::State => {}
-        Colouring::Deviation => scales.push(lengths(say!("common-deviation"))),
+        Colouring::Deviation => scales.push(lengths(say!("deviation"))),
         Colouring::Direction => scales.push(Scale {
-            name: say!("common-direction").to_owned(),
+            name: say!("direction").to_owned(),
             ends: None,
             colouring,
         }),
@@ -81,7 +81,7 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
         }
     }
     if heat && colouring != Colouring::Deviation {
-        scales.push(lengths(say!("common-heat-map")));
+        scales.push(lengths(say!("heat map")));
     }
     scales
 }
@@ -175,7 +175,7 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
     let between = if name.is_empty() { 0.0 } else { 5.0 };
     let wide = room + between + galley.size().x;
     let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
-    let label = say!("scales-legend", name = name);
+    let label = say!("legend: {name}", name = name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
     let at = pos2(rect.right(), rect.center().y);
     let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());

@@ -1,6 +1,6 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
-use crate::gui::language::stretch;
+use crate::text::stretch;
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
 use crate::gui::core::loaded_session::Component;
@@ -65,7 +65,7 @@ pub(crate) fn show(
     widgets::row(ui, |ui| {
         let least = if blends { WITH_BLEND } else { TITLED };
         if ui.available_width() > least * stretch() && beside.is_none() {
-            title(ui, say!("common-workspace"));
+            title(ui, say!("Workspace"));
         }
         ways(ui, workbench, commands);
         if around && fold == Fold::Open {
@@ -75,24 +75,14 @@ pub(crate) fn show(
             if measured {
                 picture(ui, plot_of(view.aspect), commands);
             }
-            gestures::fit(
-                ui,
-                say!("toolbar-fit-to-view"),
-                Command::FitWorkspace,
-                commands,
-            );
+            gestures::fit(ui, say!("Fit to view"), Command::FitWorkspace, commands);
             if around && fold == Fold::Open {
                 which(ui, workbench, commands);
             }
             if drawn && fold == Fold::Tight {
-                folded(
-                    ui,
-                    say!("toolbar-drawn"),
-                    say!("toolbar-how-it-is-drawn"),
-                    |ui| {
-                        everything(ui, workbench, commands);
-                    },
-                );
+                folded(ui, say!("drawn"), say!("How it is drawn"), |ui| {
+                    everything(ui, workbench, commands);
+                });
             }
             if blends && roomy {
                 ui.add_space(space::TIGHT);
@@ -145,8 +135,8 @@ fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         planes[0],
         planes[1],
         planes[2],
-        (space, say!("toolbar-3-d")),
-        (polar, say!("toolbar-polar")),
+        (space, say!("3-D")),
+        (polar, say!("polar")),
     ];
     match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
         Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
@@ -197,7 +187,7 @@ fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::row(ui, |ui| magnification(ui, workbench, commands));
     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
     beneath(ui, workbench, commands);
-    caption(ui, say!("toolbar-colour"));
+    caption(ui, say!("colour"));
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
         if offers(workbench, colouring) {
@@ -227,7 +217,7 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("toolbar-component-of-the-polar-view"));
+        node.set_label(say!("Component of the polar view"));
     });
 }
 
@@ -236,10 +226,7 @@ fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         return;
     }
-    let shown = [
-        (false, say!("toolbar-both")),
-        (true, say!("toolbar-only-after")),
-    ];
+    let shown = [(false, say!("both")), (true, say!("only after"))];
     if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
         commands.push(Command::OnlyAfter(only));
     }
@@ -260,36 +247,39 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         };
         ui.label(text);
     };
-    end(ui, say!("common-after"), blend >= 1.0);
+    end(ui, say!("after"), blend >= 1.0);
     fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx().accesskit_node_builder(slider.id, |node| {
-        node.set_label(say!("toolbar-from-before-to-after"));
+        node.set_label(say!("From before to after"));
     });
     if slider.changed() {
         commands.push(Command::Blend(blend));
     }
     slider.on_hover_text(blend_says(blend));
-    end(ui, say!("common-before"), blend <= 0.0);
+    end(ui, say!("before"), blend <= 0.0);
 }
 
 /// What the vectors, the marks and the heat map show.
 fn blend_says(blend: f32) -> String {
     if blend <= 0.0 {
-        say!("toolbar-shown-the-deviation-before-measured").to_owned()
+        say!("shown: the deviation before, measured − nominal robot").to_owned()
     } else if blend >= 1.0 {
-        say!("toolbar-shown-what-is-left-after").to_owned()
+        say!("shown: what is left after, measured − identified robot").to_owned()
     } else {
         let percent = trimmed(100.0 * f64::from(blend), 0);
-        say!("toolbar-shown-of-the-way", percent = percent)
+        say!(
+            "shown: {percent} % of the way from before to after",
+            percent = percent
+        )
     }
 }
 
 /// How long the vectors are drawn and for whose lengths, where there is little room.
 fn length_folded(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = significant(magnification_of(workbench), 2);
-    let name = say!("toolbar-vectors", now = now);
-    folded(ui, &name, say!("toolbar-length-of-vectors"), |ui| {
+    let name = say!("vectors × {now}", now = now);
+    folded(ui, &name, say!("Length of vectors"), |ui| {
         widgets::row(ui, |ui| magnification(ui, workbench, commands));
         widgets::row(ui, |ui| scale_for(ui, workbench, commands));
     });
@@ -298,7 +288,7 @@ fn length_folded(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = magnification_of(workbench);
-    caption(ui, say!("common-vectors"));
+    caption(ui, say!("vectors"));
     let mut factor = now;
     fine(ui, 60.0);
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
@@ -306,7 +296,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
         .show_value(false);
     let slider = ui.add(slider);
     ui.ctx().accesskit_node_builder(slider.id, |node| {
-        node.set_label(say!("toolbar-length-of-vectors"));
+        node.set_label(say!("Length of vectors"));
     });
     if slider.changed() && factor != now {
         commands.push(Command::Magnify(Some(factor)));
@@ -323,12 +313,11 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let room = workbench.view().room;
     let [before, left] = [subject.overview.readable, after.readable].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
-    let says = say!("toolbar-how-long-vectors-are-drawn");
-    caption(ui, say!("toolbar-scale")).on_hover_text(says);
-    let options = [
-        (Some(before), say!("common-before")),
-        (Some(left), say!("common-after")),
-    ];
+    let says = say!(
+        "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"
+    );
+    caption(ui, say!("scale for")).on_hover_text(says);
+    let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
             commands.push(Command::Magnify(None));
@@ -345,9 +334,9 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         heat(ui, workbench, commands);
         return;
     }
-    caption(ui, say!("toolbar-from"));
+    caption(ui, say!(in "toolbar", "from"));
     let shown = view.camera.standard();
-    let text = RichText::new(shown.map_or(say!("toolbar-free"), Standard::name)).size(size::SMALL);
+    let text = RichText::new(shown.map_or(say!("free"), Standard::name)).size(size::SMALL);
     let list = ComboBox::from_id_salt("view in space").selected_text(text);
     let list = list.width(76.0).show_ui(ui, |ui| {
         for from in Standard::ALL {
@@ -360,15 +349,15 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("toolbar-standard-view"));
+        node.set_label(say!("Standard view"));
     });
     let mut open = posing(ui);
-    let text = RichText::new(say!("toolbar-pose")).size(size::SMALL);
+    let text = RichText::new(say!("pose")).size(size::SMALL);
     let checkbox = ui
         .checkbox(&mut open, text)
-        .on_hover_text(say!("toolbar-sliders-that-pose-the-robot"));
+        .on_hover_text(say!("sliders that pose the robot"));
     ui.ctx().accesskit_node_builder(checkbox.id, |node| {
-        node.set_label(say!("toolbar-pose-the-robot"));
+        node.set_label(say!("Pose the robot"));
     });
     if checkbox.changed() {
         ui.data_mut(|data| data.insert_temp(posing_id(), open));
@@ -388,11 +377,11 @@ pub(super) fn posing(ui: &Ui) -> bool {
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut shown = workbench.view().heat;
-    let text = RichText::new(say!("common-heat-map")).size(size::SMALL);
-    let says = say!("toolbar-the-root-mean-square-deviation");
+    let text = RichText::new(say!("heat map")).size(size::SMALL);
+    let says = say!("the root mean square deviation between the samples, fading away from them");
     let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
     ui.ctx()
-        .accesskit_node_builder(checkbox.id, |node| node.set_label(say!("common-heat-map")));
+        .accesskit_node_builder(checkbox.id, |node| node.set_label(say!("heat map")));
     if checkbox.changed() {
         commands.push(Command::Heat(shown));
     }
@@ -401,7 +390,7 @@ fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the colour of the vectors says.
 fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let shown = coloured(workbench);
-    caption(ui, say!("toolbar-colour"));
+    caption(ui, say!("colour"));
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
     let list = list.width(112.0).truncate().height(280.0);
@@ -417,7 +406,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     });
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
-        node.set_label(say!("toolbar-colour-of-vectors"));
+        node.set_label(say!("Colour of vectors"));
     });
 }
 

@@ -137,7 +137,7 @@ fn row(what: &str) -> String {
 /// A step of the history with the effect's name in words.
 pub fn in_words(what: &str) -> String {
     let effect = what.strip_prefix("with ").and_then(find);
-    let name = |effect: &Effect| format!("with {}", in_a_sentence(effect.about().title));
+    let name = |effect: &Effect| format!("with {}", in_a_sentence(effect.about().title.english()));
     effect.map_or_else(|| what.to_owned(), name)
 }
 

@@ -31,8 +31,8 @@ impl Kind for Effect {
     fn about(&self) -> About {
         About {
             id: ID,
-            short: "common-effect",
-            name: "curve-effects-own-curve",
+            short: phrase!("effect"),
+            name: phrase!("Effect's own curve"),
             word: help::EFFECT_CURVE,
             of_component: true,
             of_joint: false,
@@ -59,7 +59,7 @@ impl Kind for Effect {
         Ok(Shown {
             chart: drawn(scene, curve),
             name: say!(
-                "curve-curve",
+                "curve of {curve}, {component}",
                 curve = name(curve),
                 component = scene.component().name()
             ),
@@ -96,8 +96,8 @@ fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, Missing> {
     let found: &Option<EffectCurve> = scene.found().ok_or_else(Missing::yet)?;
     let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
     there.ok_or(Missing::new(
-        say!("curve-there-is-no-curve"),
-        say!("curve-run-the-diagnosis-again-what"),
+        say!("There is no curve to show"),
+        say!("Run the diagnosis again: what was found belongs to other samples"),
     ))
 }
 
@@ -130,7 +130,7 @@ fn name(curve: &EffectCurve) -> String {
     let effect = crate::effects::find(curve.effect);
     effect.map_or_else(
         || curve.effect.to_owned(),
-        |e| in_a_sentence(e.about().title),
+        |e| in_a_sentence(e.about().title.english()),
     )
 }
 
@@ -185,23 +185,23 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     let component = scene.component().name();
     let line = |name, whole| Entry::new(name, Sign::Line, Stands::Curve, whole);
     let dot = Sign::Mark(Form::Disc);
-    let residual = Entry::new(say!("common-without"), dot, Stands::Before, false);
-    let mut legend = vec![residual.on_paper(say!("curve-without", what = what))];
+    let residual = Entry::new(say!("without it"), dot, Stands::Before, false);
+    let mut legend = vec![residual.on_paper(say!("without {what}", what = what))];
     match &curve.lines[..] {
         [] => {
             legend.push(
-                Entry::new(say!("curve-what-it-does"), dot, Stands::Curve, true).on_paper(&*what),
+                Entry::new(say!("what it does"), dot, Stands::Curve, true).on_paper(&*what),
             );
         }
-        [_] => legend.push(line(say!("curve-what-it-does"), true).on_paper(&*what)),
+        [_] => legend.push(line(say!("what it does"), true).on_paper(&*what)),
         _ => legend.extend([
-            line(say!("common-moving-positive"), true),
-            line(say!("common-negative"), false),
+            line(say!("moving positive"), true),
+            line(say!("negative"), false),
         ]),
     }
     Chart {
         title: say!(
-            "curve-residual-without-and-what",
+            "{component} residual without {what}, and what it does",
             component = component,
             what = what
         ),
@@ -218,14 +218,14 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
 }
 
 fn note(scene: &Scene, curve: &EffectCurve) -> String {
-    let mut notes = vec![say!("curve-what-is-left-without-all", curve = name(curve))];
+    let mut notes = vec![say!("what is left without {curve}; all else as fitted", curve = name(curve))];
     if curve.lines.is_empty() {
-        notes.push(say!("curve-it-depends-on-the-pose").to_owned());
+        notes.push(say!("it depends on the pose too: its value at each sample").to_owned());
     }
-    notes.extend(thinned(stride(curve.spots.len(), FEW), "scale-point"));
+    notes.extend(thinned(stride(curve.spots.len(), FEW), phrase!("point")));
     let problems = scene.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
-        notes.push(say!("curve-a-set-up-error").to_owned());
+        notes.push(say!("a set-up error is not corrected yet and shows here too").to_owned());
     }
     notes.join(" · ")
 }
@@ -236,7 +236,7 @@ fn says(scene: &Scene, curve: &EffectCurve) -> String {
     let ends = curve.effect_mm.map(|mm| units.length(mm));
     let [before, after] = curve.rms_mm.map(|mm| units.length(mm));
     say!(
-        "curve-over-it-moves-the-deviation",
+        "{curve} over {label}: it moves the {component} deviation from {from} to {to}; without it {before} root mean square are left, with it {after}",
         curve = name(curve),
         label = curve.over.label(scene.subject),
         component = scene.component().name(),

@@ -38,7 +38,10 @@ impl Edit {
         let mut next = document.clone();
         if self.asks_samples() {
             if document.subject.is_empty() {
-                return Err(say!("edit-nothing-was-measured-yet-open").to_owned());
+                return Err(say!(
+                    "nothing was measured yet: open a session that was measured on this robot"
+                )
+                .to_owned());
             }
             next.given = None;
         }
@@ -51,13 +54,13 @@ impl Edit {
             Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
                 if !document.subject.single_revolute() =>
             {
-                return Err(say!("edit-regions-are-for-a-single").to_owned());
+                return Err(say!("regions are for a single joint that turns").to_owned());
             }
             Self::Method(method) => next.method = *method,
             Self::Effect(id, on) => next.effects = with_effect(&document.effects, id, *on),
             Self::Tolerance(tolerance_mm) => {
                 if tolerance_mm.is_some_and(|t| !(t.is_finite() && t > 0.0)) {
-                    return Err(say!("edit-a-tolerance-is-a-number").to_owned());
+                    return Err(say!("a tolerance is a number above 0").to_owned());
                 }
                 next.tolerance_mm = *tolerance_mm;
             }
@@ -67,7 +70,9 @@ impl Edit {
                     .step
                     .is_none_or(|step| step.is_finite() && step > 0.0);
                 if !usable || choice.joint >= joints {
-                    return Err(say!("edit-a-table-needs-a-joint").to_owned());
+                    return Err(
+                        say!("a table needs a joint of the robot and a step above 0").to_owned(),
+                    );
                 }
                 next.export = *choice;
             }
@@ -76,7 +81,7 @@ impl Edit {
                 let mut added = document.added.to_vec();
                 added
                     .get_mut(*index)
-                    .ok_or(say!("edit-there-is-no-such-effect"))?
+                    .ok_or(say!("there is no such effect"))?
                     .on = *on;
                 exactly_with(&mut next, added);
             }
@@ -144,7 +149,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
             && !held_out.is_some_and(|h| h[i])
     };
     if out && !(0..n).any(counts) {
-        return Err(say!("edit-no-sample-would-be-left").to_owned());
+        return Err(say!("no sample would be left to fit").to_owned());
     }
     with_session(document, session);
     Ok(())
@@ -159,7 +164,7 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     as_saved(&mut session);
     let left = session.samples.len();
     if session.samples.incomplete().len() == left {
-        return Err(say!("edit-no-sample-would-be-left-2").to_owned());
+        return Err(say!("no sample would be left").to_owned());
     }
     let same_rows = left == document.subject.len();
     with_session(document, session);

@@ -3,6 +3,7 @@
 mod apply;
 mod regions;
 
+use crate::text::Template;
 use std::sync::Arc;
 
 use crate::diagnosis::Mend;
@@ -72,32 +73,32 @@ pub(crate) enum Edit {
 
 impl Edit {
     /// What the menu calls it, after "Undo".
-    pub(crate) fn what(&self) -> &'static str {
+    pub(crate) fn what(&self) -> Template {
         match self {
-            Self::Open(_) => "edit-open-session",
-            Self::OpenModel { .. } => "edit-open-model",
-            Self::Divide(_) => "edit-divide-into-regions",
-            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => "edit-move-boundary",
-            Self::Adapt(..) => "edit-divide-adaptively",
-            Self::KeepRegions => "edit-keep-the-regions",
-            Self::Split(_) => "edit-split-region",
-            Self::Join(_) => "edit-merge-regions",
-            Self::Delete(_) => "edit-delete-region",
-            Self::Rename(..) => "edit-rename-region",
-            Self::RegionsOfSession => "edit-take-regions-from-session",
-            Self::Method(_) => "edit-choose-method",
-            Self::Effect(..) => "edit-choose-effects",
-            Self::Tolerance(_) => "edit-set-tolerance",
-            Self::Export(_) => "edit-choose-table",
-            Self::Add(_) => "edit-add-to-model",
-            Self::Switch(_, true) => "edit-switch-effect",
-            Self::Switch(_, false) => "edit-switch-effect-off",
-            Self::Setup(_) => "edit-edit-robot-and-instrument",
-            Self::Exclude(_, true) => "edit-exclude-samples",
-            Self::Exclude(_, false) => "edit-include-samples",
-            Self::Mend(_) => "edit-mend-data",
-            Self::Recover(..) => "edit-restore",
-            Self::Identify | Self::IdentifyBy(_) => "common-identify",
+            Self::Open(_) => phrase!("open session"),
+            Self::OpenModel { .. } => phrase!("open model"),
+            Self::Divide(_) => phrase!("divide into regions"),
+            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => phrase!("move boundary"),
+            Self::Adapt(..) => phrase!("divide adaptively"),
+            Self::KeepRegions => phrase!("keep the regions"),
+            Self::Split(_) => phrase!("split region"),
+            Self::Join(_) => phrase!("merge regions"),
+            Self::Delete(_) => phrase!("delete region"),
+            Self::Rename(..) => phrase!("rename region"),
+            Self::RegionsOfSession => phrase!("take regions from session"),
+            Self::Method(_) => phrase!("choose method"),
+            Self::Effect(..) => phrase!("choose effects"),
+            Self::Tolerance(_) => phrase!("set tolerance"),
+            Self::Export(_) => phrase!("choose table"),
+            Self::Add(_) => phrase!("add to model"),
+            Self::Switch(_, true) => phrase!("switch effect on"),
+            Self::Switch(_, false) => phrase!("switch effect off"),
+            Self::Setup(_) => phrase!("edit robot and instrument"),
+            Self::Exclude(_, true) => phrase!("exclude samples"),
+            Self::Exclude(_, false) => phrase!("include samples"),
+            Self::Mend(_) => phrase!("mend data"),
+            Self::Recover(..) => phrase!("restore"),
+            Self::Identify | Self::IdentifyBy(_) => phrase!("identify"),
         }
     }
 }

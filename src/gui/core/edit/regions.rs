@@ -56,7 +56,7 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
         }
         Edit::MoveBoundary(boundary, to_rad) => by_hand(
             boundaries::moved(all, *boundary, *to_rad, subject.travel()),
-            say!("edit-the-boundary-cannot-be-moved"),
+            say!("the boundary cannot be moved there"),
         ),
         Edit::PlaceBoundary(joint, at_rad) => {
             boundary_entry::placed(all, *joint, *at_rad, subject.travel(), Units::default())
@@ -64,15 +64,15 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
         }
         Edit::Split(region) => by_hand(
             boundaries::split(all, *region),
-            say!("edit-the-region-is-too-narrow"),
+            say!("the region is too narrow to be split"),
         ),
         Edit::Join(region) => by_hand(
             boundary_entry::joined(all, *region),
-            say!("edit-no-region-begins-where-this"),
+            say!("no region begins where this one ends; type its end at the next one first"),
         ),
         Edit::Delete(region) => by_hand(
             boundary_entry::without(all, *region),
-            say!("edit-the-last-region-stays-without"),
+            say!("the last region stays: without one nothing is corrected"),
         ),
         _ => return None,
     })
@@ -81,16 +81,19 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
 fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, String> {
     let name = name.trim();
     if name.is_empty() {
-        return Err(say!("edit-a-region-needs-a-name").to_owned());
+        return Err(say!("a region needs a name").to_owned());
     }
     let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
     if document.regions.iter().enumerate().any(taken) {
-        return Err(say!("edit-another-region-is-called-choose", name = name));
+        return Err(say!(
+            "another region is called {name}; choose another name",
+            name = name
+        ));
     }
     let mut regions = document.regions.to_vec();
     let renamed = regions
         .get_mut(region)
-        .ok_or(say!("common-there-is-no-such-region"))?;
+        .ok_or(say!("there is no such region"))?;
     name.clone_into(&mut renamed.name);
     let mut next = document.clone();
     next.regions = regions.into();
@@ -100,7 +103,7 @@ fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, S
 /// Regions that are worked on are regions that are wanted: the answer follows them at once.
 fn by_regions(document: &mut Document, regions: Vec<Region>) -> Result<(), String> {
     if !document.subject.single_revolute() {
-        return Err(say!("edit-regions-are-for-a-single").to_owned());
+        return Err(say!("regions are for a single joint that turns").to_owned());
     }
     // Exactly as a file will have them: what is saved is read again to the last bit.
     let as_saved = |region: Region| Region {

@@ -25,18 +25,18 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         word: word.to_owned(),
         text: text.to_owned(),
     };
-    let mut all = vec![one("-", say!("import-not-imported"))];
+    let mut all = vec![one("-", say!("not imported"))];
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
         all.extend(words.iter().map(|(word, text)| one(word, text)));
         return all;
     }
     all.extend([
-        one("name", say!("import-point-name")),
-        one("group", say!("import-group-of-points")),
-        one("target", say!("import-reflector")),
+        one("name", say!("point name")),
+        one("group", say!("group of points")),
+        one("target", say!("reflector")),
     ]);
     for axis in ["x", "y", "z"] {
-        all.push(one(axis, &say!("import-unit-as-chosen", axis = axis)));
+        all.push(one(axis, &say!("{axis}, unit as chosen", axis = axis)));
         for unit in ["mm", "m", "in"] {
             all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
         }
@@ -46,7 +46,7 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
             let word = format!("q{n}_{unit}");
             all.push(one(
                 &word,
-                &say!("import-joint-commanded", n = n, sign = sign),
+                &say!("joint {n} commanded, {sign}", n = n, sign = sign),
             ));
         }
     }
@@ -55,27 +55,27 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
             let word = format!("q{n}_read_{unit}");
             all.push(one(
                 &word,
-                &say!("import-joint-read-back", n = n, sign = sign),
+                &say!("joint {n} read back, {sign}", n = n, sign = sign),
             ));
         }
     }
     for n in 1..=joints {
         let word = format!("dir{n}");
-        all.push(one(&word, &say!("import-side-joint-came", n = n)));
+        all.push(one(&word, &say!("side joint {n} came from", n = n)));
         let word = format!("speed{n}_deg_s");
-        all.push(one(&word, &say!("import-speed-of-joint-s", n = n)));
+        all.push(one(&word, &say!("speed of joint {n}, °/s", n = n)));
     }
     all.extend([
-        one("load_kg", say!("import-load-kg")),
-        one("temperature_c", say!("import-temperature-c")),
-        one("time_s", say!("import-time-s")),
-        one("setup", say!("import-setup-of-the-instrument")),
-        one("use", say!("import-fit-held-out-or-excluded")),
+        one("load_kg", say!("load, kg")),
+        one("temperature_c", say!("temperature, °C")),
+        one("time_s", say!("time, s")),
+        one("setup", say!("setup of the instrument")),
+        one("use", say!("fit, held-out or excluded")),
     ]);
     for part in ["w", "x", "y", "z"] {
         all.push(one(
             &format!("q{part}"),
-            &say!("import-orientation", part = part),
+            &say!("orientation {part}", part = part),
         ));
     }
     all
@@ -87,10 +87,10 @@ fn how(guess: &ColumnGuess) -> &'static str {
         return "";
     }
     match guess.known {
-        Known::Said => say!("import-as-you-said"),
-        Known::Certain => say!("import-for-certain"),
-        Known::FromHeading => say!("import-guessed-from-the-header"),
-        Known::FromContent => say!("import-guessed-from-the-values"),
+        Known::Said => say!("as you said"),
+        Known::Certain => say!("for certain"),
+        Known::FromHeading => say!("guessed from the header"),
+        Known::FromContent => say!("guessed from the values"),
     }
 }
 
@@ -99,7 +99,10 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
     if found.columns.is_empty() {
         return;
     }
-    widgets::section(ui, say!("import-columns-what-each-is-how"));
+    widgets::section(
+        ui,
+        say!("Columns: what each is, how that is known, its heading, first rows"),
+    );
     let robot = now.seen.robot.as_ref().and_then(|r| r.as_ref().ok());
     let joints = robot.map_or(JOINTS, crate::kinematics::Robot::joint_count);
     let offered = meanings(found.kind, joints);
@@ -112,7 +115,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
         let lines: Vec<&str> = found.preamble.iter().map(String::as_str).take(3).collect();
         widgets::hint(
             ui,
-            say!("import-before-the-table", lines = lines.join(" / ")),
+            say!("Before the table: {lines}", lines = lines.join(" / ")),
         );
     }
     if found.questions.is_empty() && now.asks_for_confirmation() {
@@ -120,12 +123,12 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
         widgets::card(ui, |ui| {
             let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
             let says = say!(
-                "import-of-columns-are-guessed-compare",
+                "{guesses} of {columns} columns are guessed: compare them with the first rows",
                 guesses = guesses,
                 columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));
-            if ui.button(say!("import-the-columns-are-right")).clicked() {
+            if ui.button(say!("The columns are right")).clicked() {
                 commands.push(Command::ConfirmColumns);
             }
         });
@@ -170,7 +173,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
             for (k, guess) in found.columns.iter().enumerate() {
                 let meaning = offered.iter().find(|m| m.word == guess.meaning);
                 let text = match (guess.meaning.as_str(), meaning) {
-                    ("" | "-", _) => say!("import-not-imported"),
+                    ("" | "-", _) => say!("not imported"),
                     (_, Some(meaning)) => &meaning.text,
                     (other, None) => other,
                 };
@@ -190,7 +193,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
                             }
                         }
                     });
-                let label = say!("import-meaning-of-column", k = k + 1);
+                let label = say!("Meaning of column {k}", k = k + 1);
                 super::parts::name(ui, &list.response, &label);
             }
             ui.end_row();

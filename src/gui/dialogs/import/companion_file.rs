@@ -10,10 +10,13 @@ use crate::importers::{Alignment, Matching, Motion};
 
 /// Where the robot was sent.
 pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(ui, say!("import-where-the-robot-was-sent"));
+    widgets::section(
+        ui,
+        say!("Where the robot was sent, if the table does not say it"),
+    );
     let field = (
-        say!("import-file-of-the-commands"),
-        say!("import-a-table-with-q1-deg"),
+        say!("File of the commands"),
+        say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
     );
     let which = (Beside::Commands, now);
     super::parts::path(ui, field, &mut next.commands, which, commands);
@@ -21,11 +24,11 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         return;
     }
     let ways = [
-        (Matching::Order, say!("import-by-order")),
-        (Matching::Name, say!("import-by-name")),
-        (Matching::Time, say!("import-by-time")),
+        (Matching::Order, say!("by order")),
+        (Matching::Name, say!("by name")),
+        (Matching::Time, say!("by time")),
     ];
-    widgets::form_row(ui, say!("import-matched"), |ui| {
+    widgets::form_row(ui, say!("Matched"), |ui| {
         if let Some(matching) = widgets::segmented(ui, &ways, next.matching) {
             next.matching = matching;
         }
@@ -34,22 +37,22 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         return;
     }
     let kinds = [
-        (Motion::Auto, say!("import-as-it-suits")),
-        (Motion::Stops, say!("import-the-mean-of-each-stop")),
-        (Motion::All, say!("import-all")),
+        (Motion::Auto, say!("as it suits")),
+        (Motion::Stops, say!("the mean of each stop")),
+        (Motion::All, say!("all")),
     ];
-    widgets::form_row(ui, say!("import-samples-are"), |ui| {
+    widgets::form_row(ui, say!("Samples are"), |ui| {
         if let Some(motion) = widgets::segmented(ui, &kinds, next.motion) {
             next.motion = motion;
         }
     });
     let trial = now.trial();
     let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
-    widgets::form_row(ui, say!("import-clocks-apart"), |ui| {
+    widgets::form_row(ui, say!("Clocks apart by"), |ui| {
         let found = next.clock_offset_s.is_none();
         let ways = [
-            (true, say!("import-found-from-the-motion")),
-            (false, say!("import-typed")),
+            (true, say!("found from the motion")),
+            (false, say!("typed")),
         ];
         if let Some(found) = widgets::segmented(ui, &ways, found) {
             next.clock_offset_s = (!found).then(|| clock.map_or(0.0, |clock| clock.offset_s));
@@ -59,19 +62,25 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
                 .speed(0.01)
                 .max_decimals(6)
                 .suffix(" s");
-            widgets::cell_number(ui, say!("import-seconds-to-add"), "s", 110.0, field);
+            widgets::cell_number(
+                ui,
+                say!("Seconds to add to a measured time"),
+                "s",
+                110.0,
+                field,
+            );
         }
     });
     if let Some(clock) = clock {
         let says = match clock.sigma_s {
             Some(sigma) => say!(
-                "import-the-measured-clock-needs-s",
+                "The measured clock needs {offset_s} s to agree with the commands, ± {sigma} s (95 %); {rms} mm are left",
                 offset_s = format!("{:+.4}", clock.offset_s),
                 sigma = format!("{:.4}", 1.96 * sigma),
                 rms = format!("{:.3}", clock.rms_mm)
             ),
             None => say!(
-                "import-with-s-added-mm-are",
+                "With {offset_s} s added, {rms} mm are left between path and measurements",
                 offset_s = format!("{:+.4}", clock.offset_s),
                 rms = format!("{:.3}", clock.rms_mm)
             ),
@@ -82,17 +91,20 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
 
 /// Points that bring the instrument's frame into the base frame.
 pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(ui, say!("import-points-known-in-the-base"));
+    widgets::section(
+        ui,
+        say!("Points known in the base frame, if the instrument has a frame of its own"),
+    );
     let field = (
-        say!("import-file-of-the-known-points"),
-        say!("import-a-table-with-name-x"),
+        say!("File of the known points"),
+        say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
     );
     let which = (Beside::Reference, now);
     super::parts::path(ui, field, &mut next.reference, which, commands);
     if next.reference.trim().is_empty() {
         return;
     }
-    ui.checkbox(&mut next.scale, say!("import-fit-a-scale-too"));
+    ui.checkbox(&mut next.scale, say!("fit a scale too"));
     let trial = now.trial();
     if let Some(alignment) = trial.and_then(|trial| trial.alignment.as_ref()) {
         residuals(ui, alignment);
@@ -105,13 +117,13 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     let left_out = alignment.outliers().count();
     let used = alignment.residuals.len() - left_out;
     let mut says = say!(
-        "import-points-fit-with-mm-root",
+        "{used} points fit with {rms} mm (root mean square)",
         used = used,
         rms = format!("{:.4}", alignment.rms_mm)
     );
     if left_out > 0 {
         says += &say!(
-            "import-excluded-measured-or-surveyed-wrongly",
+            ", {left_out} excluded: measured or surveyed wrongly, or moved since",
             left_out = left_out
         );
     }
@@ -121,7 +133,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
         widgets::hint(
             ui,
             say!(
-                "import-scaled-by-ppm",
+                "scaled by {scale} ({ppm} ppm)",
                 scale = format!("{:.6}", alignment.scale),
                 ppm = format!("{ppm:+.1}")
             ),
@@ -132,11 +144,11 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
         let grid = Grid::new("residuals of the alignment").striped(true);
         grid.spacing([18.0, 2.0]).show(ui, |ui| {
             for heading in [
-                say!("import-point"),
-                say!("import-off-by-mm"),
-                say!("import-in-x"),
-                say!("import-in-y"),
-                say!("import-in-z"),
+                say!("point"),
+                say!("off by, mm"),
+                say!("in x"),
+                say!("in y"),
+                say!("in z"),
                 "",
             ] {
                 ui.label(RichText::new(heading).font(strong(size::SMALL)));
@@ -156,7 +168,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
                     ui.label(cell(format!("{part:+.4}")));
                 }
                 let word = if residual.is_outlier {
-                    say!("common-excluded")
+                    say!("excluded")
                 } else {
                     ""
                 };
@@ -169,10 +181,13 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 
 /// Where the reflectors sit.
 pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
-    widgets::section(ui, say!("import-reflectors-in-the-tool-frame"));
+    widgets::section(
+        ui,
+        say!("Reflectors in the tool frame, if there are several"),
+    );
     let field = (
-        say!("import-file-of-the-reflectors"),
-        say!("import-a-table-with-name-x-mm"),
+        say!("File of the reflectors"),
+        say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
     );
     let which = (Beside::Targets, now);
     super::parts::path(ui, field, &mut next.targets, which, commands);

@@ -16,20 +16,21 @@ use crate::importers::{
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &Foreign) -> String {
     let found = &now.seen.inspection;
-    let mut parts = vec![say!("import-rows", rows = found.rows)];
-    parts.extend(
-        found
-            .separator
-            .map(|s| say!("import-separated", separator = of_core(&s.to_string()))),
-    );
+    let mut parts = vec![say!("{rows} rows", rows = found.rows)];
+    parts.extend(found.separator.map(|s| {
+        say!(
+            "separated by {separator}",
+            separator = of_core(&s.to_string())
+        )
+    }));
     parts.extend(found.decimal.map(|d| of_core(&d.to_string()).into_owned()));
     parts.push(match found.header_line {
-        Some(line) => say!("import-header-in-line", line = line),
-        None => say!("import-no-header").to_owned(),
+        Some(line) => say!("header in line {line}", line = line),
+        None => say!("no header").to_owned(),
     });
     parts.push(found.encoding.to_string());
     if !found.unit.is_empty() {
-        parts.push(say!("import-unit", found = found.unit));
+        parts.push(say!("unit: {found}", found = found.unit));
     }
     parts.join(" · ")
 }
@@ -37,15 +38,15 @@ pub(super) fn found_out(now: &Foreign) -> String {
 /// The rows of the form.
 pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     let found = &now.seen.inspection;
-    widgets::form_row(ui, say!("common-session"), |ui| {
+    widgets::form_row(ui, say!("Session"), |ui| {
         let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
         let field = ui.add(field);
-        super::parts::name(ui, &field, say!("import-name-of-the-session"));
+        super::parts::name(ui, &field, say!("Name of the session"));
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
-    widgets::form_row(ui, say!("import-source"), |ui| {
+    widgets::form_row(ui, say!("Source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
             .selected_text(of_core(kind.map_or("", |importer| importer.plainly)))
@@ -58,53 +59,56 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
                     }
                 }
             });
-        super::parts::name(ui, &list.response, say!("import-what-wrote-the-file"));
+        super::parts::name(ui, &list.response, say!("What wrote the file"));
     });
     if asks.table {
         let separators = [
-            (Some(Separator::Comma), say!("import-commas")),
-            (Some(Separator::Semicolon), say!("import-semicolons")),
-            (Some(Separator::Tab), say!("import-tabs")),
-            (Some(Separator::Spaces), say!("import-spaces")),
+            (Some(Separator::Comma), say!("commas")),
+            (Some(Separator::Semicolon), say!("semicolons")),
+            (Some(Separator::Tab), say!("tabs")),
+            (Some(Separator::Spaces), say!("spaces")),
         ];
         let separator = reading.separator.or(found.separator);
-        widgets::form_row(ui, say!("import-separated-2"), |ui| {
+        widgets::form_row(ui, say!("Separated by"), |ui| {
             if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
                 reading.separator = chosen;
             }
-            widgets::caption(ui, say!("import-header"));
+            widgets::caption(ui, say!("header"));
             header(ui, found.header_line, &mut reading.header);
         });
     }
     let decimal = reading.decimal.or(found.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
     let units = [
-        (None, say!("import-as-the-headings-say")),
-        (Some(AngleUnit::Degrees), say!("common-degrees")),
-        (Some(AngleUnit::Radians), say!("common-radians")),
+        (None, say!("as the headings say")),
+        (Some(AngleUnit::Degrees), say!("degrees")),
+        (Some(AngleUnit::Radians), say!("radians")),
     ];
-    widgets::form_row(ui, say!("common-decimal-sign"), |ui| {
+    widgets::form_row(ui, say!("Decimal sign"), |ui| {
         if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
             reading.decimal = chosen;
         }
-        widgets::caption(ui, say!("import-angles"));
+        widgets::caption(ui, say!("angles in"));
         if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
             reading.angle_unit = chosen;
         }
     });
     let units = [
-        (None, say!("import-as-the-file-says")),
+        (None, say!("as the file says")),
         (Some(LengthUnit::Millimetres), "mm"),
         (Some(LengthUnit::Metres), "m"),
-        (Some(LengthUnit::Inches), say!("import-inches")),
+        (Some(LengthUnit::Inches), say!("inches")),
     ];
-    widgets::form_row(ui, say!("common-lengths"), |ui| {
+    widgets::form_row(ui, say!("Lengths in"), |ui| {
         if let Some(chosen) = widgets::segmented(ui, &units, reading.unit) {
             reading.unit = chosen;
         }
     });
     if asks.y_up || reading.z_up {
-        ui.checkbox(&mut reading.z_up, say!("import-y-points-up-turn"));
+        ui.checkbox(
+            &mut reading.z_up,
+            say!("y points up: turn it so that z does"),
+        );
     }
     if asks.names {
         names(ui, &found.names, &mut reading.names);
@@ -112,18 +116,23 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     if asks.joint {
         let mut joint = reading.joint as u64 + 1;
         let field = DragValue::new(&mut joint).range(1..=64);
-        if widgets::number(ui, say!("import-joint-measured"), "", field).changed() {
+        if widgets::number(ui, say!("Joint measured"), "", field).changed() {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
     let own = kind.map_or(&[][..], |importer| importer.options);
     // Of several few are needed: below them the columns, which always are, would be out of sight.
     if own.len() > FEW_OPTIONS {
-        widgets::folded(ui, say!("import-more-options"), size::SMALL, |ui| {
-            for option in own {
-                own_option(ui, option, &mut reading.options);
-            }
-        });
+        widgets::folded(
+            ui,
+            say!("More options of this kind of file"),
+            size::SMALL,
+            |ui| {
+                for option in own {
+                    own_option(ui, option, &mut reading.options);
+                }
+            },
+        );
     } else {
         for option in own {
             own_option(ui, option, &mut reading.options);
@@ -174,9 +183,9 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
         Some(_) => Header::Line,
     };
     let ways = [
-        (Header::Found, say!("import-as-found")),
-        (Header::None, say!("common-none")),
-        (Header::Line, say!("import-in-line")),
+        (Header::Found, say!("as found")),
+        (Header::None, say!("none")),
+        (Header::Line, say!("in line")),
     ];
     if let Some(chosen) = widgets::segmented(ui, &ways, now) {
         *header = match chosen {
@@ -187,13 +196,13 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
     }
     if let Some(line @ 1..) = header {
         let field = DragValue::new(line).range(1..=1_000_000);
-        widgets::cell_number(ui, say!("import-line-of-the-header"), "", 64.0, field);
+        widgets::cell_number(ui, say!("Line of the header"), "", 64.0, field);
     }
 }
 
 /// Rigid bodies or markers to take.
 fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
-    widgets::form_row(ui, say!("import-take"), |ui| {
+    widgets::form_row(ui, say!("Take"), |ui| {
         ui.horizontal_wrapped(|ui| {
             for name in offered {
                 let mut on = taken.contains(name);
@@ -220,12 +229,12 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
     let says = RichText::new(in_the_sheets_words(&of_core(&question.says))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
     if question.answers.is_empty() {
-        widgets::hint(ui, say!("import-choose-it-in-the-table"));
+        widgets::hint(ui, say!("Choose it in the table above"));
         return;
     }
     ui.horizontal_wrapped(|ui| {
         for answer in &question.answers {
-            if ui.button(say!("import-it", answer = answer)).clicked() {
+            if ui.button(say!("It is {answer}", answer = answer)).clicked() {
                 answered(next, question.about, answer);
             }
         }

@@ -9,7 +9,8 @@ mod parts;
 mod result;
 mod robot;
 
-use crate::gui::language::{self, text};
+use crate::gui::language;
+use crate::text::spoken;
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
@@ -30,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));
     let name = now.path.file_name().unwrap_or_default().to_string_lossy();
-    widgets::heading(ui, &say!("import-import", name = name));
+    widgets::heading(ui, &say!("Import {name}", name = name));
     widgets::hint(ui, file::found_out(now));
     let mut next = now.said.clone();
     let height = (window.height() - AROUND).max(200.0);
@@ -51,7 +52,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     let missing = if next == now.said {
         now.missing()
     } else {
-        Some(text(LOOKING).to_owned())
+        Some(spoken(LOOKING).to_owned())
     };
     // Always as high: what is above keeps its place.
     let room = vec2(ui.available_width(), FOOT);
@@ -62,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
         ui.set_max_width(scrolled.inner);
-        super::ends::buttons_without_enter(ui, say!("import-import-2"), missing.is_none(), commands)
+        super::ends::buttons_without_enter(ui, say!("Import"), missing.is_none(), commands)
     });
     if pressed.inner {
         commands.push(Command::Import);
@@ -83,8 +84,8 @@ fn foot(
         looking(ui, running, commands);
     } else if *next == now.said && !now.is_up_to_date() {
         ui.horizontal(|ui| {
-            widgets::hint(ui, say!("import-looking-at-the-file-was"));
-            if ui.button(say!("import-look-again")).clicked() {
+            widgets::hint(ui, say!("Looking at the file was cancelled"));
+            if ui.button(say!("Look again")).clicked() {
                 commands.push(Command::Say(Box::new(next.clone())));
             }
         });
@@ -100,12 +101,12 @@ fn foot(
 /// How far looking at the file is.
 fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        widgets::hint(ui, text(LOOKING));
+        widgets::hint(ui, spoken(LOOKING));
         if let Some(part) = running.progress() {
             let bar = ProgressBar::new(part).desired_width(120.0);
             ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
         }
-        if ui.small_button(say!("import-stop-looking")).clicked() {
+        if ui.small_button(say!("Stop looking")).clicked() {
             commands.push(Command::StopLooking);
         }
     });

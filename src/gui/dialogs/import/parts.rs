@@ -14,8 +14,8 @@ pub(super) fn line(ui: &mut Ui, severity: Severity, says: &str) {
     let palette = Palette::of(ui);
     let (word, color) = match severity {
         Severity::Note => ("", palette.muted),
-        Severity::Warning => (say!("import-warning"), palette.warning),
-        Severity::Error => (say!("import-error"), palette.outside),
+        Severity::Warning => (say!("Warning: "), palette.warning),
+        Severity::Error => (say!("Error: "), palette.outside),
     };
     let text = RichText::new(format!("{word}{says}"));
     ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
@@ -31,7 +31,7 @@ pub(super) fn path(
 ) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
-        let text = egui::WidgetText::from(say!("import-choose"));
+        let text = egui::WidgetText::from(say!("Choose…"));
         let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
         let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
         let room = ui.available_width() - button - ui.spacing().item_spacing.x;
@@ -39,8 +39,8 @@ pub(super) fn path(
         let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
         name(ui, &field, label);
         changed = field.changed();
-        let button = ui.button(say!("import-choose"));
-        name(ui, &button, &say!("import-choose-2", label = label));
+        let button = ui.button(say!("Choose…"));
+        name(ui, &button, &say!("Choose: {label}", label = label));
         if button.clicked() {
             commands.push(Command::ChooseBeside(which));
         }
@@ -50,7 +50,7 @@ pub(super) fn path(
             *of == which && path.as_path() == Path::new(typed.as_str())
         };
         if now.taken.iter().any(|one| is_this(&one)) {
-            let says = say!("import-taken-by-its-name");
+            let says = say!("Taken because its name is that of the file");
             widgets::hint(ui, says);
         }
         return changed;
@@ -58,9 +58,13 @@ pub(super) fn path(
     ui.horizontal_wrapped(|ui| {
         for path in now.neighbours.suiting(which) {
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            let text = say!("import-use-which-lies-beside", file = file);
+            let text = say!("Use {file}, which lies beside it", file = file);
             let link = ui.link(RichText::new(text).size(size::SMALL));
-            name(ui, &link, &say!("import-use", file = file, label = label));
+            name(
+                ui,
+                &link,
+                &say!("Use {file}: {label}", file = file, label = label),
+            );
             if link.clicked() {
                 *typed = path.display().to_string();
                 changed = true;

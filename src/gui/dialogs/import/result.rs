@@ -28,11 +28,11 @@ fn contents(ui: &mut Ui, now: &Foreign) {
     match &now.seen.trial {
         None => {}
         Some(Ok(trial)) => {
-            widgets::section(ui, say!("import-what-the-import-brings"));
+            widgets::section(ui, say!("What the import brings"));
             brings(ui, trial);
         }
         Some(Err(because)) => {
-            widgets::section(ui, say!("import-to-fix"));
+            widgets::section(ui, say!("To fix"));
             for line in because {
                 super::parts::line(ui, Severity::Error, line);
             }
@@ -42,16 +42,16 @@ fn contents(ui: &mut Ui, now: &Foreign) {
 
 fn brings(ui: &mut Ui, trial: &Trial) {
     let subject = &trial.subject;
-    let mut says = say!("samples", count = grouped(subject.len()));
+    let mut says = say!(one "{count} sample", "{count} samples", count = grouped(subject.len()));
     if let Some(gap) = &subject.gap_before {
         says += &say!(
-            "import-mm-from-the-nominal-robot",
+            ", {rms} mm from the nominal robot",
             rms = format!("{:.4}", gap.rms_mm)
         );
     }
     if let Some(matched) = &trial.matched {
         says += &say!(
-            "import-matched-by-unmatched-measured-commanded",
+            "; matched by {id}; unmatched: {lonely_measurements} measured, {lonely_commands} commanded",
             id = matched.by.id(),
             lonely_measurements = matched.lonely_measurements.len(),
             lonely_commands = matched.lonely_commands.len()

@@ -15,26 +15,26 @@ pub(super) fn show(
     next: &mut Said,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(ui, say!("common-which-robot-was-measured"));
+    widgets::section(ui, say!("Which robot was measured"));
     let here = &workbench.subject().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
         std::mem::discriminant(robot) == std::mem::discriminant(other)
     };
     let open = RobotFrom::Here(Box::new(here.clone()));
-    let text = say!("import-that-of-the-open-session", here = here.name);
+    let text = say!("that of the open session, {here}", here = here.name);
     if ui.radio(is(&next.robot, &open), text).clicked() {
         next.robot = open;
     }
     for (k, example) in EXAMPLES.iter().enumerate() {
         let one = RobotFrom::Example(k);
-        let text = say!("import-that-of-the-example", example = example.name());
+        let text = say!("that of the example {example}", example = example.name());
         if ui.radio(next.robot == one, text).clicked() {
             next.robot = one;
         }
     }
     let file = RobotFrom::Open.of_file(String::new());
     if ui
-        .radio(is(&next.robot, &file), say!("import-the-one-in-this-file"))
+        .radio(is(&next.robot, &file), say!("the one in this file"))
         .clicked()
         && !is(&next.robot, &file)
     {
@@ -45,8 +45,8 @@ pub(super) fn show(
         _ => String::new(),
     };
     let field = (
-        say!("import-file-of-the-robot"),
-        say!("import-a-robot-a-session-or"),
+        say!("File of the robot"),
+        say!("a robot, a session, or a URDF file"),
     );
     if super::parts::path(ui, field, &mut path, (Beside::Robot, now), commands) {
         next.robot = next.robot.of_file(path);
@@ -55,19 +55,18 @@ pub(super) fn show(
         && RobotFrom::is_urdf(path)
     {
         for (row, label, link) in [
-            (say!("import-base"), say!("import-link-of-the-base"), base),
-            (say!("import-tip"), say!("import-link-of-the-tool"), tip),
+            (say!("Base"), say!("Link of the base"), base),
+            (say!("Tip"), say!("Link of the tool"), tip),
         ] {
             widgets::form_row(ui, row, |ui| {
-                let field =
-                    ui.add(TextEdit::singleline(link).hint_text(say!("import-name-of-a-link")));
+                let field = ui.add(TextEdit::singleline(link).hint_text(say!("name of a link")));
                 super::parts::name(ui, &field, label);
             });
         }
     }
     let typed = matches!(next.robot, RobotFrom::Typed(_));
     if ui
-        .radio(typed, say!("import-one-axis-that-turns-typed"))
+        .radio(typed, say!("one axis that turns, typed here"))
         .clicked()
         && !typed
     {
@@ -89,44 +88,41 @@ pub(super) fn show(
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
 fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
-    widgets::form_row(ui, say!("import-name"), |ui| {
+    widgets::form_row(ui, say!("Name"), |ui| {
         let field = ui.add(TextEdit::singleline(&mut typed.name));
-        super::parts::name(ui, &field, say!("import-name-of-the-robot"));
+        super::parts::name(ui, &field, say!("Name of the robot"));
     });
     numbers(
         ui,
-        say!("import-axis-at-home"),
-        (say!("import-axis"), ""),
+        say!("Axis at home"),
+        (say!("Axis"), ""),
         &["x", "y", "z"],
         &mut typed.axis,
     );
     let parts = ["x", "y", "z"];
     numbers(
         ui,
-        say!("import-point-on-it-mm"),
-        (say!("import-point-2"), "mm"),
+        say!("Point on it, mm"),
+        (say!("Point"), "mm"),
         &parts,
         &mut typed.point_mm,
     );
     numbers(
         ui,
-        say!("import-tool-at-home-mm"),
-        (say!("common-tool"), "mm"),
+        say!("Tool at home, mm"),
+        (say!("Tool"), "mm"),
         &parts,
         &mut typed.tool_mm,
     );
-    let parts = [say!("common-from"), say!("common-to")];
+    let parts = [say!("from"), say!("to")];
     numbers(
         ui,
-        say!("import-travel"),
-        (say!("import-travel-2"), "°"),
+        say!("Travel, °"),
+        (say!("Travel"), "°"),
         &parts,
         &mut typed.limits_deg,
     );
-    ui.checkbox(
-        &mut typed.gravity_down,
-        say!("import-gravity-points-along-z"),
-    );
+    ui.checkbox(&mut typed.gravity_down, say!("gravity points along −z"));
 }
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
@@ -143,13 +139,17 @@ fn in_words(robot: &Robot) -> String {
     let turns = robot.joints.iter().filter(turning).count();
     let count = robot.joint_count();
     let joints = match (count, turns) {
-        (1, 1) => say!("import-one-joint-that-turns").to_owned(),
-        (1, 0) => say!("import-one-joint-that-slides").to_owned(),
-        (count, turns) => say!("import-joints-of-which-turn", count = count, turns = turns),
+        (1, 1) => say!("one joint that turns").to_owned(),
+        (1, 0) => say!("one joint that slides").to_owned(),
+        (count, turns) => say!(
+            "{count} joints, {turns} of which turn",
+            count = count,
+            turns = turns
+        ),
     };
     let reach = robot.base_from_tool.translation.vector.norm();
     say!(
-        "import-tool-mm-from-the-base",
+        "{robot}: {joints}, tool {reach} mm from the base",
         robot = robot.name,
         joints = joints,
         reach = format!("{reach:.0}")

@@ -8,13 +8,14 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::help;
 use crate::gui::language::names::{figure, parameter, title_of};
-use crate::gui::language::{of_core, within};
+use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::significant;
 use crate::present::units::Units;
+use crate::text::within;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -37,7 +38,7 @@ pub(super) fn show(
         widgets::hint_about(
             ui,
             say!(
-                "found-p-chance-that-noise-alone",
+                "p {sign} {p} (chance that noise alone looks like this)",
                 sign = sign,
                 p = found.p_family.p
             ),
@@ -45,13 +46,13 @@ pub(super) fn show(
         );
         if let Some(next) = &found.next {
             let odds = if found.odds_over_next > 1000.0 {
-                say!("found-more-than-1000").to_owned()
+                say!("More than 1000").to_owned()
             } else {
                 significant(found.odds_over_next, 2)
             };
             let next = within(&title_of(next)).into_owned();
             let text = say!(
-                "found-times-likelier-than-the-next",
+                "{odds} times likelier than the next candidate, {next}",
                 odds = odds,
                 next = next
             );
@@ -61,11 +62,11 @@ pub(super) fn show(
     let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
-        Some(gap) => widgets::fact_of(ui, "found-cross-validated-rms-error", from_to(gap)),
-        None => widgets::fact_of(ui, "common-rms-error", from_to(found.gap_mm)),
+        Some(gap) => widgets::fact_of(ui, phrase!("cross-validated RMS error"), from_to(gap)),
+        None => widgets::fact_of(ui, phrase!("RMS error"), from_to(found.gap_mm)),
     }
-    widgets::fact_of(ui, "common-noise-floor", units.length(d.floor.mm));
-    ui.label(RichText::new(say!("found-what-to-check")).font(strong(size::SMALL)));
+    widgets::fact_of(ui, phrase!("noise floor"), units.length(d.floor.mm));
+    ui.label(RichText::new(say!("What to check")).font(strong(size::SMALL)));
     widgets::hint(ui, of_core(found.check));
     let Some(term) = term_of(d, found) else {
         return;
@@ -74,13 +75,13 @@ pub(super) fn show(
     match added.position(|a| a.term.same_column(&term)) {
         None => {
             // The button that stands out is the one at the foot of the step, which adds all of them.
-            if widgets::secondary(ui, say!("found-add-to-model")).clicked() {
+            if widgets::secondary(ui, say!("Add to model")).clicked() {
                 commands.push(Command::Edit(Edit::Add(vec![term])));
             }
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
-            if ui.checkbox(&mut on, say!("found-in-the-model")).changed() {
+            if ui.checkbox(&mut on, say!("in the model")).changed() {
                 commands.push(Command::Edit(Edit::Switch(index, on)));
             }
         }

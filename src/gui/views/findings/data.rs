@@ -22,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
             ui.label(text.color(palette.outside));
             widgets::hint(ui, of_core(&problem.evidence));
             ui.label(of_core(&problem.proposal));
-            if !problem.samples.is_empty() && ui.link(say!("common-show-these-samples")).clicked() {
+            if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
                 commands.push(Command::Mark(problem.samples.clone()));
             }
             let Some(mend) = &problem.mend else {
@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
         });
     }
     if mends.len() > 1 {
-        let text = say!("found-mend-all", mends = mends.len());
+        let text = say!("Mend all {mends}", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Mend(in_order(mends))));
         }

@@ -14,15 +14,15 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {
         return;
     }
-    let number = say!("effects", count = grouped(d.not_found.len()));
-    let text = say!("limits-detection-limits-95", number = number);
+    let number = say!(one "{count} effect", "{count} effects", count = grouped(d.not_found.len()));
+    let text = say!("Detection limits: {number} (95 %)", number = number);
     widgets::folded(ui, &text, size::SMALL, |ui| {
         for limit in &d.not_found {
             let joint = limit.joint.map(|j| j + 1);
             ui.label(title_on(limit.effect, joint, d.model.robot.joints.len()));
             widgets::hint(ui, detection_limit(limit));
         }
-        copies::button(ui, say!("limits-detection-limits"), || copies::limits(d));
+        copies::button(ui, say!("detection limits"), || copies::limits(d));
     });
 }
 
@@ -31,8 +31,9 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
         return;
     }
     let text = say!(
-        "limits-not-testable",
-        not_testable = say!("effects", count = grouped(d.not_testable.len()))
+        "Not testable: {not_testable}",
+        not_testable =
+            say!(one "{count} effect", "{count} effects", count = grouped(d.not_testable.len()))
     );
     widgets::folded(ui, &text, size::SMALL, |ui| {
         for one in &d.not_testable {

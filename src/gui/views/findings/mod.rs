@@ -21,7 +21,7 @@ use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::heading(ui, say!("diagnosis-diagnosis"));
+    widgets::heading(ui, say!("Diagnosis"));
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
@@ -44,12 +44,12 @@ pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: 
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
     let found = workbench.searching().map(Running::found);
     let says = match found.as_ref().map_or(0, Vec::len) {
-        0 => say!("diagnosis-nothing-found-so-far"),
-        _ => say!("diagnosis-found-so-far-a-likelier"),
+        0 => say!("Nothing found so far"),
+        _ => say!("Found so far; a likelier name may take the place of one"),
     };
     so_far(
         ui,
-        say!("diagnosis-diagnosis-is-running"),
+        say!("Diagnosis is running"),
         says,
         &found.unwrap_or_default(),
     );
@@ -61,12 +61,14 @@ fn stopped(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     let says = match found.len() {
-        0 => say!("diagnosis-it-had-found-nothing-until"),
+        0 => say!("It had found nothing until then"),
         _ => {
-            say!("diagnosis-found-until-then-not-yet")
+            say!(
+                "Found until then, not yet tested against other names: run the diagnosis again to test them"
+            )
         }
     };
-    so_far(ui, say!("diagnosis-diagnosis-stopped"), says, found);
+    so_far(ui, say!("Diagnosis stopped"), says, found);
 }
 
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
@@ -91,7 +93,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         });
     }
     if !d.found.is_empty() {
-        copies::button(ui, say!("diagnosis-found-effects"), || copies::found(d));
+        copies::button(ui, say!("found effects"), || copies::found(d));
     }
     equivalent(ui, d);
     unexplained::card(ui, workbench, d, commands);
@@ -108,35 +110,36 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let (says, color) = match d.verdict {
-        Verdict::Noise => (say!("diagnosis-nothing-is-missing"), palette.within),
+        Verdict::Noise => (say!("Nothing is missing"), palette.within),
         Verdict::Explained => (
-            say!("diagnosis-explained-the-remaining-error"),
+            say!("Explained: the remaining error is at the noise floor"),
             palette.within,
         ),
-        Verdict::PartlyExplained => (say!("diagnosis-partly-explained-an-error"), palette.warning),
-        Verdict::Unexplained => (
-            say!("diagnosis-not-explained-by-any-effect"),
+        Verdict::PartlyExplained => (
+            say!("Partly explained: an error is left without a name"),
             palette.warning,
         ),
+        Verdict::Unexplained => (say!("Not explained by any effect"), palette.warning),
     };
     let from = match d.floor.from {
-        FloorFrom::Repeats => say!("diagnosis-from-repeats"),
-        FloorFrom::Instrument => say!("diagnosis-of-the-instrument"),
-        FloorFrom::Estimated => say!("common-estimated"),
+        FloorFrom::Repeats => say!("from repeats"),
+        FloorFrom::Instrument => say!("of the instrument"),
+        FloorFrom::Estimated => say!("estimated"),
     };
     widgets::card(ui, |ui| {
         let says = RichText::new(says).font(strong(size::HEADING));
         ui.label(says.color(color));
         if d.stopped == Some(Stopped::Asked) {
-            let says = say!("diagnosis-diagnosis-stopped");
+            let says = say!("Diagnosis stopped");
             ui.label(RichText::new(says).color(palette.warning));
         }
         if !d.tested_anything() {
-            let none = say!("diagnosis-these-samples-can-show-no");
+            let none =
+                say!("these samples can show no effect: that nothing was found says nothing");
             ui.label(RichText::new(none).color(palette.warning));
         }
         if !d.equivalent.is_empty() {
-            let also = say!("diagnosis-the-samples-also-allow-another");
+            let also = say!("the samples also allow another explanation, see below");
             ui.label(RichText::new(also).color(palette.warning));
         }
         let mm = |mm: f64| units.length_number(mm);
@@ -147,22 +150,19 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
             mm(d.gap.end_mm),
             units.length_name()
         );
-        widgets::fact_of(ui, "common-rms-error", gaps);
+        widgets::fact_of(ui, phrase!("RMS error"), gaps);
         if let Some(unseen) = &d.held_out.gaps {
             let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
             widgets::fact_of(
                 ui,
-                "common-held-out",
+                phrase!("held out"),
                 format!("{gaps} {}", units.length_name()),
             );
         }
         let floor = format!("{}, {from}", units.length(d.floor.mm));
-        widgets::fact_of(ui, "common-noise-floor", floor);
+        widgets::fact_of(ui, phrase!("noise floor"), floor);
         noise(ui, workbench, d);
-        widgets::hint(
-            ui,
-            say!("diagnosis-held-out", how = of_core(&d.held_out.how)),
-        );
+        widgets::hint(ui, say!("Held out: {how}", how = of_core(&d.held_out.how)));
     });
 }
 
@@ -170,16 +170,27 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
 fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let units = workbench.units();
     if let Some(noise) = &d.unexplained.noise {
-        widgets::fact_of(ui, "diagnosis-noise-stated", units.length(noise.stated_mm));
-        widgets::fact_of(ui, "diagnosis-noise-as-found", units.length(noise.found_mm));
+        widgets::fact_of(
+            ui,
+            phrase!("noise σ, stated"),
+            units.length(noise.stated_mm),
+        );
+        widgets::fact_of(
+            ui,
+            phrase!("noise σ, as found"),
+            units.length(noise.found_mm),
+        );
     }
     if let Some(slow) = &d.noise.slow {
-        let says = say!("diagnosis-slow-noise", slow = of_core(&slow.says()));
+        let says = say!("Slow noise: {slow}", slow = of_core(&slow.says()));
         widgets::hint_about(ui, says, help::SLOW_NOISE);
     }
     let quality = &d.identification.quality;
     if !quality.converged {
-        let says = say!("common-the-fit-did-not-converge", stopped = quality.stopped);
+        let says = say!(
+            "the fit did not converge: {stopped}",
+            stopped = quality.stopped
+        );
         ui.label(RichText::new(says).color(Palette::of(ui).warning));
     }
 }
@@ -189,10 +200,10 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, say!("diagnosis-the-samples-cannot-rule-out"));
+        title(ui, say!("The samples cannot rule out"));
         for one in &d.equivalent {
             ui.label(say!(
-                "diagnosis-instead",
+                "{instead} instead of {explanation}",
                 instead = titles(&one.instead),
                 explanation = titles(&one.explanation)
             ));
@@ -200,7 +211,7 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
             widgets::hint(
                 ui,
                 say!(
-                    "diagnosis-1-against",
+                    "{odds} : 1 against it. {separate_by}",
                     odds = odds,
                     separate_by = of_core(&one.separate_by)
                 ),
@@ -213,7 +224,7 @@ fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     const MOST: usize = 8;
     if let Some(says) = d.identification.excluded_in_words() {
         widgets::card(ui, |ui| {
-            title(ui, say!("diagnosis-excluded-by-hand"));
+            title(ui, say!("Excluded by hand"));
             widgets::hint(ui, says);
         });
     }
@@ -225,20 +236,17 @@ fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
         title(
             ui,
             &say!(
-                "diagnosis-excluded-outliers",
+                "Excluded outliers: {excluded} of {all}",
                 excluded = excluded,
                 all = all
             ),
         );
         for one in d.outliers.iter().take(MOST) {
             let off = workbench.units().length(one.deviation_mm);
-            widgets::fact(ui, &say!("common-sample", sample = one.sample + 1), off);
+            widgets::fact(ui, &say!("sample {sample}", sample = one.sample + 1), off);
         }
         if d.outliers.len() > MOST {
-            widgets::hint(
-                ui,
-                say!("diagnosis-and-more", more = d.outliers.len() - MOST),
-            );
+            widgets::hint(ui, say!("and {more} more", more = d.outliers.len() - MOST));
         }
     });
 }

@@ -22,7 +22,7 @@ pub(super) fn show(
 ) {
     const MOST: usize = 24;
     let robot = &workbench.subject().session.robot;
-    title(ui, say!("next-measure-these-poses-next"));
+    title(ui, say!("Measure these poses next"));
     let table = table(poses, robot);
     let rows = &table.rows[..table.rows.len().min(MOST)];
     let headings: Vec<_> = table.columns.iter().map(|c| of_core(&c.heading)).collect();
@@ -39,15 +39,20 @@ pub(super) fn show(
     }
     let shown = &poses[..poses.len().min(MOST)];
     if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
-        let says = say!("next-second-time-the-same-pose");
+        let says = say!(
+            "Second time: the same pose again, after another one, as once is not enough over the noise"
+        );
         widgets::hint(ui, says);
     }
     if poses.len() > MOST {
         let more = poses.len() - MOST;
-        widgets::hint(ui, say!("next-and-more-in-the-measuring", more = more));
+        widgets::hint(
+            ui,
+            say!("and {more} more, in the measuring list", more = more),
+        );
     }
-    copies::button(ui, say!("next-poses"), || copies::poses(poses, robot));
-    if widgets::secondary(ui, say!("next-save-measuring-list")).clicked() {
+    copies::button(ui, say!("poses"), || copies::poses(poses, robot));
+    if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Poses));
     }
 }

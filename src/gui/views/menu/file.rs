@@ -13,7 +13,7 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(260.0);
     menu.items(ui, &[actions::OPEN]);
     recent(ui, menu);
-    ui.menu_button(say!("menu-examples"), |ui| {
+    ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
             menu.item_about(ui, action, Some(example.what()));
         }
@@ -47,10 +47,10 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
     let workbench = menu.workbench;
     let recent: Vec<_> = workbench.recent().collect();
     if recent.is_empty() {
-        ui.add_enabled(false, Button::new(say!("common-recent-files")));
+        ui.add_enabled(false, Button::new(say!("Recent files")));
         return;
     }
-    ui.menu_button(say!("common-recent-files"), |ui| {
+    ui.menu_button(say!("Recent files"), |ui| {
         ui.set_min_width(300.0);
         for (k, (path, there)) in recent.iter().enumerate() {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -76,10 +76,10 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     ui.add(egui::Label::new(folder).truncate());
                 } else {
                     let warning = Palette::of(ui).warning;
-                    let says = RichText::new(say!("menu-not-there-any-more")).size(size::SMALL);
+                    let says = RichText::new(say!("not there any more")).size(size::SMALL);
                     ui.label(says.color(warning));
                     if ui
-                        .small_button(say!("common-forget", name = name))
+                        .small_button(say!("Forget {name}", name = name))
                         .clicked()
                     {
                         menu.commands.push(Command::Forget(path.to_path_buf()));

@@ -29,7 +29,7 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.separator();
     menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
     // In a list of their own: a longer menu would not fit below its header.
-    ui.menu_button(say!("menu-standard-3-d-views"), |ui| {
+    ui.menu_button(say!("Standard 3-D views"), |ui| {
         ui.set_min_width(220.0);
         menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP]);
     });
@@ -42,19 +42,19 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     let now = ui.ctx().zoom_factor();
     for (text, keys, change, enabled) in [
         (
-            say!("menu-larger"),
+            say!("Larger"),
             kb_shortcuts::ZOOM_IN,
             zoom_in as fn(&Context),
             now < *ZOOM.end(),
         ),
         (
-            say!("menu-smaller"),
+            say!("Smaller"),
             kb_shortcuts::ZOOM_OUT,
             zoom_out,
             now > *ZOOM.start(),
         ),
         (
-            say!("menu-usual-size"),
+            say!("Usual size"),
             kb_shortcuts::ZOOM_RESET,
             |ctx: &Context| ctx.set_zoom_factor(1.0),
             (now - 1.0).abs() > 1e-3,

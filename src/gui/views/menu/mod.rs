@@ -47,10 +47,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     workbench,
                     commands,
                 };
-                header(ui, say!("menu-file"), |ui| file::show(ui, menu));
-                header(ui, say!("menu-edit"), |ui| lists::edit(ui, menu));
-                header(ui, say!("menu-view"), |ui| lists::view(ui, menu));
-                header(ui, say!("menu-help"), |ui| lists::help(ui, menu));
+                header(ui, say!("File"), |ui| file::show(ui, menu));
+                header(ui, say!("Edit"), |ui| lists::edit(ui, menu));
+                header(ui, say!("View"), |ui| lists::view(ui, menu));
+                header(ui, say!("Help"), |ui| lists::help(ui, menu));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
@@ -69,16 +69,16 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let redo = workbench.redoes();
             let says = redo.map_or_else(
-                || say!("menu-nothing-to-redo").into(),
-                |w| say!("menu-redo", what = w),
+                || say!("Nothing to redo").into(),
+                |w| say!("Redo {what}", what = w),
             );
             if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
                 commands.push(Command::Redo);
             }
             let undo = workbench.undoes();
             let says = undo.map_or_else(
-                || say!("menu-nothing-to-undo").into(),
-                |w| say!("menu-undo", what = w),
+                || say!("Nothing to undo").into(),
+                |w| say!("Undo {what}", what = w),
             );
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
                 commands.push(Command::Undo);
@@ -103,19 +103,23 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     };
     let origin = match (workbench.file(), &subject.origin) {
         (Some(path), _) => file_name(path),
-        (None, Origin::Bundled) => say!("menu-example").to_owned(),
-        (None, Origin::Simulated) => say!("menu-simulated").to_owned(),
-        (None, Origin::Recovered(_)) => say!("menu-restored").to_owned(),
-        (None, Origin::Imported(path)) => say!("menu-from", path = file_name(path)),
+        (None, Origin::Bundled) => say!("example").to_owned(),
+        (None, Origin::Simulated) => say!("simulated").to_owned(),
+        (None, Origin::Recovered(_)) => say!("restored").to_owned(),
+        (None, Origin::Imported(path)) => say!("from {path}", path = file_name(path)),
         (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
     };
     let origin = match (&workbench.document().given, &subject.origin) {
-        (Some(_), Origin::Model(_)) => say!("menu-model", origin = origin),
-        (Some(given), _) => say!("menu-model-2", origin = origin, given = given.file_name()),
+        (Some(_), Origin::Model(_)) => say!("model {origin}", origin = origin),
+        (Some(given), _) => say!(
+            "{origin} · model {given}",
+            origin = origin,
+            given = given.file_name()
+        ),
         (None, _) => origin,
     };
     let says = if workbench.unsaved() {
-        say!("menu-not-saved", origin = origin)
+        say!("{origin} · not saved", origin = origin)
     } else {
         origin
     };

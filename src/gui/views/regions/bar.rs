@@ -90,8 +90,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     label(band.left(), Align2::LEFT_CENTER, low);
     label(band.right(), Align2::RIGHT_CENTER, high);
     let says = say!(
-        "regions-from-to-and-where",
-        regions = say!("regions", count = grouped(regions.len())),
+        "{regions} from {low} to {high}, and where the samples are",
+        regions = say!(one "{count} region", "{count} regions", count = grouped(regions.len())),
         low = units.angle(low),
         high = units.angle(high)
     );
@@ -106,13 +106,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             .position(|r| (r.from_rad..=r.to_rad).contains(&at));
         ui.label(match inside {
             Some(k) => say!(
-                "regions-region",
+                "region {name}, {from} … {to}: {samples}",
                 name = regions[k].name,
                 from = units.angle(regions[k].from_rad),
                 to = units.angle(regions[k].to_rad),
-                samples = say!("samples", count = grouped(counts[k].all))
+                samples =
+                    say!(one "{count} sample", "{count} samples", count = grouped(counts[k].all))
             ),
-            None => say!("regions-in-no-region").to_owned(),
+            None => say!("in no region").to_owned(),
         });
     });
 }

@@ -35,14 +35,15 @@ pub(in crate::gui::views) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     if document.regions.is_empty() {
-        return (say!("regions-optional").to_owned(), Progress::Open);
+        return (say!("optional").to_owned(), Progress::Open);
     }
     let used = document.identified && document.method == Method::Regional;
-    let regions = say!("regions", count = grouped(document.regions.len()));
+    let regions =
+        say!(one "{count} region", "{count} regions", count = grouped(document.regions.len()));
     let caption = if used {
         regions
     } else {
-        say!("regions-optional-2", regions = regions)
+        say!("optional, {regions}", regions = regions)
     };
     (caption, Progress::of(used))
 }
@@ -50,7 +51,12 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.is_empty() {
-        widgets::hint(ui, say!("regions-regions-divide-what-was-measured"));
+        widgets::hint(
+            ui,
+            say!(
+                "Regions divide what was measured: open a session that was measured on this robot"
+            ),
+        );
         return;
     }
     let counts = subject.angles().by_region(&workbench.document().regions);
@@ -71,9 +77,9 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let present = document.regions.len();
     let number = if present == 0 { OFFERED } else { present };
     let kinds = [
-        (0, say!("regions-uniform")),
-        (1, say!("regions-manual")),
-        (2, say!("regions-adaptive")),
+        (0, say!("Uniform")),
+        (1, say!("Manual")),
+        (2, say!("Adaptive")),
     ];
     let now = match document.division {
         _ if present == 0 => 3,
@@ -98,7 +104,10 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     match &document.division {
         Division::Even => evenly(ui, workbench, commands),
         Division::Given => {
-            widgets::hint(ui, say!("regions-drag-a-boundary"));
+            widgets::hint(
+                ui,
+                say!("Drag a boundary on the plot, or type it; the identification follows at once"),
+            );
             own(ui, workbench, commands);
         }
         Division::Adaptive(decision) => {
@@ -116,13 +125,12 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             .range(1..=MOST_EVEN)
             .speed(0.1)
             .suffix(if before == 1 {
-                say!("regions-region-2")
+                say!(" region")
             } else {
-                say!("regions-regions")
+                say!(" regions")
             });
-        let response =
-            widgets::cell_number(ui, say!("regions-number-of-regions"), "", 110.0, field);
-        let divide = present == 0 && ui.button(say!("regions-divide")).clicked();
+        let response = widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
+        let divide = present == 0 && ui.button(say!("Divide")).clicked();
         let edit = (number != before || divide).then_some(Edit::Divide(number));
         commands.extend(of_field(&response, edit));
     });
@@ -134,9 +142,9 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if own.is_empty() || own[..] == workbench.document().regions[..] {
         return;
     }
-    let button = ui.button(say!("regions-reset-to-session"));
+    let button = ui.button(say!("Reset to session"));
     if button
-        .on_hover_text(say!("regions-take-the-regions"))
+        .on_hover_text(say!("take the regions that the session brings along"))
         .clicked()
     {
         commands.push(Command::Edit(Edit::RegionsOfSession));
@@ -149,9 +157,13 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
     widgets::hint(
         ui,
         if range.is_some() {
-            say!("regions-there-are-no-regions-nothing")
+            say!(
+                "There are no regions: nothing is corrected by region. Divide the range evenly, or where the data ask for it"
+            )
         } else {
-            say!("regions-there-are-no-regions-because")
+            say!(
+                "There are no regions, because all samples are at one angle: there is no range to divide. Give the joint its limits in Session, or measure at other angles. The full model in Identify needs no regions"
+            )
         },
     );
 }
@@ -167,24 +179,31 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
         let more = match gaps.len() {
             1 => gap,
-            n => say!("regions-and-more", gap = gap, n = n - 1),
+            n => say!("{gap} and {n} more", gap = gap, n = n - 1),
         };
         let says = match outside {
-            0 => say!("regions-in-no-region-and-no", more = more),
-            1 => say!("regions-in-no-region-1-sample", more = more),
-            n => say!("regions-in-no-region-samples-there", more = more, n = n),
+            0 => say!("{more}: in no region, and no sample is there", more = more),
+            1 => say!(
+                "{more}: in no region; 1 sample there gets no correction",
+                more = more
+            ),
+            n => say!(
+                "{more}: in no region; {n} samples there get no correction",
+                more = more,
+                n = n
+            ),
         };
         widgets::hint(ui, says);
     } else if outside > 0 {
         let samples = if outside == 1 {
-            say!("regions-sample")
+            say!("sample is")
         } else {
-            say!("regions-samples-are")
+            say!("samples are")
         };
         widgets::hint(
             ui,
             say!(
-                "regions-in-no-region-and-get",
+                "{outside} {samples} in no region and get no correction",
                 outside = outside,
                 samples = samples
             ),
@@ -198,13 +217,16 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
     if possible && !regional {
-        widgets::hint(ui, say!("regions-optional-fills-the-next-step"));
-        if widgets::primary(ui, say!("regions-identify-by-region")).clicked() {
+        widgets::hint(
+            ui,
+            say!("Optional: fills the next step, Identify, region by region"),
+        );
+        if widgets::primary(ui, say!("Identify by region")).clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }
         return;
     }
-    if widgets::primary(ui, say!("common-continue-to-identify")).clicked() {
+    if widgets::primary(ui, say!("Continue to identify")).clicked() {
         commands.push(Command::GoTo(Step::Identify));
     }
 }

@@ -43,18 +43,18 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
     let last = regions.len() < 2;
     [
         Deed {
-            name: say!("regions-split-in-half"),
+            name: say!("Split in half"),
             key: Key::S,
             shown: "S",
             does: crate::gui::core::boundaries::split(regions, k)
                 .map(|_| Does::Edit(Edit::Split(k)))
-                .ok_or(say!("regions-it-is-too-narrow")),
+                .ok_or(say!("it is too narrow")),
         },
         Deed {
             name: if next.is_none() && before.is_some() {
-                say!("regions-merge-with-previous")
+                say!("Merge with previous")
             } else {
-                say!("regions-merge-with-next")
+                say!("Merge with next")
             },
             key: Key::M,
             shown: "M",
@@ -62,18 +62,18 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
                 .map(|_| k)
                 .or(before)
                 .map(|first| Does::Edit(Edit::Join(first)))
-                .ok_or(say!("regions-no-region-touches")),
+                .ok_or(say!("no region touches it")),
         },
         Deed {
-            name: say!("regions-delete"),
+            name: say!("Delete"),
             key: Key::Delete,
             shown: "Del",
             does: (!last)
                 .then_some(Does::Edit(Edit::Delete(k)))
-                .ok_or(say!("regions-the-last-region-stays")),
+                .ok_or(say!("the last region stays")),
         },
         Deed {
-            name: say!("regions-rename"),
+            name: say!("Rename"),
             key: Key::R,
             shown: "R",
             does: Ok(Does::Rename),
@@ -105,10 +105,12 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec
         })
     });
     let response = menu.inner.response;
-    let says = say!("regions-change-region", name = regions[k].name);
+    let says = say!("Change region {name}", name = regions[k].name);
     widgets::label(&response, says);
     let focused = response.has_focus();
-    response.on_hover_text(say!("regions-with-the-focus-here-s"));
+    response.on_hover_text(say!(
+        "with the focus here: S splits, M merges, Del deletes, R renames"
+    ));
     for deed in deeds(regions, k) {
         if let (true, Ok(does)) = (key(ui, focused, deed.key), deed.does) {
             done = Some(does);

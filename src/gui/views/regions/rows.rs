@@ -63,7 +63,7 @@ pub(super) fn show(
         widgets::hint(
             ui,
             say!(
-                "regions-and-more-to-be-dragged",
+                "and {more} more, to be dragged on the plot",
                 more = regions.len() - MOST_LISTED
             ),
         );
@@ -74,10 +74,10 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     let muted = Palette::of(ui).muted;
     let unit = units.angle_name().trim();
     let names = [
-        say!("regions-name").to_owned(),
-        say!("regions-from", unit = unit),
-        say!("regions-to", unit = unit),
-        say!("common-samples").to_owned(),
+        say!("name").to_owned(),
+        say!("from, {unit}", unit = unit),
+        say!("to, {unit}", unit = unit),
+        say!("samples").to_owned(),
     ];
     ui.horizontal(|ui| {
         for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
@@ -98,11 +98,18 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
 
 /// What a region with few samples can and cannot do.
 fn few(count: Count) -> Option<String> {
-    let measured = say!("samples", count = grouped(count.all));
+    let measured = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
     match count.fitted {
-        0 if count.all == 0 => Some(say!("regions-no-sample-so-no-correction").to_owned()),
-        0 => Some(say!("regions-none-of-which-can-be", measured = measured)),
-        1 => Some(say!("regions-one-sample-to-fit").to_owned()),
+        0 if count.all == 0 => Some(
+            say!("no sample, so no correction: measure here, or merge it with the next").to_owned(),
+        ),
+        0 => Some(say!(
+            "{measured}, none of which can be fitted, so no correction",
+            measured = measured
+        )),
+        1 => Some(
+            say!("one sample to fit: a correction, but nothing to tell how sure it is").to_owned(),
+        ),
         _ => None,
     }
 }
@@ -135,7 +142,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
-    widgets::label(&field, say!("regions-name-of-region", name = name));
+    widgets::label(&field, say!("Name of region {name}", name = name));
     let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
     if field.has_focus() {
@@ -183,11 +190,11 @@ fn angle(
         .clip_text(true);
     let field = ui.add_sized([width, HEIGHT], edit);
     let name = say!(
-        "regions-region-3",
+        "{end}, region {region}",
         end = if end == End::From {
-            say!("regions-from-2")
+            say!("From")
         } else {
-            say!("regions-to-2")
+            say!("To")
         },
         region = region.name
     );
@@ -283,8 +290,8 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
         return;
     };
     let which = match end {
-        End::From => say!("regions-region-from", region = region.name),
-        End::To => say!("regions-region-to", region = region.name),
+        End::From => say!("Region {region}, from: ", region = region.name),
+        End::To => say!("Region {region}, to: ", region = region.name),
     };
     let at_rad = match end {
         End::From => region.from_rad,
@@ -294,7 +301,7 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
     widgets::wrong(
         ui,
         &say!(
-            "regions-until-then-it-stays",
+            "{which}{says}. Until then it stays at {stays}",
             which = which,
             says = says,
             stays = stays
@@ -328,10 +335,10 @@ fn samples(
         return;
     }
     let says = match count.all {
-        1 => say!("regions-show-the-sample-of-region", region = region.name),
+        1 => say!("Show the sample of region {region}", region = region.name),
         n => say!(
-            "regions-show-the-of-region",
-            samples = say!("samples", count = grouped(n)),
+            "Show the {samples} of region {region}",
+            samples = say!(one "{count} sample", "{count} samples", count = grouped(n)),
             region = region.name
         ),
     };

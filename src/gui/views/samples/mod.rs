@@ -32,7 +32,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut sorting: Sorting = ui.data(|d| d.get_temp(sorted_by)).unwrap_or_default();
     let rows = Rows::of(ui, ui.scope_id().with("rows"), workbench, sorting);
     let brought = brought(ui, workbench);
-    copies::button(ui, say!("common-samples"), || copies::samples(workbench));
+    copies::button(ui, say!("samples"), || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(50.0, 96.0).floor();
@@ -153,10 +153,10 @@ fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
 /// The heads of all columns; how the rows are sorted after a click on one.
 fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sorting) -> Sorting {
     let heads = [
-        say!("samples-sample").to_owned(),
-        say!("samples-angle", angle = angle),
-        say!("samples-before", length = length),
-        say!("samples-after", length = length),
+        say!("sample").to_owned(),
+        say!("angle, {angle}", angle = angle),
+        say!("before, {length}", length = length),
+        say!("after, {length}", length = length),
         String::new(),
     ];
     let mut after = sorting;
@@ -190,16 +190,16 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
         }
     });
     let name = if head.is_empty() {
-        say!("common-tolerance")
+        say!("tolerance")
     } else {
         head
     };
     let order = match sorted {
         None => "",
-        Some(true) => say!("samples-largest-first"),
-        Some(false) => say!("samples-smallest-first"),
+        Some(true) => say!(", largest first"),
+        Some(false) => say!(", smallest first"),
     };
-    let name = say!("samples-column", name = name, order = order);
+    let name = say!("column {name}{order}", name = name, order = order);
     cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
     let cell = cell.on_hover_cursor(CursorIcon::PointingHand);
     let clicked = cell.clicked();
@@ -223,7 +223,7 @@ fn arrow(ui: &mut Ui, down: bool, color: egui::Color32) {
 fn out(ui: &mut Ui) {
     let muted = Palette::of(ui).muted;
     let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
-    let says = say!("samples-excluded-by-hand-in-no");
+    let says = say!("excluded by hand, in no figure");
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says));
     for side in [-3.5, 3.5] {
         let ends = [
@@ -237,7 +237,7 @@ fn out(ui: &mut Ui) {
 
 /// A cell of a row; it can be pressed, and so it has a name.
 fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl FnOnce(&mut Ui)) {
-    let name = say!("samples-row", sample = sample + 1, what = what);
+    let name = say!("row {sample}, {what}", sample = sample + 1, what = what);
     let (_, response) = row.col(|ui| {
         // Text that can be selected would keep clicks on the numbers from the row.
         ui.style_mut().interaction.selectable_labels = false;
@@ -263,9 +263,9 @@ fn mark(ui: &mut Ui, within: bool) {
         ));
     }
     let says = if within {
-        say!("samples-within-the-tolerance")
+        say!("within the tolerance")
     } else {
-        say!("samples-outside-the-tolerance")
+        say!("outside the tolerance")
     };
     response.on_hover_text(says);
 }

@@ -19,7 +19,6 @@ use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
-use crate::gui::language::Language;
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{
     About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
@@ -28,6 +27,7 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::progress::{Progress, unwatched};
+use crate::text::Language;
 use crate::units::rad_from_deg;
 
 use super::record;

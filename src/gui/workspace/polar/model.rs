@@ -90,11 +90,17 @@ pub(crate) struct Polar {
 pub(crate) fn absent(subject: &Subject) -> Option<&'static str> {
     let robot = &subject.session.robot;
     if subject.is_empty() {
-        Some(say!("polar-nothing-was-measured-yet"))
+        Some(say!(
+            "Nothing was measured yet: the polar view shows deviations around the joint’s angle"
+        ))
     } else if robot.joints.len() > 1 {
-        Some(say!("polar-this-robot-has-several-joints"))
+        Some(say!(
+            "This robot has several joints, so that a deviation belongs to no single angle: there is no polar view. The other views show where it is, the chart below over which value of the first joint"
+        ))
     } else if !subject.turns() {
-        Some(say!("polar-this-joint-slides"))
+        Some(say!(
+            "This joint slides, and a length does not close a circle: there is no polar view. The chart below shows the deviation along the joint’s way"
+        ))
     } else {
         None
     }
@@ -228,7 +234,7 @@ fn traces(mut values: Vec<(f64, f64, f64)>) -> Vec<Trace> {
 pub(crate) fn scale(polar: &Polar, units: Units) -> String {
     let division = units.length_value(polar.division_mm);
     say!(
-        "polar-1-division",
+        "1 division = {length} {unit}",
         length = trimmed(division, 6),
         unit = units.length_name()
     )

@@ -88,7 +88,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
     let samples = subject.overview.usable.len();
     response.widget_info(|| {
         let says = say!(
-            "polar-polar-view-samples",
+            "polar view, {component}, {samples} samples, {polar}",
             component = polar.component.name(),
             samples = samples,
             polar = scale(polar, units)

@@ -135,32 +135,32 @@ fn marks(
 
 fn words(drawing: &mut Drawing, polar: &Polar, answered: bool, only_after: bool, stride: usize) {
     let title = say!(
-        "polar-deviation-around-the-angle",
+        "{component} deviation around the angle",
         component = polar.component.name()
     );
     drawing.text(Label::new([0.0, 11.0], title, 9.0, INK).bold());
     let scale = say!(
-        "polar-1-division-mm-the-thick",
+        "1 division = {division} mm; the thick circle is nominal",
         division = trimmed(polar.division_mm, 6)
     );
     let mut says = vec![scale];
     let shown = match (answered, only_after) {
-        (false, _) => say!("polar-outline-before"),
-        (true, false) => say!("polar-outline-before-filled-after"),
-        (true, true) => say!("polar-filled-after"),
+        (false, _) => say!("outline: before"),
+        (true, false) => say!("outline: before, filled: after"),
+        (true, true) => say!("filled: after"),
     };
     let mut marks = shown.to_owned();
     if polar.spots.iter().any(|s| s.side != 0.0) {
-        marks += say!("polar-tip-up-moving-positive-tip");
+        marks += say!("; tip up: moving positive, tip down: negative");
     }
     if let Some(tolerance) = polar.tolerance_mm {
         marks += &say!(
-            "polar-dashed-tolerance-mm",
+            "; dashed: tolerance {tolerance} mm",
             tolerance = trimmed(tolerance, 6)
         );
     }
     if stride > 1 {
-        marks += &say!("polar-1-of-samples", stride = stride);
+        marks += &say!("; 1 of {stride} samples", stride = stride);
     }
     says.push(marks);
     for (k, line) in says.into_iter().enumerate() {

@@ -142,10 +142,13 @@ impl Drawn {
     /// In words: which sample, at which joint values.
     pub(crate) fn says(&self) -> String {
         let mut says = match (self.sample, self.asked_for) {
-            (Some(sample), true) => say!("robot-robot-at-sample", sample = sample + 1),
-            (Some(sample), false) => say!("robot-robot-at-sample-as", sample = sample + 1),
-            (None, true) => say!("robot-robot-as-posed").to_owned(),
-            (None, false) => say!("robot-robot-at-home").to_owned(),
+            (Some(sample), true) => say!("robot at sample {sample}", sample = sample + 1),
+            (Some(sample), false) => say!(
+                "robot at sample {sample}, as an example",
+                sample = sample + 1
+            ),
+            (None, true) => say!("robot as posed").to_owned(),
+            (None, false) => say!("robot at home").to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };

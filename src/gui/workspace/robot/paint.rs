@@ -193,7 +193,7 @@ pub(crate) fn values(
     let row = |text: String, color| ui.painter().layout_no_wrap(text, font.clone(), color);
     let title = drawn
         .sample
-        .map(|sample| say!("common-sample", sample = sample + 1));
+        .map(|sample| say!("sample {sample}", sample = sample + 1));
     let head = title.map(|title| row(title, palette.muted));
     let mut rows: Vec<_> = drawn
         .values
@@ -203,15 +203,15 @@ pub(crate) fn values(
         .collect();
     if drawn.values.len() > MOST {
         rows.push(row(
-            say!("robot-and-more", more = drawn.values.len() - MOST),
+            say!("and {more} more", more = drawn.values.len() - MOST),
             palette.muted,
         ));
     }
     if let Some(real) = &drawn.real {
         let what = if real.identified {
-            say!("common-identified")
+            say!("identified")
         } else {
-            say!("common-measured")
+            say!("measured")
         };
         rows.push(row(
             format!("{what} × {}", trimmed(real.times, 2)),

@@ -41,8 +41,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
     let units = workbench.units();
     let joints = &workbench.subject().session.robot.joints;
     ui.horizontal(|ui| {
-        widgets::title(ui, say!("pose-pose"));
-        if workbench.view().pose.is_some() && ui.button(say!("pose-back-to-sample")).clicked() {
+        widgets::title(ui, say!("Pose"));
+        if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {
             commands.push(Command::Pose(None));
         }
     });
@@ -59,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
             fine(ui, ui.available_width());
             let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
             let slider = ui.add(slider);
-            let name = say!("pose-pose-of-joint", k = k + 1, joint = joint.name);
+            let name = say!("Pose of joint {k}, {joint}", k = k + 1, joint = joint.name);
             ui.ctx()
                 .accesskit_node_builder(slider.id, |node| node.set_label(name));
             if slider.changed() && next != *q {
@@ -69,7 +69,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
             }
         }
         if workbench.view().pose.is_none() {
-            ui.label(RichText::new(say!("pose-from-the-sample")).size(size::NOTE));
+            ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
         }
     });
 }

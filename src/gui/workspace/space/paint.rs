@@ -94,15 +94,16 @@ fn says(response: &egui::Response, workbench: &Workbench) {
     let view = workbench.view();
     let samples = workbench.subject().overview.usable.len();
     let mut name = say!(
-        "space-3-d-view-samples",
+        "3-D view, {samples} samples, {camera}",
         samples = samples,
         camera = view.camera.says()
     );
     if let Some(sample) = view.selected {
-        name += &say!("space-sample-selected", sample = sample + 1);
+        name += &say!(", sample {sample} selected", sample = sample + 1);
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
-    let how = say!("space-arrow-keys-orbit-plus");
+    let how =
+        say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
     let ctx = &response.ctx;
     ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
 }
@@ -226,7 +227,11 @@ fn drawn(
     frames(ui, workbench, robot, space, palette);
     let units = workbench.units();
     let square = trimmed(units.length_value(square_mm(&space.ball)), 3);
-    let says = say!("space-grid", square = square, unit = units.length_name());
+    let says = say!(
+        "grid {square} {unit}",
+        square = square,
+        unit = units.length_name()
+    );
     let at = transform.frame().left_bottom() + vec2(4.0, -4.0);
     let font = FontId::proportional(size::SMALL);
     ui.painter()
@@ -322,11 +327,11 @@ fn frames(ui: &Ui, workbench: &Workbench, robot: Option<&Drawn>, space: &Space, 
             palette,
         );
     };
-    show(say!("space-base"), space.base);
+    show(say!("base"), space.base);
     let session = &workbench.subject().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
         show(
-            say!("space-tool"),
+            say!("tool"),
             space.base * session.robot.base_from_tool(&robot.q),
         );
     }

@@ -116,7 +116,7 @@ fn add(drawing: &mut Drawing, lines: impl IntoIterator<Item = [[f64; 2]; 2]>, st
 /// There is nothing to draw.
 pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
     if workbench.subject().is_empty() {
-        return Err(say!("common-there-are-no-samples").to_owned());
+        return Err(say!("there are no samples to draw").to_owned());
     }
     let scene = Scene::on(workbench, Canvas::Shapes);
     let space = Space::new(
@@ -244,25 +244,28 @@ fn words(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Sp
     let session = crate::report::document::clean(&workbench.subject().session.name);
     let magnified = trimmed(scene.magnification, 3);
     let title = say!(
-        "space-samples-deviations-magnified-times",
+        "{session}: {samples} samples, {camera}, deviations {state} magnified {magnified} times",
         session = session,
         samples = scene.samples,
         camera = workbench.view().camera.says(),
         state = if scene.look.answered {
-            say!("common-after")
+            say!("after")
         } else {
-            say!("common-before")
+            say!("before")
         },
         magnified = magnified
     );
-    let mut more = say!("space-grid-mm", square = trimmed(square_mm(&space.ball), 3));
+    let mut more = say!(
+        "grid {square} mm",
+        square = trimmed(square_mm(&space.ball), 3)
+    );
     if scene.look.colouring != Colouring::State {
         let scale = scales(workbench, scene).into_iter().next();
         let says = scale.map_or_else(String::new, |scale| match scale.ends {
             Some([low, high]) => format!("{} {low} … {high}", scale.name),
             None => scale.name,
         });
-        more += &say!("space-colour", colouring = says);
+        more += &say!("; colour: {colouring}", colouring = says);
     }
     for note in scene.notes() {
         more += &format!("; {note}");
