@@ -145,14 +145,19 @@ impl<D: PartialEq> History<D> {
 mod tests {
     use super::*;
 
+    /// A name that no person reads.
+    fn step(name: &'static str) -> Template {
+        Template::new("", name, "")
+    }
+
     #[test]
     fn a_gesture_is_one_entry_however_many_steps_it_has() {
         let mut history = History::new(0);
         for k in 1..=50 {
-            history.change_within_gesture(k, phrase!("drag"));
+            history.change_within_gesture(k, step("drag"));
         }
         history.finish_gesture();
-        assert_eq!(history.undoes(), Some(phrase!("drag")));
+        assert_eq!(history.undoes(), Some(step("drag")));
         assert!(history.undo());
         assert_eq!(**history.present(), 0);
         assert!(!history.undo());
@@ -163,8 +168,8 @@ mod tests {
     #[test]
     fn a_gesture_that_comes_back_leaves_no_entry() {
         let mut history = History::new(7);
-        history.change_within_gesture(8, phrase!("drag"));
-        history.change_within_gesture(7, phrase!("drag"));
+        history.change_within_gesture(8, step("drag"));
+        history.change_within_gesture(7, step("drag"));
         history.finish_gesture();
         assert_eq!(history.undoes(), None);
     }
@@ -172,8 +177,8 @@ mod tests {
     #[test]
     fn undo_in_the_middle_of_a_gesture_takes_the_gesture_back() {
         let mut history = History::new(1);
-        history.change(2, phrase!("type"));
-        history.change_within_gesture(3, phrase!("drag"));
+        history.change(2, step("type"));
+        history.change_within_gesture(3, step("drag"));
         assert!(history.undo());
         assert_eq!(**history.present(), 2);
     }
@@ -181,9 +186,9 @@ mod tests {
     #[test]
     fn a_new_change_after_undo_forgets_what_was_undone() {
         let mut history = History::new(1);
-        history.change(2, phrase!("a"));
+        history.change(2, step("a"));
         history.undo();
-        history.change(3, phrase!("b"));
+        history.change(3, step("b"));
         assert!(!history.redo());
         assert_eq!(**history.present(), 3);
     }
@@ -191,8 +196,8 @@ mod tests {
     #[test]
     fn what_came_to_be_true_of_all_is_no_step_of_its_own() {
         let mut history = History::new(1);
-        history.change(2, phrase!("a"));
-        history.change(3, phrase!("b"));
+        history.change(2, step("a"));
+        history.change(3, step("b"));
         history.undo();
         history.rewrite(|d| (*d != 1).then_some(10 * d));
         assert_eq!(**history.present(), 20);
@@ -207,7 +212,7 @@ mod tests {
     fn the_history_does_not_grow_without_end() {
         let mut history = History::new(0);
         for k in 1..=2 * MOST_ENTRIES {
-            history.change(k, phrase!("count"));
+            history.change(k, step("count"));
         }
         let mut undone = 0;
         while history.undo() {
