@@ -17,7 +17,7 @@ use super::IdentifyError;
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
 use super::gap::suspects;
-use super::gap::{Deviations, Spread, deviations};
+use super::gap::{Deviations, Spread, deviations, lengths_mm};
 use super::levels::levels;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
@@ -232,8 +232,7 @@ pub(crate) fn report(
     nominal: &Model,
     mut not_identifiable: Vec<NotIdentifiable>,
 ) -> Identification {
-    // The lengths are all that is wanted of what was there before: of a million samples the axes are 24 MB.
-    let before_mm = deviations(problem, nominal).length_mm;
+    let before_mm = lengths_mm(problem, nominal);
     let after = deviations(problem, &solution.model);
     let suspected = suspects(problem, &after);
     let held_out = session.samples.held_out.as_deref();
