@@ -11,8 +11,7 @@ use crate::effects::Term;
 use crate::model::Model;
 use crate::observations::figures::judge;
 
-use super::gap::deviations;
-use super::gap::suspects_beside;
+use super::gap::{Deviations, deviations_again, suspects_beside};
 use super::noise::Noise;
 use super::problem::Problem;
 use super::regression::Rows;
@@ -33,12 +32,13 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     if problem.observed.is_some() {
         return of_all_kinds(problem, solution);
     }
+    let mut left = Deviations::default();
     for round in 0..MOST_ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        let left = deviations(problem, &solution.model);
-        let suspected = suspects_beside(problem, left, solution.spectrum.rank());
+        deviations_again(problem, &solution.model, &mut left);
+        let suspected = suspects_beside(problem, &mut left, solution.spectrum.rank());
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;

@@ -19,18 +19,27 @@ pub(crate) fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }
-    let n = problem.inputs.len();
-    let mut deviations = Deviations {
-        axes_mm: std::array::from_fn(|_| Vec::with_capacity(n)),
-        length_mm: Vec::with_capacity(n),
-    };
-    lengths_into(problem, model, |axes, length| {
-        for (all, own) in deviations.axes_mm.iter_mut().zip(axes) {
+    let mut left = Deviations::default();
+    deviations_again(problem, model, &mut left);
+    left
+}
+
+/// The same in the memory of earlier ones: of a long session that is most of the work.
+pub(crate) fn deviations_again(problem: &Problem, model: &Model, left: &mut Deviations) {
+    if problem.observed.is_some() {
+        *left = deviations(problem, model);
+        return;
+    }
+    for column in left.axes_mm.iter_mut().chain([&mut left.length_mm]) {
+        column.clear();
+        column.reserve_exact(problem.inputs.len());
+    }
+    each_block(problem, model, |axes, length| {
+        for (all, own) in left.axes_mm.iter_mut().zip(axes) {
             all.extend_from_slice(own);
         }
-        deviations.length_mm.extend_from_slice(length);
+        left.length_mm.extend_from_slice(length);
     });
-    deviations
 }
 
 /// The lengths of the deviations alone: of a long session the axes are three times as much.
@@ -39,12 +48,14 @@ pub(crate) fn lengths_mm(problem: &Problem, model: &Model) -> Vec<f64> {
         return figures::deviations(layer, model).length_mm;
     }
     let mut lengths = Vec::with_capacity(problem.inputs.len());
-    lengths_into(problem, model, |_, length| lengths.extend_from_slice(length));
+    each_block(problem, model, |_, length| {
+        lengths.extend_from_slice(length)
+    });
     lengths
 }
 
 /// Gives the deviations of plain points along the axes and their lengths, block by block.
-fn lengths_into(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 3], &[f64])) {
+fn each_block(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 3], &[f64])) {
     let samples = &problem.session.samples;
     let measured = [
         Some(&samples.x_mm),
@@ -58,7 +69,9 @@ fn lengths_into(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 
         for ((own, measured), point) in axes.iter_mut().zip(measured).zip(&block.point) {
             match measured {
                 Some(measured) => {
-                    for ((e, measured), point) in own.iter_mut().zip(&measured[rows.clone()]).zip(point) {
+                    for ((e, measured), point) in
+                        own.iter_mut().zip(&measured[rows.clone()]).zip(point)
+                    {
                         *e = measured - point;
                     }
                 }
@@ -75,14 +88,18 @@ fn lengths_into(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 
             *length = (x * x + y * y + z * z).sqrt();
         }
         let len = block.len;
-        take([&axes[0][..len], &axes[1][..len], &axes[2][..len]], &length[..len]);
+        take(
+            [&axes[0][..len], &axes[1][..len], &axes[2][..len]],
+            &length[..len],
+        );
     });
 }
 
-/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out.
+/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
+/// deviations are changed.
 pub(crate) fn suspects_beside(
     problem: &Problem,
-    mut deviations: Deviations,
+    deviations: &mut Deviations,
     rank: usize,
 ) -> Vec<bool> {
     if problem.session.robot.joints.len() > 1 {
@@ -96,7 +113,7 @@ pub(crate) fn suspects_beside(
             }
         }
     }
-    suspects(problem, &deviations)
+    suspects(problem, deviations)
 }
 
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do

@@ -32,7 +32,9 @@ pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     if problem.observed.is_none() && problem.samples() > MOST_SAMPLES {
         // A session of its own: the rows that do not count need not go through every fit.
         let rows = problem.spread(MOST_SAMPLES);
-        let session = problem.session.of_rows(&rows.iter().copied().map(Some).collect::<Vec<_>>());
+        let session = problem
+            .session
+            .of_rows(&rows.iter().copied().map(Some).collect::<Vec<_>>());
         return of_part(&problem.of_rows(&session, &rows), identified);
     }
     let mut part = problem.clone();

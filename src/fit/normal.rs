@@ -103,6 +103,26 @@ impl Normal {
         sums: Sums,
         whitening: &mut Whitening,
     ) {
+        wide(AddingWhitened {
+            normal: self,
+            problem,
+            start,
+            block,
+            sums,
+            whitening,
+        });
+    }
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    fn add_block_whitened(
+        &mut self,
+        problem: &Problem,
+        start: usize,
+        block: &Block,
+        sums: Sums,
+        whitening: &mut Whitening,
+    ) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
         whitening.advance(problem, start, block.len, &mask);
@@ -249,6 +269,8 @@ impl Whitening {
     }
 
     /// Whitens the columns and the residual of a block along one axis.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     fn whiten(
         &mut self,
         axis: usize,
@@ -299,6 +321,32 @@ impl Loop for Adding<'_, '_> {
     fn run(self) {
         self.normal
             .add_block(self.problem, self.start, self.block, self.sums);
+    }
+}
+
+/// The loop of [`Normal::add_whitened`].
+struct AddingWhitened<'a, 'p> {
+    normal: &'a mut Normal,
+    problem: &'a Problem<'p>,
+    start: usize,
+    block: &'a Block<'a>,
+    sums: Sums,
+    whitening: &'a mut Whitening,
+}
+
+impl Loop for AddingWhitened<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        self.normal.add_block_whitened(
+            self.problem,
+            self.start,
+            self.block,
+            self.sums,
+            self.whitening,
+        );
     }
 }
 

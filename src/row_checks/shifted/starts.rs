@@ -4,8 +4,8 @@
 use nalgebra::{Isometry3, Vector3};
 
 use crate::effects::Inputs;
-use crate::model::rigid_motion::rigid_motion;
 use crate::model::Model;
+use crate::model::rigid_motion::rigid_motion;
 use crate::sessions::Session;
 
 use super::path::{MOST_SHIFT, Path, Points, along, cost, median};
