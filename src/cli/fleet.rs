@@ -106,18 +106,16 @@ pub(crate) fn run(
 /// Diagnoses one session, unless the command is stopped meanwhile.
 fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
     let mut findings = Vec::new();
-    // A fault of the program in one session must not take the answers of the others along.
-    let told = catch_unwind(AssertUnwindSafe(|| -> Result<_, Failure> {
+    let told = guarded(path, || {
         let loaded = load(path)?;
         findings.extend(loaded.findings.iter().map(ToString::to_string));
         let session = &loaded.session;
         let (answer, start) = asked.of(session, &|_| !stopped.load(Ordering::Relaxed))?;
         let document = document(&answer, session, start.as_ref());
         Ok((document, Row::of(&answer, session)))
-    }));
-    let broke_down = |_| Err(anyhow!("{}: the diagnosis broke down", path.display()).into());
+    });
     let file = path.display().to_string();
-    let (document, row) = match told.unwrap_or_else(broke_down) {
+    let (document, row) = match told {
         Ok((document, row)) => (document, Ok(row)),
         Err(failure) => {
             let because = Json::from(failure.to_string());
@@ -131,6 +129,12 @@ fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
         line: serde_json::to_string(&document).unwrap_or_default(),
         row,
     }
+}
+
+/// Does the work for one session. A fault of the program in it must not take the answers of the others along.
+fn guarded<T>(path: &Path, work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+    let broke_down = |_| Err(anyhow!("{}: the diagnosis broke down", path.display()).into());
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(broke_down)
 }
 
 /// What became of all sessions so far.
@@ -216,5 +220,19 @@ impl Summary {
             _ if self.diagnosed == 0 && !self.broke_down => Err(Failure::WrongInput(text)),
             _ => Err(anyhow!(text).into()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_that_breaks_the_program_has_a_failure_of_its_own() {
+        let said = |work: fn() -> Result<u8, Failure>| guarded(Path::new("s.json"), work);
+        assert!(matches!(said(|| Ok(3)), Ok(3)));
+        let broken = said(|| panic!("a fault of the program"));
+        let broken = broken.map_err(|failure| failure.to_string());
+        assert_eq!(broken, Err("s.json: the diagnosis broke down".to_owned()));
     }
 }

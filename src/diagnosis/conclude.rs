@@ -7,7 +7,7 @@ use crate::effects::{JointValues, Term};
 use crate::fit::base_model;
 use crate::fit::expected::expected_error;
 use crate::fit::gap::suspects;
-use crate::fit::gap::{Deviations, Spread, deviations};
+use crate::fit::gap::{Spread, deviations, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::{GapStep, SetUp};
@@ -106,7 +106,7 @@ pub(crate) fn answer(
     } else {
         &names
     };
-    let nominal = deviations(problem, &prepared.nominal);
+    let nominal_mm = lengths_mm(problem, &prepared.nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
     let capped = prepared.is_capped(end);
@@ -121,14 +121,14 @@ pub(crate) fn answer(
         &order,
         capped,
     );
-    let mut held_out = held_out(prepared, &nominal, handed_out.held_out_mm);
+    let mut held_out = held_out(prepared, &nominal_mm, handed_out.held_out_mm);
     let counts = |i: usize| problem.fit[i];
-    let rms = |d: &Deviations| {
-        let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
+    let rms = |lengths_mm: &[f64]| {
+        let spread = Spread::of(lengths_mm, counts, |i| !problem.used[i]);
         spread.map_or(0.0, |s| s.rms_mm)
     };
     let mut gap = Gaps {
-        start_mm: rms(&nominal),
+        start_mm: rms(&nominal_mm),
         identified_mm: handed_out.identified_mm,
         end_mm: handed_out.end_mm,
     };

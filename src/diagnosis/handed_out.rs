@@ -25,7 +25,7 @@
 //! shapes where it may be used at all, and hold the value that is handed out.
 
 use crate::effects::Term;
-use crate::fit::gap::{Spread, deviations};
+use crate::fit::gap::{Spread, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
@@ -179,8 +179,8 @@ fn identified(prepared: &Prepared, problem: &Problem) -> Model {
 
 /// RMS error of a model over the samples that are fitted, without suspected outliers, mm.
 fn rms_mm(problem: &Problem, model: &Model) -> f64 {
-    let left = deviations(problem, model);
-    let spread = Spread::of(&left.length_mm, |i| problem.fit[i], |i| !problem.used[i]);
+    let left_mm = lengths_mm(problem, model);
+    let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
     spread.map_or(0.0, |s| s.rms_mm)
 }
 

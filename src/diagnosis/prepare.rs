@@ -177,8 +177,8 @@ impl<'a> Prepared<'a> {
             }
         } else {
             let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
-            let left = deviations_beside(&self.problem, &columns, &found.fit);
-            let suspected = suspects_beside(&self.problem, left, found.fit.basis.rank());
+            let mut left = deviations_beside(&self.problem, &columns, &found.fit);
+            let suspected = suspects_beside(&self.problem, &mut left, found.fit.basis.rank());
             let kept = self.problem.fit.iter().zip(suspected);
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }
@@ -282,6 +282,9 @@ impl<'a> Prepared<'a> {
 /// What a fit with shapes leaves of every sample.
 fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
     let mut left = deviations(problem, &fit.model);
+    if beside.is_empty() {
+        return left;
+    }
     let coefficients = fit.shapes.iter().flat_map(|s| s.coefficients.iter());
     for (column, coefficient) in beside.iter().zip(coefficients) {
         for (axis, values) in column.iter().enumerate() {

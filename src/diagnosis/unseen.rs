@@ -2,7 +2,7 @@
 //! cross-fitted.
 
 use crate::fit::base_model;
-use crate::fit::gap::{Deviations, Spread, deviations};
+use crate::fit::gap::{Spread, lengths_mm};
 use crate::model::Model;
 
 use super::prepare::Prepared;
@@ -32,7 +32,7 @@ pub(crate) fn of(prepared: &Prepared, fit: &Fit, procedure: Procedure) -> Option
                 Values::of(prepared, problem, fit, false).model
             }
         };
-        return Some(rms_apart_mm(prepared, &deviations(problem, &model)));
+        return Some(rms_apart_mm(prepared, &lengths_mm(problem, &model)));
     }
     prepared.folds.say_something().then(|| match procedure {
         Procedure::BesideShapes => prepared.folds.rms_mm_of_the_model(regression, fit),
@@ -43,7 +43,7 @@ pub(crate) fn of(prepared: &Prepared, fit: &Fit, procedure: Procedure) -> Option
 /// The same of a finished model, where the session holds samples out that no fit has seen.
 pub(crate) fn of_model(prepared: &Prepared, model: &Model) -> Option<f64> {
     let only_by_file = !prepared.locked.contains(&true) && apart(prepared).contains(&true);
-    only_by_file.then(|| rms_apart_mm(prepared, &deviations(&prepared.problem, model)))
+    only_by_file.then(|| rms_apart_mm(prepared, &lengths_mm(&prepared.problem, model)))
 }
 
 /// Samples that a session or an option holds out.
@@ -57,29 +57,25 @@ pub(super) fn apart(prepared: &Prepared) -> Vec<bool> {
 
 /// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
 /// elsewhere.
-pub(super) fn rms_apart_mm(prepared: &Prepared, left: &Deviations) -> f64 {
+pub(super) fn rms_apart_mm(prepared: &Prepared, left_mm: &[f64]) -> f64 {
     let apart = apart(prepared);
     let mut lengths: Vec<f64> = (0..apart.len())
         .filter(|i| apart[*i])
-        .map(|i| left.length_mm[i])
+        .map(|i| left_mm[i])
         // Of a row that measures no length.
         .filter(|length| !length.is_nan())
         .collect();
     lengths.sort_by(f64::total_cmp);
     let count = lengths.len();
     let limit = 5.0 * lengths.get(count / 2).copied().unwrap_or(f64::NAN);
-    let spread = Spread::of(
-        &left.length_mm,
-        |i| apart[i],
-        |i| count >= 8 && left.length_mm[i] > limit,
-    );
+    let spread = Spread::of(left_mm, |i| apart[i], |i| count >= 8 && left_mm[i] > limit);
     spread.map_or(0.0, |s| s.rms_mm)
 }
 
 /// What is said of unseen samples; `found_mm` are the errors after identification and with what was found.
 pub(crate) fn held_out(
     prepared: &Prepared,
-    nominal: &Deviations,
+    nominal_mm: &[f64],
     found_mm: Option<[f64; 2]>,
 ) -> HeldOut {
     let regression = &prepared.regression;
@@ -103,7 +99,7 @@ pub(crate) fn held_out(
         return HeldOut {
             how: how.to_owned(),
             samples: count,
-            gaps: gaps(rms_apart_mm(prepared, nominal)),
+            gaps: gaps(rms_apart_mm(prepared, nominal_mm)),
         };
     }
     if !prepared.folds.say_something() {

@@ -7,7 +7,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::Term;
-use crate::fit::gap::{Spread, deviations};
+use crate::fit::gap::{Spread, deviations, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::{Solution, solve};
 use crate::fit::{
@@ -135,12 +135,8 @@ impl<'a> Values<'a> {
 
     /// Root mean square length of what is left of the samples that count, mm.
     pub(crate) fn rms_mm(&self) -> f64 {
-        let left = deviations(&self.problem, &self.model);
-        let spread = Spread::of(
-            &left.length_mm,
-            |i| self.problem.fit[i],
-            |i| !self.problem.used[i],
-        );
+        let left_mm = lengths_mm(&self.problem, &self.model);
+        let spread = Spread::of(&left_mm, |i| self.problem.fit[i], |i| !self.problem.used[i]);
         spread.map_or(0.0, |s| s.rms_mm)
     }
 
@@ -348,8 +344,8 @@ impl<'a> Values<'a> {
         }
         let apart = |i: usize| problem.fit[i] && !problem.used[i];
         let over_fit = |model: &Model| {
-            let left = deviations(problem, model);
-            let spread = Spread::of(&left.length_mm, |i| problem.fit[i], apart);
+            let left = lengths_mm(problem, model);
+            let spread = Spread::of(&left, |i| problem.fit[i], apart);
             (left, spread)
         };
         let (_, before) = over_fit(nominal);
@@ -422,7 +418,7 @@ pub(crate) fn corrected_for_selection<'a>(
 /// of its own noise (3 for a Gaussian, and never less); and the size of their bulk, from the median,
 /// in the same units.
 fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
-    let mut all = Vec::new();
+    let mut all = Vec::with_capacity(problem.rows());
     if let Some(layer) = &problem.observed {
         all.extend(whitened(layer, &solution.model).iter().map(|e| e.abs()));
     }

@@ -11,8 +11,7 @@ use crate::effects::Term;
 use crate::model::Model;
 use crate::observations::figures::judge;
 
-use super::gap::deviations;
-use super::gap::suspects_beside;
+use super::gap::{Deviations, deviations_again, suspects_beside};
 use super::noise::Noise;
 use super::problem::Problem;
 use super::regression::Rows;
@@ -33,12 +32,13 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     if problem.observed.is_some() {
         return of_all_kinds(problem, solution);
     }
+    let mut left = Deviations::default();
     for round in 0..MOST_ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        let left = deviations(problem, &solution.model);
-        let suspected = suspects_beside(problem, left, solution.spectrum.rank());
+        deviations_again(problem, &solution.model, &mut left);
+        let suspected = suspects_beside(problem, &mut left, solution.spectrum.rank());
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
@@ -141,8 +141,10 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
 
 /// The noise that a model leaves in the samples that count.
 pub(crate) fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
-    let part = stretches(problem);
-    let rows = Rows::of(part.as_ref().unwrap_or(problem));
+    let rows = match stretches(problem) {
+        Some(samples) => Rows::of_samples(problem, samples),
+        None => Rows::of(problem),
+    };
     let (mut residual, columns) = rows.extract(model);
     let shapes: Vec<DVector<f64>> = problem
         .beside
@@ -166,22 +168,18 @@ pub(crate) fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> 
     }
 }
 
-/// A long problem with some stretches of its samples only.
-fn stretches<'a>(problem: &Problem<'a>) -> Option<Problem<'a>> {
-    let used: Vec<usize> = (0..problem.used.len())
-        .filter(|i| problem.used[*i])
-        .collect();
-    if used.len() <= MOST_SAMPLES {
+/// The samples of some stretches of a long problem.
+fn stretches(problem: &Problem) -> Option<Vec<usize>> {
+    let count = problem.samples();
+    if count <= MOST_SAMPLES || problem.observed.is_some() {
         return None;
     }
-    let mut part = problem.clone();
-    part.used.fill(false);
     let length = MOST_SAMPLES / STRETCHES;
-    for k in 0..STRETCHES {
-        let first = k * (used.len() - length) / (STRETCHES - 1);
-        for sample in &used[first..first + length] {
-            part.used[*sample] = true;
-        }
-    }
-    Some(part)
+    let first = |k: usize| k * (count - length) / (STRETCHES - 1);
+    let places = (0..STRETCHES).flat_map(|k| first(k)..first(k) + length);
+    // Of little more samples than are wanted the stretches overlap.
+    let mut places: Vec<usize> = places.collect();
+    places.sort_unstable();
+    places.dedup();
+    Some(problem.counted_at(places.into_iter()))
 }

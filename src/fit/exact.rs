@@ -17,7 +17,7 @@ use super::IdentifyError;
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
 use super::gap::suspects;
-use super::gap::{Deviations, Spread, deviations};
+use super::gap::{Deviations, Spread, deviations, lengths_mm};
 use super::levels::levels;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
@@ -232,8 +232,7 @@ pub(crate) fn report(
     nominal: &Model,
     mut not_identifiable: Vec<NotIdentifiable>,
 ) -> Identification {
-    // The lengths are all that is wanted of what was there before: of a million samples the axes are 24 MB.
-    let before_mm = deviations(problem, nominal).length_mm;
+    let before_mm = lengths_mm(problem, nominal);
     let after = deviations(problem, &solution.model);
     let suspected = suspects(problem, &after);
     let held_out = session.samples.held_out.as_deref();
@@ -254,7 +253,7 @@ pub(crate) fn report(
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
         levels: Vec::new(),
         expected: None,
-        outliers: outliers(&after, suspected.iter().copied()),
+        outliers: outliers(&after.length_mm, suspected.iter().copied()),
         left_out: left_out(problem),
         noise_mm: noise_by_axis(problem, &after, rank),
         kinds: observed::figures(problem, nominal, &solution.model),
@@ -428,13 +427,13 @@ fn gap(
 }
 
 /// The samples that stand out, the farthest first.
-pub(crate) fn outliers(after: &Deviations, stands_out: impl Iterator<Item = bool>) -> Vec<Outlier> {
+pub(crate) fn outliers(after_mm: &[f64], stands_out: impl Iterator<Item = bool>) -> Vec<Outlier> {
     let mut outliers: Vec<Outlier> = stands_out
         .enumerate()
         .filter_map(|(sample, stands_out)| stands_out.then_some(sample))
         .map(|sample| Outlier {
             sample,
-            deviation_mm: after.length_mm[sample],
+            deviation_mm: after_mm[sample],
         })
         .collect();
     outliers.sort_by(|a, b| b.deviation_mm.total_cmp(&a.deviation_mm));

@@ -3,6 +3,7 @@
 //! `answers::rms_error`.
 
 pub(crate) use crate::answers::errors::Spread;
+use crate::lanes::LANES;
 use crate::model::Model;
 use crate::observations::figures;
 pub(crate) use crate::observations::figures::Deviations;
@@ -18,43 +19,87 @@ pub(crate) fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }
-    let n = problem.inputs.len();
-    let mut deviations = Deviations {
-        axes_mm: std::array::from_fn(|_| Vec::with_capacity(n)),
-        length_mm: Vec::with_capacity(n),
-    };
+    let mut left = Deviations::default();
+    deviations_again(problem, model, &mut left);
+    left
+}
+
+/// The same in the memory of earlier ones: of a long session that is most of the work.
+pub(crate) fn deviations_again(problem: &Problem, model: &Model, left: &mut Deviations) {
+    if problem.observed.is_some() {
+        *left = deviations(problem, model);
+        return;
+    }
+    for column in left.axes_mm.iter_mut().chain([&mut left.length_mm]) {
+        column.clear();
+        column.reserve_exact(problem.inputs.len());
+    }
+    each_block(problem, model, |axes, length| {
+        for (all, own) in left.axes_mm.iter_mut().zip(axes) {
+            all.extend_from_slice(own);
+        }
+        left.length_mm.extend_from_slice(length);
+    });
+}
+
+/// The lengths of the deviations alone: of a long session the axes are three times as much.
+pub(crate) fn lengths_mm(problem: &Problem, model: &Model) -> Vec<f64> {
+    if let Some(layer) = &problem.observed {
+        return figures::deviations(layer, model).length_mm;
+    }
+    let mut lengths = Vec::with_capacity(problem.inputs.len());
+    each_block(problem, model, |_, length| {
+        lengths.extend_from_slice(length)
+    });
+    lengths
+}
+
+/// Gives the deviations of plain points along the axes and their lengths, block by block.
+fn each_block(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 3], &[f64])) {
     let samples = &problem.session.samples;
-    let spatial = samples.z_mm.is_some();
     let measured = [
         Some(&samples.x_mm),
         Some(&samples.y_mm),
         samples.z_mm.as_ref(),
     ];
     model.visit(&problem.inputs, false, |start, block| {
-        for i in 0..block.len {
-            let usable = problem.usable[start + i];
-            let mut square = 0.0;
-            for axis in 0..3 {
-                let e = match measured[axis] {
-                    _ if !usable => f64::NAN,
-                    Some(measured) => measured[start + i] - block.point[axis][i],
-                    None => 0.0,
-                };
-                deviations.axes_mm[axis].push(e);
-                if axis < 2 || spatial {
-                    square += e * e;
+        let rows = start..start + block.len;
+        let usable = &problem.usable[rows.clone()];
+        let mut axes = [[0.0; LANES]; 3];
+        for ((own, measured), point) in axes.iter_mut().zip(measured).zip(&block.point) {
+            match measured {
+                Some(measured) => {
+                    for ((e, measured), point) in
+                        own.iter_mut().zip(&measured[rows.clone()]).zip(point)
+                    {
+                        *e = measured - point;
+                    }
                 }
+                None => own.fill(0.0),
             }
-            deviations.length_mm.push(square.sqrt());
+            for (e, usable) in own.iter_mut().zip(usable) {
+                *e = if *usable { *e } else { f64::NAN };
+            }
         }
+        // In a plane the third is zero, or missing like the others.
+        let mut length = [0.0; LANES];
+        for (i, length) in length.iter_mut().enumerate() {
+            let [x, y, z] = [axes[0][i], axes[1][i], axes[2][i]];
+            *length = (x * x + y * y + z * z).sqrt();
+        }
+        let len = block.len;
+        take(
+            [&axes[0][..len], &axes[1][..len], &axes[2][..len]],
+            &length[..len],
+        );
     });
-    deviations
 }
 
-/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out.
+/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
+/// deviations are changed.
 pub(crate) fn suspects_beside(
     problem: &Problem,
-    mut deviations: Deviations,
+    deviations: &mut Deviations,
     rank: usize,
 ) -> Vec<bool> {
     if problem.session.robot.joints.len() > 1 {
@@ -68,7 +113,7 @@ pub(crate) fn suspects_beside(
             }
         }
     }
-    suspects(problem, &deviations)
+    suspects(problem, deviations)
 }
 
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do

@@ -14,7 +14,7 @@ use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 
 use super::base_model;
-use super::gap::deviations;
+use super::gap::lengths_mm;
 use super::problem::Problem;
 use super::solver::solve;
 use crate::sessions::cells::{cells, folds_of_groups};
@@ -29,15 +29,26 @@ const FEWEST: usize = 12;
 
 /// The levels of an identified model, on the samples of the problem that count.
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
+    if problem.observed.is_none() && problem.samples() > MOST_SAMPLES {
+        // A session of its own: the rows that do not count need not go through every fit.
+        let rows = problem.spread(MOST_SAMPLES);
+        let session = problem
+            .session
+            .of_rows(&rows.iter().copied().map(Some).collect::<Vec<_>>());
+        return of_part(&problem.of_rows(&session, &rows), identified);
+    }
     let mut part = problem.clone();
     part.noise = None;
     part.thin(MOST_SAMPLES);
-    let fold = folds(&part, identified);
-    let mut all = Vec::new();
-    for (what, model) in models(&part, identified) {
-        all.push(level(&part, &fold, what, &model));
-    }
-    all
+    of_part(&part, identified)
+}
+
+fn of_part(part: &Problem, identified: &Model) -> Vec<Level> {
+    let fold = folds(part, identified);
+    let models = models(part, identified).into_iter();
+    models
+        .map(|(what, model)| level(part, &fold, what, &model))
+        .collect()
 }
 
 /// For each sample the fold that it is in.
@@ -105,7 +116,7 @@ fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
 
 fn level(problem: &Problem, fold: &[usize], what: &'static str, start: &Model) -> Level {
     let solution = solve(problem, start);
-    let left = deviations(problem, &solution.model).length_mm;
+    let left = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];
     let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
     let enough = own.len() >= FEWEST;
@@ -117,7 +128,7 @@ fn level(problem: &Problem, fold: &[usize], what: &'static str, start: &Model) -
             let kept = counted.map(|(i, c)| *c && fold[seen.sample_of(i)] != k);
             seen.set_counted(kept.collect());
             let model = solve(&seen, &solution.model).model;
-            let left = deviations(problem, &model).length_mm;
+            let left = lengths_mm(problem, &model);
             let held_out = (0..left.len()).filter(|i| problem.used[*i] && fold[*i] == k);
             lengths.extend(held_out.map(|i| left[i]));
         }

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::block::Block;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, Lanes3};
 use crate::observations::RowBlock;
 use crate::wide::{Loop, wide};
 
@@ -103,22 +103,39 @@ impl Normal {
         sums: Sums,
         whitening: &mut Whitening,
     ) {
+        wide(AddingWhitened {
+            normal: self,
+            problem,
+            start,
+            block,
+            sums,
+            whitening,
+        });
+    }
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    fn add_block_whitened(
+        &mut self,
+        problem: &Problem,
+        start: usize,
+        block: &Block,
+        sums: Sums,
+        whitening: &mut Whitening,
+    ) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
         whitening.advance(problem, start, block.len, &mask);
-        let mut white: Vec<Lanes> = vec![[0.0; LANES]; p];
         for axis in 0..3 {
             if problem.axis_weights[axis] == 0.0 {
                 continue;
             }
             let raw = problem.residual(axis, start, block, &mask);
-            let mut residual = [0.0; LANES];
-            whitening.whiten(axis, p, &raw, &mut residual, block.len);
-            self.cost += dot(&residual, &residual);
+            let (white, residual) = whitening.whiten(axis, &block.columns[..p], &raw, block.len);
+            self.cost += dot(residual, residual);
             self.weight += mask.iter().sum::<f64>();
             for k in 0..p {
-                whitening.whiten(axis, k, &block.columns[k][axis], &mut white[k], block.len);
-                self.gradient[k] += dot(&white[k], &residual);
+                self.gradient[k] += dot(&white[k], residual);
                 if sums == Sums::Gradient {
                     continue;
                 }
@@ -162,17 +179,35 @@ impl Normal {
     }
 }
 
+/// Columns that go through the filter together, so that they do not wait for one another.
+const TOGETHER: usize = 4;
+
 /// The filter of noise with a slow part on its way through the samples (see [`super::noise`]).
 pub(super) struct Whitening {
     sigma: [f64; 3],
     slow: [f64; 3],
     tau: f64,
     before: f64,
+    /// The last time between two samples, and what it carries: most are alike.
+    carry: (f64, f64),
     variance: [f64; 3],
     /// One for each axis and column, the residual last.
     state: [Vec<f64>; 3],
     step: [[Step; LANES]; 3],
+    /// The last step of each axis, with what it was made of and the variance behind it.
+    last: [LastStep; 3],
     counts: [bool; LANES],
+    /// What went through the filter last, the residual last.
+    white: Vec<Lanes>,
+}
+
+/// A step with the carry and the variance that it was made of: along equal steps of time both settle.
+#[derive(Clone, Copy)]
+struct LastStep {
+    carry: f64,
+    variance: f64,
+    step: Step,
+    variance_after: f64,
 }
 
 impl Whitening {
@@ -180,15 +215,24 @@ impl Whitening {
     pub(super) fn new(noise: Option<&Noise>, columns: usize) -> Option<Self> {
         let noise = noise?;
         let slow = noise.slow?;
+        let none = LastStep {
+            carry: f64::NAN,
+            variance: f64::NAN,
+            step: Step::default(),
+            variance_after: f64::NAN,
+        };
         Some(Self {
             sigma: noise.sigma_mm,
             slow: slow.rms_mm,
             tau: slow.time_constant_s,
             before: f64::NAN,
+            carry: (f64::NAN, f64::NAN),
             variance: slow.rms_mm.map(|s| s * s),
             state: std::array::from_fn(|_| vec![0.0; columns + 1]),
             step: [[Step::default(); LANES]; 3],
+            last: [none; 3],
             counts: [false; LANES],
+            white: vec![[0.0; LANES]; columns + 1],
         })
     }
 
@@ -200,28 +244,63 @@ impl Whitening {
                 continue;
             }
             let time = problem.time(start + i);
-            let carry = carried(time - self.before, self.tau);
+            let apart = time - self.before;
+            if apart != self.carry.0 {
+                self.carry = (apart, carried(apart, self.tau));
+            }
+            let carry = self.carry.1;
             self.before = time;
             for axis in 0..3 {
-                let variance = &mut self.variance[axis];
-                self.step[axis][i] =
-                    Step::after(carry, self.sigma[axis], self.slow[axis], variance);
+                let (variance, last) = (&mut self.variance[axis], &mut self.last[axis]);
+                if carry != last.carry || *variance != last.variance {
+                    let mut after = *variance;
+                    let step = Step::after(carry, self.sigma[axis], self.slow[axis], &mut after);
+                    *last = LastStep {
+                        carry,
+                        variance: *variance,
+                        step,
+                        variance_after: after,
+                    };
+                }
+                *variance = last.variance_after;
+                self.step[axis][i] = last.step;
             }
         }
     }
 
-    fn whiten(&mut self, axis: usize, column: usize, raw: &Lanes, white: &mut Lanes, len: usize) {
-        let state = &mut self.state[axis][column];
-        *white = [0.0; LANES];
-        for i in 0..len {
-            if self.counts[i] {
+    /// Whitens the columns and the residual of a block along one axis.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    fn whiten(
+        &mut self,
+        axis: usize,
+        columns: &[Lanes3],
+        residual: &Lanes,
+        len: usize,
+    ) -> (&[Lanes], &Lanes) {
+        let last = columns.len();
+        let raw = |k: usize| columns.get(k).map_or(residual, |column| &column[axis]);
+        for first in (0..=last).step_by(TOGETHER) {
+            // The columns behind the last are those of the residual again, and are not kept.
+            let own: [&Lanes; TOGETHER] = std::array::from_fn(|c| raw(first + c));
+            let kept = (last + 1 - first).min(TOGETHER);
+            let mut state = [0.0; TOGETHER];
+            state[..kept].copy_from_slice(&self.state[axis][first..first + kept]);
+            let mut white = [[0.0; LANES]; TOGETHER];
+            for i in (0..len).filter(|i| self.counts[*i]) {
                 let step = &self.step[axis][i];
-                let carried = step.carry * *state;
-                let new = raw[i] - carried;
-                *state = carried + step.gain * new;
-                white[i] = new * step.inverse_spread;
+                for c in 0..TOGETHER {
+                    let carried = step.carry * state[c];
+                    let new = own[c][i] - carried;
+                    state[c] = carried + step.gain * new;
+                    white[c][i] = new * step.inverse_spread;
+                }
             }
+            self.state[axis][first..first + kept].copy_from_slice(&state[..kept]);
+            self.white[first..first + kept].copy_from_slice(&white[..kept]);
         }
+        let (white, residual) = self.white.split_at(last);
+        (white, &residual[0])
     }
 }
 
@@ -242,6 +321,32 @@ impl Loop for Adding<'_, '_> {
     fn run(self) {
         self.normal
             .add_block(self.problem, self.start, self.block, self.sums);
+    }
+}
+
+/// The loop of [`Normal::add_whitened`].
+struct AddingWhitened<'a, 'p> {
+    normal: &'a mut Normal,
+    problem: &'a Problem<'p>,
+    start: usize,
+    block: &'a Block<'a>,
+    sums: Sums,
+    whitening: &'a mut Whitening,
+}
+
+impl Loop for AddingWhitened<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        self.normal.add_block_whitened(
+            self.problem,
+            self.start,
+            self.block,
+            self.sums,
+            self.whitening,
+        );
     }
 }
 

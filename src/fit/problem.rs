@@ -200,13 +200,61 @@ impl<'a> Problem<'a> {
     /// Lets at most so many count of those that do, spread evenly.
     pub(crate) fn thin(&mut self, most: usize) {
         let counted = self.counted();
-        let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
-        if used.len() > most {
+        if counted.iter().filter(|c| **c).count() > most {
             let mut kept = vec![false; counted.len()];
-            for k in 0..most {
-                kept[used[k * used.len() / most]] = true;
+            for k in self.spread(most) {
+                kept[k] = true;
             }
             self.set_counted(kept);
+        }
+    }
+
+    /// So many of those that count, spread evenly; there are at least as many.
+    pub(crate) fn spread(&self, most: usize) -> Vec<usize> {
+        let count = self.counted().iter().filter(|c| **c).count();
+        self.counted_at((0..most).map(|k| k * count / most))
+    }
+
+    /// Those that count at ascending places among all that do.
+    pub(super) fn counted_at(&self, places: impl Iterator<Item = usize>) -> Vec<usize> {
+        let counted = self.counted();
+        let mut those = (0..counted.len()).filter(|i| counted[*i]);
+        let mut next = 0;
+        let at = |place: usize| {
+            let found = those.nth(place - next);
+            next = place + 1;
+            found
+        };
+        places.map_while(at).collect()
+    }
+
+    /// A problem of plain points with some of its samples only, which are the rows of this session.
+    /// Their noise is not known: without a clock it would go by other places.
+    pub(crate) fn of_rows<'b>(&self, session: &'b Session, rows: &[usize]) -> Problem<'b>
+    where
+        'a: 'b,
+    {
+        let marks = |all: &[bool]| rows.iter().map(|row| all[*row]).collect();
+        let beside = |column: &[Vec<f64>; 3]| {
+            column
+                .each_ref()
+                .map(|axis| rows.iter().map(|row| axis[*row]).collect())
+        };
+        Problem {
+            session,
+            inputs: self.inputs.select(rows),
+            usable: marks(&self.usable),
+            fit: marks(&self.fit),
+            used: marks(&self.used),
+            axis_weights: self.axis_weights,
+            beside: self.beside.iter().map(beside).collect(),
+            has_clock: self.has_clock,
+            is_sorted: self.is_sorted,
+            digits_mm: self.digits_mm,
+            noise: None,
+            priors: self.priors.clone(),
+            watch: self.watch,
+            observed: None,
         }
     }
 

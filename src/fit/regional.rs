@@ -108,7 +108,7 @@ pub fn identify_regional(
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
         levels: Vec::new(),
         expected: None,
-        outliers: outliers(&after, suspected.iter().copied()),
+        outliers: outliers(&after.length_mm, suspected.iter().copied()),
         left_out: left_out(&problem),
         noise_mm: None,
         noise: None,

@@ -50,9 +50,12 @@ impl<'a> Rows<'a> {
                 observed: Some(rows),
             };
         }
-        let mut samples: Vec<usize> = (0..problem.used.len())
-            .filter(|i| problem.used[*i])
-            .collect();
+        let samples = (0..problem.used.len()).filter(|i| problem.used[*i]);
+        Self::of_samples(problem, samples.collect())
+    }
+
+    /// Some samples of a problem of plain points.
+    pub(super) fn of_samples(problem: &Problem<'a>, mut samples: Vec<usize>) -> Self {
         problem.in_measuring_order(&mut samples);
         let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
         let all = &problem.session.samples;

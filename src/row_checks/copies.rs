@@ -81,10 +81,12 @@ struct Twin {
 /// Rows that agree with an earlier one, each with the last such, in the order of the file.
 fn twins(samples: &Samples) -> Vec<Twin> {
     let n = samples.len();
-    let mut prints: Vec<(u64, usize)> = (0..n)
-        .filter(|row| is_measured(samples, *row) && !samples.is_excluded(*row))
-        .map(|row| (print_of(samples, row), row))
-        .collect();
+    let mut prints: Vec<(u64, usize)> = Vec::with_capacity(n);
+    prints.extend(
+        (0..n)
+            .filter(|row| is_measured(samples, *row) && !samples.is_excluded(*row))
+            .map(|row| (print_of(samples, row), row)),
+    );
     prints.sort_unstable();
     let same = |a: usize, b: usize| {
         let (mut of_a, mut of_b) = (Vec::new(), Vec::new());

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use crate::effects::{JointValues, LINK_GEOMETRY, Setting, TOOL_ORIENTATION, Term, joint_zero};
 use crate::fit::base_model;
-use crate::fit::gap::deviations;
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
@@ -100,7 +100,7 @@ pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) ->
     if fitted.terms().iter().any(turned) {
         return None;
     }
-    let mut lengths = deviations(&problem, &fitted).length_mm;
+    let mut lengths = lengths_mm(&problem, &fitted);
     lengths.retain(|v| v.is_finite());
     lengths.sort_by(f64::total_cmp);
     Some(Trial {

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::effects::{JointValues, MEASURING_FRAME, TOOL_POSITION, joint_zero};
 use crate::fit::base_model;
-use crate::fit::gap::deviations;
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
@@ -37,7 +37,7 @@ pub(super) fn least_mm(part: &Session, values: JointValues, free_frame: bool) ->
 }
 
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let mut lengths = deviations(problem, model).length_mm;
+    let mut lengths = lengths_mm(problem, model);
     lengths.retain(|v| v.is_finite());
     lengths.sort_by(f64::total_cmp);
     let middle = lengths.get(lengths.len() / 2);

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use truepose::effects::{BESIDE_THE_CATALOGUE, CATALOGUE};
 
 /// One line of code, outside tests and without its comment.
-struct Line {
-    path: String,
+pub(crate) struct Line {
+    pub(crate) path: String,
     number: usize,
-    text: String,
+    pub(crate) text: String,
 }
 
 /// Every Rust file below a folder.
@@ -56,7 +56,7 @@ fn test_modules(all: &[(PathBuf, String)]) -> Vec<PathBuf> {
 }
 
 /// The code below `src`, without tests and comments.
-fn code() -> Vec<Line> {
+pub(crate) fn code() -> Vec<Line> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let read = |path: PathBuf| {
         let text = fs::read_to_string(&path).unwrap();

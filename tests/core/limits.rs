@@ -17,15 +17,15 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 
 /// What a run said, and its processor time in s.
-struct Ran {
-    code: Option<i32>,
-    stdout: String,
-    stderr: String,
-    cpu_s: f64,
+pub(crate) struct Ran {
+    pub(crate) code: Option<i32>,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+    pub(crate) cpu_s: f64,
 }
 
 /// Runs the program in a folder with 2 GiB of address space and 60 s of processor time.
-fn truepose(folder: &Path, arguments: &[&str]) -> Ran {
+pub(crate) fn truepose(folder: &Path, arguments: &[&str]) -> Ran {
     let mut command = Command::new("bash");
     let script = "ulimit -v 2097152 -t 60; \"$@\"; code=$?; times >times.txt; exit $code";
     command.args(["-c", script, "bash", env!("CARGO_BIN_EXE_truepose")]);
@@ -52,7 +52,7 @@ fn truepose(folder: &Path, arguments: &[&str]) -> Ran {
 }
 
 /// Runs something of two sizes, the second twice the first.
-fn grows_linearly(what: &str, code: i32, run: &dyn Fn(usize) -> Ran, size: usize) {
+pub(crate) fn grows_linearly(what: &str, code: i32, run: &dyn Fn(usize) -> Ran, size: usize) {
     let (small, large) = (run(size), run(2 * size));
     for ran in [&small, &large] {
         assert_eq!(ran.code, Some(code), "{what}: {}", ran.stderr);
@@ -71,13 +71,13 @@ fn grows_linearly(what: &str, code: i32, run: &dyn Fn(usize) -> Ran, size: usize
     );
 }
 
-fn session() -> Value {
+pub(crate) fn session() -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions/paper-30.json");
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
 /// A folder with a sound session's samples, in which documents are written.
-fn folder() -> tempfile::TempDir {
+pub(crate) fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions/paper-30.csv");
     fs::copy(samples, folder.path().join("paper-30.csv")).unwrap();
@@ -85,7 +85,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 /// Identifies a session that a change was made to.
-fn identified(folder: &Path, change: &dyn Fn(&mut Value)) -> Ran {
+pub(crate) fn identified(folder: &Path, change: &dyn Fn(&mut Value)) -> Ran {
     let mut document = session();
     change(&mut document);
     fs::write(folder.join("s.json"), document.to_string()).unwrap();
@@ -93,7 +93,7 @@ fn identified(folder: &Path, change: &dyn Fn(&mut Value)) -> Ran {
 }
 
 /// Identifies the sound session with the robot of a file.
-fn of_description(folder: &Path, kind: &str, text: &str, tip: &str) -> Ran {
+pub(crate) fn of_description(folder: &Path, kind: &str, text: &str, tip: &str) -> Ran {
     fs::write(folder.join("r.xml"), text).unwrap();
     let robot = json!({ "name": "r", kind: { "file": "r.xml", "base": "l0", "tip": tip } });
     identified(folder, &|document| document["robot"] = robot.clone())

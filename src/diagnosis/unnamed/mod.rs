@@ -14,7 +14,7 @@ mod strengths;
 
 use crate::effects::Term;
 use crate::fit::base_model;
-use crate::fit::gap::deviations;
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -86,7 +86,7 @@ fn share_unseen(prepared: &Prepared, values: &Values, found: &Fitted) -> Option<
     };
     let rms = |terms: &[Term]| {
         let model = seen.with_unnamed(terms).model;
-        unseen::rms_apart_mm(prepared, &deviations(&prepared.problem, &model))
+        unseen::rms_apart_mm(prepared, &lengths_mm(&prepared.problem, &model))
     };
     Some(rms(&terms) / rms(&[]).max(f64::MIN_POSITIVE))
 }

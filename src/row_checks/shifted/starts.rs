@@ -4,8 +4,8 @@
 use nalgebra::{Isometry3, Vector3};
 
 use crate::effects::Inputs;
+use crate::model::Model;
 use crate::model::rigid_motion::rigid_motion;
-use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
 use super::path::{MOST_SHIFT, Path, Points, along, cost, median};
@@ -31,7 +31,10 @@ pub(super) struct Start {
 
 /// Every start; the first alone where it leaves no doubt.
 pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) -> Vec<Start> {
-    let nominal = Model::nominal(session.robot.clone()).predict(inputs);
+    let nominal = Nominal {
+        robot: Model::nominal(session.robot.clone()),
+        inputs,
+    };
     let setups = Setups::of(session);
     let sigma = NOMINAL_SHARE * points.size_mm();
     let n = points.len();
@@ -40,10 +43,12 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
     } else {
         (0..n).collect()
     };
+    let nominal_places = nominal.places(&rows);
     let trial = |motions: &[Isometry3<f64>]| {
-        let seen =
-            |row: usize| motions[setups.of_row(row)] * nalgebra::Point3::from(nominal.get(row));
-        let places: Vec<Vector3<f64>> = rows.iter().map(|row| seen(*row).coords).collect();
+        let seen = |(row, place): (&usize, &Vector3<f64>)| {
+            (motions[setups.of_row(*row)] * nalgebra::Point3::from(*place)).coords
+        };
+        let places: Vec<Vector3<f64>> = rows.iter().zip(&nominal_places).map(seen).collect();
         let at = |row: usize| rows.binary_search(&row).map_or(0, |k| k);
         let deviation = |row: usize, by: isize| {
             let point = points.get(row.checked_add_signed(by)?)?;
@@ -87,30 +92,65 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
     all
 }
 
+/// Where the nominal robot is at the commands of rows; of a long session few are looked at.
+struct Nominal<'i, 's> {
+    robot: Model,
+    inputs: &'i Inputs<'s>,
+}
+
+impl Nominal<'_, '_> {
+    fn places(&self, rows: &[usize]) -> Vec<Vector3<f64>> {
+        let places = self.robot.predict(&self.inputs.select(rows));
+        (0..rows.len())
+            .map(|k| Vector3::from(places.get(k)))
+            .collect()
+    }
+}
+
 /// The setup of every row.
 struct Setups<'a> {
     index: Option<&'a [u32]>,
+    /// The rows of each setup, where the session names any.
+    rows: Vec<Vec<u32>>,
     count: usize,
 }
 
 impl<'a> Setups<'a> {
     fn of(session: &'a Session) -> Self {
         let setups = session.samples.setups.as_ref();
+        let count = setups.map_or(1, |s| s.names.len().max(1));
+        let mut rows = vec![Vec::new(); if setups.is_some() { count } else { 0 }];
+        for (row, setup) in (0..).zip(setups.iter().flat_map(|s| &s.index)) {
+            if let Some(own) = rows.get_mut(*setup as usize) {
+                own.push(row);
+            }
+        }
         Self {
             index: setups.map(|s| &s.index[..]),
-            count: setups.map_or(1, |s| s.names.len().max(1)),
+            rows,
+            count,
         }
     }
 
     fn of_row(&self, row: usize) -> usize {
         self.index.map_or(0, |index| index[row] as usize)
     }
+
+    /// How many rows a setup has, of so many in all.
+    fn len(&self, setup: usize, rows: usize) -> usize {
+        self.rows.get(setup).map_or(rows, Vec::len)
+    }
+
+    /// The k-th row of a setup.
+    fn row(&self, setup: usize, k: usize) -> usize {
+        self.rows.get(setup).map_or(k, |own| own[k] as usize)
+    }
 }
 
 /// The motion of each setup that a stretch of its rows shows, which is one of so many, if its points are
 /// shifted; `None` where one shows none.
 fn motions(
-    nominal: &Positions,
+    nominal: &Nominal,
     points: &Points<'_>,
     setups: &Setups,
     by: isize,
@@ -118,20 +158,17 @@ fn motions(
     of: usize,
 ) -> Option<Vec<Isometry3<f64>>> {
     let motion = |setup: usize| {
-        let own: Vec<usize> = (0..points.len())
-            .filter(|row| setups.of_row(*row) == setup)
-            .collect();
-        let (from, to) = (part.start * own.len() / of, part.end * own.len() / of);
-        let stretch = &own[from..to];
-        let every = stretch.len().div_ceil(MOST_ROWS).max(1);
-        let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = stretch
-            .iter()
+        let own = setups.len(setup, points.len());
+        let (from, to) = (part.start * own / of, part.end * own / of);
+        let every = (to - from).div_ceil(MOST_ROWS).max(1);
+        let (rows, measured): (Vec<usize>, Vec<Vector3<f64>>) = (from..to)
             .step_by(every)
-            .filter_map(|row| {
-                let point = points.get(row.checked_add_signed(by)?)?;
-                Some((Vector3::from(nominal.get(*row)), point))
+            .filter_map(|k| {
+                let row = setups.row(setup, k);
+                Some((row, points.get(row.checked_add_signed(by)?)?))
             })
-            .collect();
+            .unzip();
+        let pairs: Vec<_> = nominal.places(&rows).into_iter().zip(measured).collect();
         (pairs.len() >= FEWEST_ROWS).then(|| rigid_motion(&pairs))?
     };
     (0..setups.count).map(motion).collect()

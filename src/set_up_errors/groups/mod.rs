@@ -14,7 +14,7 @@ mod sockets;
 mod targets;
 
 use crate::effects::{JointValues, Term, joint_zero, tool_radius};
-use crate::fit::gap::deviations;
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
@@ -80,7 +80,7 @@ fn fitted(session: &Session, values: JointValues) -> Option<(Model, f64)> {
 
 /// Root mean square of what a model leaves, mm, without the twentieth of the samples that is farthest off.
 fn trimmed_rms_mm(problem: &Problem, model: &Model) -> f64 {
-    let mut lengths = deviations(problem, model).length_mm;
+    let mut lengths = lengths_mm(problem, model);
     lengths.retain(|v| v.is_finite());
     lengths.sort_by(f64::total_cmp);
     lengths.truncate(lengths.len() - lengths.len() / 20);
