@@ -51,6 +51,7 @@
 //! | for | look into |
 //! | --- | --- |
 //! | what was measured, and every problem of a file with its place | [`sessions`], [`importers`] |
+//! | robots to begin with: nominal geometry of common ones, with the source of every number | [`robots`] |
 //! | robots: poses, joint values that reach a pose, URDF, MJCF, Denavit–Hartenberg rows | [`kinematics`] |
 //! | the physics: one file for each way in which a robot differs from its nominal model | [`effects`] |
 //! | the calibrated robot: effects along the kinematic chain, and its file | [`model`] |
@@ -136,6 +137,8 @@ pub(crate) mod wide;
 
 pub mod kinematics;
 pub mod sessions;
+
+pub mod robots;
 
 pub mod effects;
 

@@ -54,7 +54,7 @@ pub use crate::sessions::{
     load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, save_with_samples,
     write_inline,
 };
-pub use crate::simulation::{load_scenario, simulate};
+pub use crate::simulation::{load_scenario, parse_scenario, simulate};
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]

@@ -32,7 +32,7 @@ pub(crate) struct Import {
     /// What wrote it
     #[arg(long = "as", value_name = "FORMAT", required_unless_present = "profile", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
     format: Option<String>,
-    /// Robot that was measured: the robot object of a session
+    /// Robot that was measured: the robot object of a session in a file, or a name that `truepose robots` lists
     #[arg(long, value_name = "ROBOT")]
     robot: PathBuf,
     /// Write the session to this file, its samples to a CSV file beside it; - is standard output

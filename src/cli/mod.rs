@@ -25,6 +25,8 @@ mod plan;
 mod progress_line;
 mod record;
 mod report;
+mod requested;
+mod robots;
 mod simulate;
 mod standards;
 mod test_cube;
@@ -59,8 +61,10 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Make a session by simulation from a scenario
-    Simulate(simulate::Simulate),
+    /// Make a session by simulation: from a scenario, or of a robot with hidden effects
+    Simulate(Box<simulate::Simulate>),
+    /// List the robots of the library, or write one as a robot file
+    Robots(robots::Robots),
     /// Make a session of a file that an instrument wrote
     Import(Box<import::Import>),
     /// Identify a session's robot: the full model, or the paper's method by regions
@@ -166,6 +170,7 @@ impl Command {
     fn run(self) -> Result<(), Failure> {
         match self {
             Self::Simulate(command) => command.run(),
+            Self::Robots(command) => command.run(),
             Self::Import(command) => command.run(),
             Self::Diagnose(command) => command.run(),
             Self::Plan(command) => command.run(),

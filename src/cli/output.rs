@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::atomic::WriteError;
 use crate::kinematics::Robot;
 use crate::pipeline::{load, load_robot};
+use crate::robots::{LibraryRobot, named};
 use crate::sessions::Loaded;
 
 use super::failure::Failure;
@@ -67,11 +68,36 @@ pub(crate) fn session(path: &Path) -> Result<Loaded, Failure> {
     Ok(loaded)
 }
 
-/// Reads a robot, and tells what was noticed.
+/// Reads a robot, or takes it from the library, and tells what was noticed.
 pub(crate) fn robot(path: &Path) -> Result<Robot, Failure> {
+    robot_and_origin(path).map(|(robot, _)| robot)
+}
+
+/// The robot of a file; where there is no such file, of the library, with what that says of it.
+pub(crate) fn robot_and_origin(
+    path: &Path,
+) -> Result<(Robot, Option<&'static LibraryRobot>), Failure> {
+    if is_a_robots_name(path) {
+        let text = path.to_string_lossy();
+        let found = named(&text).map_err(|error| {
+            Failure::WrongInput(format!("there is no file '{text}', and {error}"))
+        })?;
+        return Ok((found.robot.clone(), Some(found)));
+    }
     let loaded = load_robot(path)?;
     messages(&loaded.findings);
-    Ok(loaded.robot)
+    Ok((loaded.robot, None))
+}
+
+/// Whether this can only be the name of a robot: no file is called so, nor looks like one.
+pub(crate) fn is_a_robots_name(path: &Path) -> bool {
+    let text = path.to_string_lossy();
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    let of_a_file = ["json", "csv", "urdf", "xml", "mjcf"];
+    let like_a_file = of_a_file
+        .iter()
+        .any(|other| ending.eq_ignore_ascii_case(other));
+    !like_a_file && !text.contains(['/', '\\']) && !text.is_empty() && !path.exists()
 }
 
 /// Tells the user something beside the answer.

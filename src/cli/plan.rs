@@ -26,7 +26,8 @@ use super::output;
 /// show, or a first measurement of a robot
 #[derive(Debug, Args)]
 pub(crate) struct Plan {
-    /// Session that was measured, or the robot alone (a session's `robot` object in a file)
+    /// Session that was measured, or the robot alone (a session's `robot` object in a file, or a name that
+    /// `truepose robots` lists)
     #[arg(value_name = "SESSION|ROBOT")]
     subject: PathBuf,
     /// Number of poses; with --separate and a session at most so many [default: as many as are
@@ -174,6 +175,9 @@ struct Keys {
 /// Whether a document is a session. What cannot be read is left to the reader of sessions, which
 /// says what is wrong with it.
 fn is_a_session(path: &Path) -> bool {
+    if output::is_a_robots_name(path) {
+        return false;
+    }
     let regular = std::fs::metadata(path).is_ok_and(|m| m.is_file());
     let bytes = if regular {
         std::fs::read(path).unwrap_or_default()

@@ -1,23 +1,31 @@
-//! `truepose simulate`: from a scenario to a session.
+//! `truepose simulate`: from a scenario, or from a robot and a few options, to a session.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Args;
 use serde_json::json;
 
-use crate::pipeline::{load_scenario, save, simulate, write_inline};
+use crate::pipeline::{load_scenario, parse_scenario, save, simulate, write_inline};
 use crate::sessions::{Replacing, samples_path};
-use crate::simulation::{SimulateError, unwatched};
+use crate::simulation::{LoadedScenario, SimulateError, unwatched};
 
 use super::failure::Failure;
 use super::output;
+use super::requested::Requested;
 
-/// Make a session by simulation from a scenario
+/// Make a session by simulation, from a scenario or of a robot with hidden effects
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
     /// Scenario to play
-    scenario: PathBuf,
+    #[arg(required_unless_present = "robot", conflicts_with = "robot")]
+    scenario: Option<PathBuf>,
+    /// Robot to simulate instead of a scenario: a robot file, or a name that `truepose robots` lists; the
+    /// scenario is written beside the session
+    #[arg(long, value_name = "ROBOT")]
+    robot: Option<PathBuf>,
+    #[command(flatten)]
+    requested: Requested,
     /// Write the session to this file, its samples to a CSV file beside it; - is standard output
     #[arg(long, value_name = "SESSION")]
     out: PathBuf,
@@ -42,8 +50,16 @@ impl Simulate {
         output::one_use_of_standard_output(to_stdout, truth_to_stdout, "--out -", "--truth -")?;
         output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
         output::one_use_of_standard_output(truth_to_stdout, self.json, "--truth -", "--json")?;
-        let loaded = load_scenario(&self.scenario)?;
+        let (loaded, document) = self.loaded()?;
         output::messages(&loaded.findings);
+        // What was simulated of a robot is kept beside the session.
+        let beside = document.filter(|_| !to_stdout).map(|document| {
+            let path = self.out.with_extension("scenario.json");
+            (path, document)
+        });
+        if let Some((path, _)) = &beside {
+            output::can_be_written(path, self.force)?;
+        }
         let scenario = loaded.scenario;
         let seed = self.seed.unwrap_or(scenario.seed);
         let (session, truth) = match simulate(&scenario, seed, unwatched) {
@@ -75,6 +91,9 @@ impl Simulate {
             };
             samples_file = Some(save(&session, &self.out, replacing)?);
         }
+        if let Some((path, document)) = &beside {
+            output::document(path, document.as_bytes(), self.force, &loaded.files)?;
+        }
         if let Some(path) = &self.truth {
             output::document(path, truth.to_json().as_bytes(), self.force, &loaded.files)?;
         }
@@ -84,11 +103,29 @@ impl Simulate {
                 "session": session.name,
                 "file": self.out,
                 "samples_file": samples_file,
+                "scenario": beside.as_ref().map(|(path, _)| path).or(self.scenario.as_ref()),
                 "samples": session.samples.len(),
                 "seed": seed,
                 "truth": self.truth,
             }));
         }
         Ok(())
+    }
+
+    /// The scenario, and its document where no file holds it.
+    fn loaded(&self) -> Result<(LoadedScenario, Option<String>), Failure> {
+        let Some(name) = &self.robot else {
+            let scenario = self.scenario.as_deref().unwrap_or(Path::new(""));
+            return Ok((load_scenario(scenario)?, None));
+        };
+        let (robot, of_library) = output::robot_and_origin(name)?;
+        let payload_kg = of_library.and_then(|own| own.payload_kg);
+        let request = self.requested.of(robot, payload_kg, self.seed)?;
+        let document = request.scenario();
+        let mut loaded = parse_scenario(document.as_bytes())?;
+        if of_library.is_none() {
+            loaded.files.push(name.clone());
+        }
+        Ok((loaded, Some(document)))
     }
 }

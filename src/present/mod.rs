@@ -20,6 +20,7 @@ pub(crate) mod numbers;
 mod parts;
 pub mod plan_v1;
 pub(crate) mod poses;
+pub mod robots_v1;
 pub(crate) mod spectrum;
 pub(crate) mod standards;
 pub mod standards_v1;

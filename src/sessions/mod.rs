@@ -59,5 +59,6 @@ pub use references::{
 #[cfg(feature = "gui")]
 pub(crate) use save::save_document;
 pub use save::{
-    Replacing, samples_path, save, save_watched, save_with_samples, write_csv, write_inline,
+    Replacing, robot_document, samples_path, save, save_watched, save_with_samples, write_csv,
+    write_inline,
 };

@@ -18,11 +18,13 @@ use serde::ser::{SerializeMap, Serializer};
 use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
-use crate::document::{Value, object, write_document, write_number};
+use crate::document::{Value, object, text_of, write_document, write_number};
+use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
 use crate::sessions::file_hash::Hashed;
 use crate::sessions::format_v1::head;
+use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::saved_columns::{Column, Values, columns};
 
 /// What an output may replace.
@@ -32,6 +34,11 @@ pub struct Replacing<'a> {
     pub force: bool,
     /// Files that the output was made from: these are never replaced.
     pub inputs: &'a [&'a Path],
+}
+
+/// A robot as a file of its own: the `robot` object of a session, which `load_robot` reads.
+pub fn robot_document(robot: &Robot) -> String {
+    text_of(&(ROBOT.write)(robot))
 }
 
 /// The file that holds the samples of the session document at `path`.

@@ -6,7 +6,7 @@
 //! would. The points come from [`Model::predict`]: the exact equations, not the linearised ones
 //! that a search may use.
 //!
-//! - `scenario`: what a scenario is; `format_v1`: its file, `truepose-scenario/1`.
+//! - `scenario`: what a scenario is; `format_v1`: its file, `truepose-scenario/1`; `request`: one from few words.
 //! - `motion`: from a sweep or a list to stops, each with the side from which it was reached.
 //! - `circumstances`: speeds, loads and temperatures of the stops.
 //! - `noise`: what the instrument adds to a point; `measured`: every other way to measure.
@@ -21,6 +21,7 @@ pub(crate) mod format_v1;
 pub(crate) mod measured;
 pub(crate) mod motion;
 pub(crate) mod noise;
+pub(crate) mod request;
 pub(crate) mod scenario;
 pub(crate) mod truth;
 
@@ -30,6 +31,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 pub use format_v1::{LoadedScenario, load_scenario, parse_scenario};
+pub use request::{
+    HiddenEffect, MOST_REFLECTORS, RequestedPoses, RequestedTemperature, SimulationRequest,
+};
 pub use scenario::{
     Circumstances, Measure, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep,
     Temperature,

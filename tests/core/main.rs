@@ -55,6 +55,7 @@ mod recovery;
 mod report;
 mod report_details;
 mod rivals;
+mod robot_library;
 mod robots;
 mod rows;
 mod security;

@@ -1,0 +1,139 @@
+//! `truepose robots`: the library of robots.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::present::robots_v1::{self, figure};
+use crate::present::table::Table;
+use crate::robots::{LibraryRobot, Reference, find, named, source};
+use crate::sessions::robot_document;
+
+use super::failure::Failure;
+use super::output;
+
+/// List the robots of the library, or write one as a robot file
+#[derive(Debug, Args)]
+pub(crate) struct Robots {
+    /// Maker, model or kind, or parts of them, such as ur5e, "kuka kr 6", scara
+    #[arg(value_name = "TEXT")]
+    text: Vec<String>,
+    /// Write the robot with this name to this file, for --robot of other programs and of your own;
+    /// - is standard output
+    #[arg(long, value_name = "ROBOT.json")]
+    out: Option<PathBuf>,
+    /// Replace the file if it exists
+    #[arg(long)]
+    force: bool,
+    /// Print JSON (truepose-robot-list/1)
+    #[arg(long)]
+    json: bool,
+}
+
+impl Robots {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let text = self.text.join(" ");
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
+        if let Some(out) = &self.out {
+            let robot = one(&text)?;
+            let document = robot_document(&robot.robot);
+            output::document(out, document.as_bytes(), self.force, &[])?;
+            return if self.json {
+                output::json(&robots_v1::document(&[robot]))
+            } else {
+                Ok(())
+            };
+        }
+        let found = find(&text);
+        if found.is_empty() {
+            // Its error proposes the nearest names.
+            one(&text)?;
+        }
+        if self.json {
+            return output::json(&robots_v1::document(&found));
+        }
+        let mut shown = listed(&found);
+        if let [robot] = found[..] {
+            shown.push_str(&described(robot));
+        } else {
+            let _ = writeln!(shown, "{} robots", found.len());
+        }
+        output::text(&shown)
+    }
+}
+
+fn one(text: &str) -> Result<&'static LibraryRobot, Failure> {
+    named(text).map_err(|error| Failure::WrongInput(error.to_string()))
+}
+
+fn listed(robots: &[&LibraryRobot]) -> String {
+    let mut table = Table::new([
+        "name",
+        "maker",
+        "model",
+        "kind",
+        ">joints",
+        ">reach mm",
+        ">load kg",
+        ">repeatability mm",
+    ]);
+    for robot in robots {
+        table.row(vec![
+            robot.id.clone(),
+            robot.maker.clone(),
+            robot.model.clone(),
+            robot.kind.name().to_owned(),
+            robot.robot.joint_count().to_string(),
+            figure(robot.reach_mm),
+            figure(robot.payload_kg),
+            figure(robot.repeatability_mm),
+        ]);
+    }
+    table.aligned(0)
+}
+
+/// Ranges, and where the numbers come from.
+fn described(robot: &LibraryRobot) -> String {
+    let mut text = String::new();
+    for (k, joint) in robot.robot.joints.iter().enumerate() {
+        let range = joint.limits.map_or("no limits".to_owned(), |limits| {
+            let [from, to] =
+                [limits.from, limits.to].map(|end| figure(Some(joint.kind.outer(end))));
+            format!("{from} … {to}{}", joint.kind.sign())
+        });
+        let gear = robot.gear_ratios.get(k);
+        let gear = gear.map_or(String::new(), |ratio| {
+            format!(", gear {}", figure(Some(*ratio)))
+        });
+        let _ = writeln!(text, "joint {} {}: {range}{gear}", k + 1, joint.name);
+    }
+    let references = [
+        ("geometry and ranges", Some(&robot.geometry)),
+        ("reach, load, repeatability", robot.figures.as_ref()),
+        ("gear ratios", robot.gears.as_ref()),
+        (
+            "positions checked against",
+            robot.checked_positions.as_ref(),
+        ),
+        ("reach checked against", robot.checked_reach.as_ref()),
+    ];
+    for (what, reference) in references {
+        if let Some(reference) = reference {
+            let _ = writeln!(text, "{what}: {}", referred(reference));
+        }
+    }
+    if !robot.not_checked.is_empty() {
+        let _ = writeln!(text, "not checked: {}", robot.not_checked.join("; "));
+    }
+    if let Some(note) = &robot.note {
+        let _ = writeln!(text, "{note}");
+    }
+    text
+}
+
+fn referred(reference: &Reference) -> String {
+    let what = source(&reference.source).map_or(reference.source.as_str(), |found| &found.what);
+    format!("{what}: {}", reference.place)
+}

@@ -1,0 +1,140 @@
+//! The library of robots: nominal geometry, ranges and figures of common robots, each number with its source.
+//!
+//! The robots are data (`assets/robots.json`): joints and tool in the form of a session's robot, the source of
+//! the geometry, of the figures and of what they were checked against, and what could not be checked. Forward
+//! positions of a second source are held in `tests/data/robots/library.json`.
+//!
+//! - `asset`: the file as it is read.
+//! - `search`: robots by typed text, whatever its case, spaces and signs.
+
+mod asset;
+mod search;
+
+use std::sync::OnceLock;
+
+use crate::kinematics::Robot;
+
+pub use search::{NoSuchRobot, find, named};
+
+named! {
+    /// What kind of machine a robot is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum RobotKind {
+        /// Six joints, the axes of the last three in one point.
+        SixJoints = "six joints",
+        /// Six joints, no common point of the last three axes.
+        OffsetWrist = "six joints, offset wrist",
+        /// Seven joints.
+        SevenJoints = "seven joints",
+        /// Two parallel vertical axes, a quill that slides and turns.
+        Scara = "SCARA",
+        /// Two axes that carry a workpiece.
+        Positioner = "positioner",
+        /// One axis.
+        RotaryAxis = "rotary axis",
+    }
+    /// Its name in files and lists.
+    pub fn name;
+    /// Every one.
+    pub const ALL;
+}
+
+/// Where numbers come from: a document or a repository.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// What it is.
+    pub what: String,
+    /// Its address; empty for a designation.
+    pub at: String,
+    /// The state that was read, of a repository.
+    pub commit: Option<String>,
+    /// Under which terms it is published.
+    pub licence: String,
+}
+
+/// A source and the place in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reference {
+    /// Key of the source in [`sources`].
+    pub source: String,
+    /// File, table or model in it.
+    pub place: String,
+}
+
+/// A robot of the library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LibraryRobot {
+    /// The name that commands use, such as `ur5e`.
+    pub id: String,
+    /// Who makes it.
+    pub maker: String,
+    /// The maker's designation.
+    pub model: String,
+    /// Other names of the same robot.
+    pub also: Vec<String>,
+    /// What kind of machine it is.
+    pub kind: RobotKind,
+    /// The nominal robot.
+    pub robot: Robot,
+    /// Greatest reach as published, mm; to which point differs from maker to maker.
+    pub reach_mm: Option<f64>,
+    /// Rated load, kg.
+    pub payload_kg: Option<f64>,
+    /// Mass of the arm, kg.
+    pub mass_kg: Option<f64>,
+    /// Position repeatability (ISO 9283) as published, mm.
+    pub repeatability_mm: Option<f64>,
+    /// Turns of the motor for one of each joint, where they are public; empty otherwise.
+    pub gear_ratios: Vec<f64>,
+    /// What whoever measures this robot has to know.
+    pub note: Option<String>,
+    /// Source of joints, tool and ranges.
+    pub geometry: Reference,
+    /// Source of reach, load, mass and repeatability.
+    pub figures: Option<Reference>,
+    /// Source of the gear ratios.
+    pub gears: Option<Reference>,
+    /// The second source whose forward positions agree.
+    pub checked_positions: Option<Reference>,
+    /// The published reach that agrees.
+    pub checked_reach: Option<Reference>,
+    /// What could not be checked against a second source.
+    pub not_checked: Vec<String>,
+}
+
+impl LibraryRobot {
+    /// Maker and model.
+    pub fn title(&self) -> String {
+        format!("{} {}", self.maker, self.model)
+    }
+}
+
+struct Library {
+    sources: Vec<(String, Source)>,
+    robots: Vec<LibraryRobot>,
+}
+
+/// Read once, at the first use.
+fn held() -> &'static Library {
+    static LIBRARY: OnceLock<Library> = OnceLock::new();
+    LIBRARY.get_or_init(asset::read)
+}
+
+/// Every robot of the library, by maker.
+///
+/// # Panics
+/// Never: the file is part of the program, and a test reads it.
+pub fn library() -> &'static [LibraryRobot] {
+    &held().robots
+}
+
+/// Every source that the library names, with its key.
+pub fn sources() -> &'static [(String, Source)] {
+    &held().sources
+}
+
+/// The source with this key.
+pub fn source(key: &str) -> Option<&'static Source> {
+    let found = sources().iter().find(|(name, _)| name == key);
+    found.map(|(_, source)| source)
+}
