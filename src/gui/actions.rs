@@ -179,6 +179,7 @@ actions! {
     EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
+    ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |_| sheet(Sheet::ROBOTS);
     NEW: COMMAND, N, phrase!("new by simulation"), |_| say!("New by simulation…").into(),
         |_| sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),

@@ -159,8 +159,8 @@ const MISTAKES: [Mistake; 20] = [
         exchanged(s.samples.observed.station.as_mut())
     }),
     ("the tool of another robot", |s, _| {
-        s.robot.tool.position_mm[0] += 80.0;
-        s.robot.tool.position_mm[2] -= 35.0;
+        s.robot.base_from_tool.translation.vector[0] += 80.0;
+        s.robot.base_from_tool.translation.vector[2] -= 35.0;
         true
     }),
     ("orientation the other way", |s, _| {

@@ -43,7 +43,7 @@ fn effect_of(row: &str) -> Option<&'static Effect> {
 fn translate(text: &mut String) {
     let own = BEFORE_NUMBERS.into_iter().find(|own| text.starts_with(own));
     let word = own.unwrap_or(text);
-    if let Some(known) = known_words("chart-word", word) {
+    if let Some(known) = known_words("chart-word", word.trim_end_matches(',')) {
         let end = if word.ends_with(',') { "," } else { "" };
         *text = format!("{known}{end}{}", &text[word.len()..]);
     } else if let Some(effect) = effect_of(text) {

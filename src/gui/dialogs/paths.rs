@@ -125,6 +125,10 @@ pub(super) fn export(
             say!("Save corrected file"),
             say!("What was changed is written beside it, as NAME.meta.json"),
         ),
+        What::Robot(_) => (
+            say!("Save robot file"),
+            say!("A file that sessions, imports and plans take"),
+        ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {

@@ -1,0 +1,46 @@
+//! The form of a simulation of a robot of the library.
+
+use egui::{DragValue, Ui};
+
+use crate::gui::core::simulate::{Form, field};
+use crate::gui::view::Sheet;
+use crate::gui::widgets;
+use crate::gui::workbench::Command;
+use crate::robots::LibraryRobot;
+
+use super::simulation::{effects, number};
+
+pub(super) fn show(ui: &mut Ui, robot: &LibraryRobot, form: &Form, commands: &mut Vec<Command>) {
+    ui.set_width(520.0);
+    widgets::heading(ui, &robot.title());
+    widgets::hint(
+        ui,
+        say!(
+            "Poses anywhere in the ranges of the joints, three reflectors at the tool, speeds, loads and a warm-up mixed over them. What is filled in here is what the diagnosis should find"
+        ),
+    );
+    let mut filled = form.clone();
+    let wrong = form.problems();
+    widgets::section(ui, say!("Instrument"));
+    let poses = DragValue::new(&mut filled.poses).speed(1.0);
+    number(ui, &wrong, (field::POSES, ""), poses);
+    let noise = DragValue::new(&mut filled.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
+    number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
+    let seed = DragValue::new(&mut filled.seed);
+    widgets::number(ui, say!("seed"), "", seed);
+    effects(ui, &mut filled, &wrong);
+    if !wrong.is_empty() {
+        widgets::hint(
+            ui,
+            say!("What stands in colour above has to be another number first"),
+        );
+    }
+    let ready = filled.problem().is_none();
+    if super::ends::buttons_without_enter(ui, say!("Simulate"), ready, commands) {
+        commands.push(Command::Simulate(filled));
+    } else if filled != *form {
+        commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
+    }
+}
