@@ -14,7 +14,8 @@ use nalgebra::{Point3, Vector3};
 use serde::Deserialize;
 use serde_json::Value;
 use truepose::kinematics::{JointKind, Robot};
-use truepose::robots::{LibraryRobot, RobotKind, library, named, source};
+use truepose::present::robots_v1::figure;
+use truepose::robots::{LibraryRobot, RobotKind, library, named, source, sources};
 use truepose::sessions::{load_robot, parse_robot, robot_document};
 
 #[derive(Deserialize)]
@@ -93,7 +94,7 @@ fn at_least_forty_robots_have_names_kinds_ranges_and_sources() {
         }
         let gravity = robot.robot.gravity_m_s2.expect("a way it is mounted");
         assert!(
-            (gravity + 9.81 * Vector3::z()).norm() < 1e-12,
+            (gravity - Vector3::new(0.0, 0.0, -9.81)).norm() < 1e-12,
             "{}",
             robot.id
         );
@@ -488,4 +489,64 @@ fn the_scenario_beside_a_session_makes_the_same_session_again() {
     assert_eq!(one, two);
     let head = String::from_utf8(one).unwrap();
     assert!(head.contains("temperature_c") && !head.contains("load_kg"));
+}
+
+/// `docs/robots.md` shows every robot with its figures, sources and checks, and every source.
+#[test]
+fn the_page_has_every_robot_and_every_source() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/robots.md");
+    let page = std::fs::read_to_string(path).unwrap();
+    let dash = |text: String| {
+        if text.is_empty() {
+            "–".to_owned()
+        } else {
+            text
+        }
+    };
+    let mut rows = Vec::new();
+    for robot in library() {
+        let checks = [
+            ("positions", &robot.checked_positions),
+            ("reach", &robot.checked_reach),
+        ];
+        let checks = checks.iter().filter_map(|(what, reference)| {
+            let source = &reference.as_ref()?.source;
+            Some(format!("{what}, {source}"))
+        });
+        let checks: Vec<String> = checks.collect();
+        let figures = [robot.reach_mm, robot.repeatability_mm].map(figure);
+        rows.push(format!(
+            "| `{}` | {} | {} | {} | {} | {} | {} | {} |",
+            robot.id,
+            robot.title(),
+            robot.kind.name(),
+            figures[0],
+            figures[1],
+            robot.geometry.source,
+            dash(checks.join("; ")),
+            dash(robot.not_checked.join("; ")),
+        ));
+    }
+    for (key, source) in sources() {
+        let commit: String = source
+            .commit
+            .iter()
+            .flat_map(|c| c.chars().take(12))
+            .collect();
+        let (at, commit) = (dash(source.at.clone()), dash(commit));
+        rows.push(format!(
+            "| {key} | {} | {at} | {commit} | {} |",
+            source.what, source.licence
+        ));
+    }
+    for row in &rows {
+        assert!(
+            page.contains(&format!("{row}\n")),
+            "docs/robots.md lacks: {row}"
+        );
+    }
+    let shown = page
+        .lines()
+        .filter(|line| line.starts_with("| `") && !line.starts_with("| `--"));
+    assert_eq!(shown.count(), library().len(), "rows too many");
 }
