@@ -176,6 +176,7 @@ actions! {
     EXAMPLE_1: PLAIN, F2, "keys-first-example", |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, "keys-second-example", |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, "keys-third-example", |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
+    ROBOTS: SHIFTED, N, "keys-robots", |_| say!("robots-robots-2").into(), |_| sheet(Sheet::ROBOTS);
     NEW: COMMAND, N, "keys-new-by-simulation", |_| say!("common-new-by-simulation").into(),
         |_| sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, "keys-save-session-as", |_| say!("actions-save-session-as").into(),

@@ -17,7 +17,7 @@ pub(crate) fn workbench() -> Workbench {
         effects: Chosen::new("backlash").into_iter().collect(),
         ..Form::default()
     };
-    let session = form.session(unwatched).expect("the form is valid");
+    let (session, _) = form.session(unwatched).expect("the form is valid");
     let subject = Subject::new(session, Vec::new(), Origin::Simulated);
     let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
     Workbench::new(Arc::new(subject), jobs, drawing)

@@ -268,6 +268,7 @@ fn choose_everything(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
 fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     for (name, modifiers, key) in [
         ("simulation", Modifiers::COMMAND, Key::N),
+        ("robots", SHIFTED, Key::N),
         ("path", SHIFTED, Key::P),
         ("preferences", Modifiers::COMMAND, Key::Comma),
         ("keys", SHIFTED, Key::K),

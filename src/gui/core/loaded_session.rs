@@ -10,7 +10,7 @@ use nalgebra::Isometry3;
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::effects::{CATALOGUE, JointValues, Survey};
+use crate::effects::{CATALOGUE, JointValues, Survey, Term};
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
@@ -140,6 +140,8 @@ pub(crate) struct Subject {
     pub(crate) samples_file: Option<PathBuf>,
     /// What the robot looks like, where its URDF has meshes.
     pub(crate) appearance: Option<Arc<Appearance>>,
+    /// What was hidden in it, where it was simulated here.
+    pub(crate) hidden: Option<Arc<[Term]>>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
     pub(crate) measured_range: Option<Range>,
 }
@@ -225,6 +227,7 @@ impl Subject {
             files: Vec::new(),
             samples_file: None,
             appearance: None,
+            hidden: None,
             measured_range: None,
         };
         done(1.0)?;

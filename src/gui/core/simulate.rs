@@ -7,6 +7,7 @@ use nalgebra::{Point3, Vector3};
 use crate::effects::term::{parameter_names, parameters_to_see};
 use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
+use crate::robots::LibraryRobot;
 use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
     Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature,
@@ -28,6 +29,7 @@ pub(crate) mod field {
     pub(crate) const TO: &str = "common-to";
     pub(crate) const STEP: &str = "common-step";
     pub(crate) const NOISE: &str = "common-noise";
+    pub(crate) const POSES: &str = "simulation-poses";
 }
 
 /// An effect with the values that are filled in.
@@ -35,6 +37,8 @@ pub(crate) mod field {
 pub(crate) struct Chosen {
     /// The effect's name.
     pub(crate) id: &'static str,
+    /// Its joint, counted from 1.
+    pub(crate) joint: usize,
     pub(crate) parameters: Vec<(&'static str, f64)>,
 }
 
@@ -43,12 +47,25 @@ impl Chosen {
     pub(crate) fn new(id: &'static str) -> Option<Self> {
         let effect = crate::effects::find(id)?;
         let parameters = parameters_to_see(effect);
-        Some(Self { id, parameters })
+        Some(Self {
+            id,
+            joint: 1,
+            parameters,
+        })
+    }
+
+    /// Whether it belongs to one joint.
+    pub(crate) fn per_joint(&self) -> bool {
+        crate::effects::find(self.id).is_some_and(|effect| effect.about().per_joint)
     }
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Form {
+    /// A robot of the library; `None`: a lamp on one turning axis.
+    pub(crate) robot: Option<&'static LibraryRobot>,
+    /// Poses of that robot, anywhere in its ranges.
+    pub(crate) poses: usize,
     /// Nominal radius of the tool, mm.
     pub(crate) radius_mm: f64,
     /// The sweep begins here, deg.
@@ -76,6 +93,8 @@ pub(crate) struct Form {
 impl Default for Form {
     fn default() -> Self {
         Self {
+            robot: None,
+            poses: 0,
             radius_mm: 250.0,
             from_deg: -90.0,
             to_deg: 90.0,
@@ -110,6 +129,9 @@ impl Form {
 
     /// Everything that is wrong with the numbers, each with the field or the effect that it is about.
     pub(crate) fn problems(&self) -> Vec<(&'static str, String)> {
+        if let Some(robot) = self.robot {
+            return self.problems_of(robot);
+        }
         let fields = [
             (field::RADIUS, self.radius_mm),
             (field::OFFSET, self.offset_deg),
@@ -210,20 +232,23 @@ impl Form {
         self.parts().map(|(_, term)| term).collect()
     }
 
-    /// The session; `watch` hears which part is done, and may break it off.
+    /// The session and what is hidden in it; `watch` hears which part is done, and may break it off.
     ///
     /// # Errors
     /// What is wrong with the numbers.
     pub(crate) fn session(
         &self,
         watch: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Session, Vec<String>> {
+    ) -> Result<(Session, Vec<Term>), Vec<String>> {
         if let Some(problem) = self.problem() {
             return Err(vec![problem]);
         }
+        if let Some(robot) = self.robot {
+            return self.session_of(robot, watch);
+        }
         let scenario = self.scenario().map_err(|problem| vec![problem])?;
         match crate::pipeline::simulate(&scenario, self.seed, watch) {
-            Ok((session, _)) => Ok(session),
+            Ok((session, truth)) => Ok((session, truth.effects)),
             Err(SimulateError::Rejected(rejected)) => {
                 let problems = rejected.diagnostics.iter();
                 Err(problems.map(|d| d.found.clone()).collect())
@@ -307,7 +332,7 @@ mod tests {
 
     #[test]
     fn the_form_as_it_opens_can_be_simulated() {
-        let session = Form::default()
+        let (session, _) = Form::default()
             .session(unwatched)
             .expect("the default is valid");
         assert_eq!(session.samples.len(), 122);

@@ -3,6 +3,7 @@
 mod ends;
 mod import;
 mod paths;
+mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
 
@@ -32,6 +33,7 @@ register! {
     preferences,
     recording,
     recovery,
+    robots,
     words,
 }
 

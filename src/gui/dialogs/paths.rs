@@ -116,6 +116,10 @@ pub(super) fn export(
             say!("common-save-corrected-file"),
             say!("path-what-was-changed-is-written"),
         ),
+        What::Robot(_) => (
+            say!("robots-save-robot-file-2"),
+            say!("robots-a-file-for-sessions"),
+        ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {

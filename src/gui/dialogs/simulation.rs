@@ -10,6 +10,9 @@ use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
+    if let Some(robot) = form.robot {
+        return super::simulated_robot::show(ui, robot, form, commands);
+    }
     ui.set_width(520.0);
     widgets::heading(ui, say!("simulation-new-by-simulation"));
     widgets::hint(ui, say!("simulation-a-lamp-on-one-turning"));
@@ -37,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
 }
 
 /// What is wrong, each with the field that it is about.
-type Wrong = [(&'static str, String)];
+pub(super) type Wrong = [(&'static str, String)];
 
 /// Says what is wrong with a field, below it.
 fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
@@ -47,7 +50,12 @@ fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
 }
 
 /// A field with what is wrong with it.
-fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (&'static str, &str), value: DragValue<'_>) {
+pub(super) fn number(
+    ui: &mut Ui,
+    wrong: &Wrong,
+    (name, unit): (&'static str, &str),
+    value: DragValue<'_>,
+) {
     widgets::number(ui, text(name), unit, value);
     fault(ui, wrong, name);
 }
@@ -106,7 +114,7 @@ fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     );
 }
 
-fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
+pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::section(ui, say!("simulation-other-effects"));
     let mut gone = None;
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
@@ -114,6 +122,13 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
             ui.horizontal_wrapped(|ui| {
                 let title = crate::gui::language::names::title(chosen.id);
                 ui.label(title);
+                if let (true, Some(robot)) = (chosen.per_joint(), form.robot) {
+                    let joints = robot.robot.joint_count();
+                    let field = DragValue::new(&mut chosen.joint).range(1..=joints);
+                    ui.label(say!("simulation-joint"));
+                    let label = format!("{} {}", chosen.id, say!("simulation-joint"));
+                    widgets::cell_number(ui, &label, "", 40.0, field);
+                }
                 for (name, value) in &mut chosen.parameters {
                     let muted = Palette::of(ui).muted;
                     ui.label(RichText::new(*name).size(size::SMALL).color(muted));

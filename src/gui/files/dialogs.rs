@@ -112,6 +112,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Report(_) => say!("common-save-report"),
         What::Picture(_) => say!("common-save-picture"),
         What::Targets => say!("common-save-corrected-file"),
+        What::Robot(_) => say!("robots-save-robot-file-2"),
     };
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
@@ -122,6 +123,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
             .add_filter(say!("dialog-svg-or-png-picture"), &["svg", "png"])
             .add_filter(say!("dialog-png-pictures"), &["png"]),
         What::Model => dialog.add_filter(say!("dialog-model-json"), &["json"]),
+        What::Robot(_) => dialog.add_filter(say!("robots-robot-json"), &["json"]),
         What::Poses => dialog.add_filter(say!("dialog-csv-table-csv"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {

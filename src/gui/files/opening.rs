@@ -132,8 +132,9 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
 /// Makes a session by simulation.
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
     match form.session(watch.told()) {
-        Ok(session) => {
-            let subject = Subject::new(session, Vec::new(), Origin::Simulated);
+        Ok((session, hidden)) => {
+            let mut subject = Subject::new(session, Vec::new(), Origin::Simulated);
+            subject.hidden = Some(hidden.into());
             Cloud::of(&subject);
             Ok(Opened::Session(Arc::new(subject)))
         }

@@ -16,6 +16,8 @@ pub(crate) enum What {
     Picture(Plot),
     /// A table of targets or a robot program, corrected.
     Targets,
+    /// A robot of the library, by its name.
+    Robot(&'static str),
 }
 
 /// What a report is about.

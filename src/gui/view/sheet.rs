@@ -43,6 +43,8 @@ impl Sheet {
     pub(crate) const HISTORY: Self = Self::Named("history");
     /// Recording from an instrument.
     pub(crate) const RECORDING: Self = Self::Named("recording");
+    /// The library of robots.
+    pub(crate) const ROBOTS: Self = Self::Named("robots");
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
 }

@@ -48,6 +48,9 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if widgets::secondary(ui, say!("common-new-by-simulation")).clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
+    if widgets::secondary(ui, say!("robots-robots-2")).clicked() {
+        commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+    }
     recent(ui, workbench, commands);
     setup::show(ui, workbench, commands);
 }

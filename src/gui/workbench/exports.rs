@@ -10,6 +10,8 @@ use crate::gui::files;
 use crate::gui::jobs::Watch;
 use crate::gui::view::{About, What};
 use crate::pipeline::measuring_list;
+use crate::robots::named;
+use crate::sessions::robot_document;
 
 use super::Workbench;
 
@@ -29,6 +31,7 @@ impl Workbench {
                 format!("{}-model-report.html", plain(session))
             }
             What::Picture(plot) => plot.file_name(session),
+            What::Robot(id) => format!("{id}.json"),
             What::Targets => {
                 let path = self.compensated().map(Compensated::proposed_path);
                 path.unwrap_or_default().display().to_string()
@@ -52,6 +55,7 @@ impl Workbench {
             What::Report(about) => return self.write_report(about, path, replace),
             What::Picture(plot) => return self.write_picture(plot, path, replace),
             What::Targets => return self.write_targets(path, replace),
+            What::Robot(id) => return self.write_robot(id, path, replace),
             What::Table | What::Model | What::Poses => {}
         }
         if what == What::Poses {
@@ -83,5 +87,15 @@ impl Workbench {
             files::export(&wanted, what, path, replace)
         };
         self.write(path, work, Self::take_exported);
+    }
+
+    /// Writes a robot of the library as a file of its own.
+    fn write_robot(&mut self, id: &str, path: PathBuf, replace: bool) {
+        let Ok(robot) = named(id) else {
+            return;
+        };
+        let document = robot_document(&robot.robot);
+        let work = move |path: &Path, _: &Watch| files::write_list(document, path, replace);
+        self.write(path, work, Self::take_written);
     }
 }

@@ -27,5 +27,6 @@ pub(crate) use layout::nearest;
 pub(crate) use paint::show;
 pub(crate) use pointer::{hover, marked, sample_menu};
 pub(crate) use polar::sheet::sheet as polar_sheet;
+pub(crate) use space::robot_alone;
 pub(crate) use space::sheet as space_sheet;
 pub(crate) use toolbar::show as bar;

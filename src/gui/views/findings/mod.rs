@@ -3,6 +3,7 @@
 
 mod card;
 mod data;
+mod hidden;
 mod limits;
 mod next;
 
@@ -83,6 +84,7 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
     verdict(ui, workbench, d);
+    hidden::show(ui, workbench, d);
     data::show(ui, d, commands);
     for (index, found) in d.found.iter().enumerate() {
         widgets::card(ui, |ui| {

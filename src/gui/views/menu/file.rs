@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             menu.item_about(ui, action, Some(example.what()));
         }
     });
-    menu.items(ui, &[actions::IMPORT, actions::NEW]);
+    menu.items(ui, &[actions::IMPORT, actions::NEW, actions::ROBOTS]);
     ui.separator();
     menu.items(
         ui,

@@ -3,5 +3,5 @@
 mod model;
 mod paint;
 
-pub(super) use model::Drawn;
+pub(super) use model::{Drawn, Sign, home};
 pub(super) use paint::{FAINT, beneath, real_beneath, values};

@@ -156,7 +156,7 @@ impl Drawn {
 }
 
 /// Every joint at zero, or as near to it as it gets.
-fn home(robot: &Robot) -> Vec<f64> {
+pub(crate) fn home(robot: &Robot) -> Vec<f64> {
     let value = |joint: &crate::kinematics::Joint| match joint.limits {
         Some(range) if range.from <= range.to => 0.0_f64.clamp(range.from, range.to),
         _ => 0.0,

@@ -100,6 +100,17 @@ pub(super) fn beneath<S: Fn(Point3<f64>) -> Pos2>(
     pen: &Pen<'_, S>,
     surface: Option<Shape>,
 ) {
+    nominal(shapes, drawn, pen, surface);
+    real_beneath(shapes, transform, drawn, pen.palette);
+}
+
+/// The nominal robot alone.
+pub(super) fn nominal<S: Fn(Point3<f64>) -> Pos2>(
+    shapes: &mut Vec<Shape>,
+    drawn: &Drawn,
+    pen: &Pen<'_, S>,
+    surface: Option<Shape>,
+) {
     let seen = |color: Color32| {
         if drawn.asked_for {
             color
@@ -125,7 +136,6 @@ pub(super) fn beneath<S: Fn(Point3<f64>) -> Pos2>(
         shapes.push(marks::disc(at, 5.5, pen.palette.surface));
         shapes.push(marks::ring(at, 5.5, Stroke::new(1.5, edge)));
     }
-    real_beneath(shapes, transform, drawn, pen.palette);
 }
 
 /// Rods and drums, where the screws are all that is known.

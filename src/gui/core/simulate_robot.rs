@@ -1,0 +1,138 @@
+//! A simulation of a robot of the library: the form's numbers as a request, and what is wrong with them.
+
+use std::ops::ControlFlow;
+
+use crate::effects::Term;
+use crate::robots::LibraryRobot;
+use crate::sessions::Session;
+use crate::simulation::{
+    HiddenEffect, LoadedScenario, SimulateError, SimulationRequest, parse_scenario,
+};
+
+use super::simulate::{Form, field};
+
+/// Poses where nothing else is filled in.
+const POSES: usize = 120;
+
+/// More poses than this are for the terminal.
+const MOST_POSES: usize = 100_000;
+
+impl Form {
+    /// The form for a robot of the library.
+    pub(crate) fn of(robot: &'static LibraryRobot) -> Self {
+        Self {
+            robot: Some(robot),
+            poses: POSES,
+            ..Self::default()
+        }
+    }
+
+    fn request(&self, robot: &LibraryRobot) -> SimulationRequest {
+        let payload = robot.payload_kg;
+        let mut request = SimulationRequest::of(robot.robot.clone(), payload, self.poses);
+        request.noise_mm = self.noise_mm;
+        request.seed = self.seed;
+        request.effects = self
+            .effects
+            .iter()
+            .map(|chosen| HiddenEffect {
+                effect: chosen.id.to_owned(),
+                joint: chosen.per_joint().then_some(chosen.joint),
+                parameters: chosen
+                    .parameters
+                    .iter()
+                    .map(|(name, value)| ((*name).to_owned(), *value))
+                    .collect(),
+            })
+            .collect();
+        request
+    }
+
+    /// Everything that is wrong with the numbers of a robot's simulation, by field or effect.
+    pub(super) fn problems_of(&self, robot: &LibraryRobot) -> Vec<(&'static str, String)> {
+        let mut problems = Vec::new();
+        if !(1..=MOST_POSES).contains(&self.poses) {
+            problems.push((
+                field::POSES,
+                say!("simulation-poses-from-one", most = MOST_POSES),
+            ));
+        }
+        if !self.noise_mm.is_finite() || self.noise_mm < 0.0 {
+            let says = say!("simulation-the-noise-cannot-be-below");
+            problems.push((field::NOISE, says.to_owned()));
+        }
+        let joints = robot.robot.joint_count();
+        for chosen in &self.effects {
+            let finite = chosen.parameters.iter().all(|(_, value)| value.is_finite());
+            let says = if finite {
+                let term =
+                    Term::from_parameters(chosen.id, chosen.joint, &chosen.parameters, joints);
+                term.err().map(|error| error.to_string())
+            } else {
+                Some(say!("simulation-every-field-needs-a-number").to_owned())
+            };
+            problems.extend(says.map(|says| (chosen.id, says)));
+        }
+        problems
+    }
+
+    /// The session of the robot.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub(super) fn session_of(
+        &self,
+        robot: &LibraryRobot,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<(Session, Vec<Term>), Vec<String>> {
+        let found = |rejected: &crate::diagnostic::Rejected| -> Vec<String> {
+            let problems = rejected.diagnostics.iter();
+            problems.map(|d| d.found.clone()).collect()
+        };
+        let document = self.request(robot).scenario();
+        let LoadedScenario { scenario, .. } =
+            parse_scenario(document.as_bytes()).map_err(|rejected| found(&rejected))?;
+        match crate::pipeline::simulate(&scenario, self.seed, watch) {
+            Ok((session, truth)) => Ok((session, truth.effects)),
+            Err(SimulateError::Rejected(rejected)) => Err(found(&rejected)),
+            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::core::simulate::Chosen;
+    use crate::robots::library;
+    use crate::simulation::unwatched;
+
+    #[test]
+    fn every_robot_of_the_library_can_be_simulated_as_the_form_opens() {
+        for robot in library() {
+            let mut form = Form::of(robot);
+            form.poses = 4;
+            form.effects = vec![Chosen::new("backlash").expect("it is in the catalogue")];
+            assert_eq!(form.problem(), None, "{}", robot.id);
+            let (session, hidden) = form.session(unwatched).expect("it can be simulated");
+            assert_eq!(
+                (session.samples.len(), hidden.len()),
+                (12, 1),
+                "{}",
+                robot.id
+            );
+        }
+    }
+
+    #[test]
+    fn a_joint_that_is_not_there_is_said_at_its_effect() {
+        let robot = &library()[0];
+        let mut form = Form::of(robot);
+        let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");
+        backlash.joint = 9;
+        form.effects = vec![backlash];
+        form.poses = 0;
+        let names: Vec<&str> = form.problems().iter().map(|p| p.0).collect();
+        assert_eq!(names, [field::POSES, "backlash"]);
+    }
+}

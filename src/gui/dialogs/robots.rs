@@ -1,0 +1,167 @@
+//! The library of robots: found by typing, drawn as it is chosen, simulated or saved.
+
+use egui::{Button, Key, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
+
+use crate::gui::core::simulate::Form;
+use crate::gui::style::tokens::{Palette, space};
+use crate::gui::view::{Camera, Sheet, What};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workspace::robot_alone;
+use crate::present::robots_v1::figure;
+use crate::robots::{LibraryRobot, find, library, source};
+
+/// Width of the list, of the robot, and how high both are, points.
+const LIST: f32 = 320.0;
+const PICTURE: f32 = 360.0;
+const HEIGHT: f32 = 300.0;
+
+/// What was typed, which robot is chosen, and from where it is seen.
+#[derive(Clone, Default)]
+struct Typed {
+    text: String,
+    chosen: String,
+    camera: Camera,
+}
+
+pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(LIST + PICTURE + f32::from(space::PANEL));
+    widgets::heading(ui, say!("robots-robots"));
+    widgets::hint(ui, say!("robots-type-a-maker", count = library().len()));
+    let id = ui.scope_id().with("typed robot");
+    let before: Option<Typed> = ui.data(|data| data.get_temp(id));
+    let first = before.is_none();
+    let mut typed = before.unwrap_or_default();
+    let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
+    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("robots-hint"));
+    let room = vec2(ui.available_width(), space::PRIMARY);
+    let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
+    widgets::label(&field, say!("robots-find-a-robot"));
+    if first {
+        field.request_focus();
+    }
+    let found = find(&typed.text);
+    let mut at = found.iter().position(|robot| robot.id == typed.chosen);
+    if field.changed() || at.is_none() {
+        at = (!found.is_empty()).then_some(0);
+    }
+    let mut moved = field.changed();
+    if field.has_focus() || first {
+        for (key, way) in steps {
+            if ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)) {
+                at = at.map(|at| at.saturating_add_signed(way).min(found.len() - 1));
+                moved = true;
+            }
+        }
+    }
+    let mut chosen = at.map(|at| found[at]);
+    ui.horizontal_top(|ui| {
+        if let Some(clicked) = list(ui, &found, chosen, moved) {
+            chosen = Some(clicked);
+        }
+        ui.vertical(|ui| match chosen {
+            Some(robot) => described(ui, robot, &mut typed.camera),
+            None => widgets::hint(ui, say!("robots-no-robot-has-this-name")),
+        });
+    });
+    typed.chosen = chosen.map_or_else(String::new, |robot| robot.id.clone());
+    ends(ui, chosen, commands);
+    if ui.input(|i| i.key_pressed(Key::Escape)) {
+        // Next time it begins anew.
+        typed = Typed::default();
+    }
+    ui.data_mut(|data| data.insert_temp(id, typed));
+}
+
+/// The robots that were found; which was clicked.
+fn list(
+    ui: &mut Ui,
+    found: &[&'static LibraryRobot],
+    chosen: Option<&LibraryRobot>,
+    moved: bool,
+) -> Option<&'static LibraryRobot> {
+    let mut clicked = None;
+    let scroll = ScrollArea::vertical()
+        .id_salt("robots")
+        .max_height(HEIGHT)
+        .auto_shrink(false);
+    ui.allocate_ui(vec2(LIST, HEIGHT), |ui| {
+        scroll.show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            for robot in found {
+                let on = chosen.is_some_and(|chosen| chosen.id == robot.id);
+                let title = robot.title();
+                let reach = robot.reach_mm.map_or(String::new(), |mm| format!("{mm} mm"));
+                let button = Button::selectable(on, title.as_str()).shortcut_text(reach);
+                let row = ui.add(button.min_size(vec2(ui.available_width(), space::CONTROL)));
+                row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, on, &title));
+                if on && moved {
+                    row.scroll_to_me(None);
+                }
+                if row.clicked() {
+                    clicked = Some(*robot);
+                }
+            }
+        });
+    });
+    clicked
+}
+
+/// The robot, and what is known of it.
+fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    let name = say!("robots-at-its-zero", robot = robot.title());
+    let size = vec2(PICTURE, HEIGHT - 110.0);
+    robot_alone(ui, (&robot.robot, &name), camera, size);
+    let mm = |value: Option<f64>| value.map_or("–".to_owned(), |_| format!("{} mm", figure(value)));
+    let kg = robot.payload_kg;
+    let kg = kg.map_or("–".to_owned(), |_| format!("{} kg", figure(kg)));
+    widgets::fact_of(ui, "robots-kind", kind(robot));
+    widgets::fact_of(ui, "robots-reach", format!("{}, {kg}", mm(robot.reach_mm)));
+    widgets::fact_of(ui, "robots-repeatability", mm(robot.repeatability_mm));
+    let geometry = source(&robot.geometry.source);
+    let geometry = geometry.map_or("", |source| source.what.as_str());
+    widgets::fact_of(ui, "robots-source", geometry);
+    if !robot.not_checked.is_empty() {
+        let muted = Palette::of(ui).muted;
+        let says = say!("robots-not-checked", what = robot.not_checked.join("; "));
+        ui.add(egui::Label::new(egui::RichText::new(says).small().color(muted)).wrap());
+    }
+}
+
+/// Its kind in the language of the window.
+fn kind(robot: &LibraryRobot) -> String {
+    use crate::robots::RobotKind;
+    let says = match robot.kind {
+        RobotKind::SixJoints => say!("robots-six-joints"),
+        RobotKind::OffsetWrist => say!("robots-six-joints-offset-wrist"),
+        RobotKind::SevenJoints => say!("robots-seven-joints"),
+        RobotKind::Scara => "SCARA",
+        RobotKind::Positioner => say!("robots-positioner"),
+        RobotKind::RotaryAxis => say!("robots-rotary-axis"),
+    };
+    says.to_owned()
+}
+
+fn ends(ui: &mut Ui, chosen: Option<&'static LibraryRobot>, commands: &mut Vec<Command>) {
+    ui.add_space(space::ROW);
+    let mut simulate = false;
+    ui.columns(3, |columns| {
+        if widgets::other(&mut columns[0], say!("common-cancel")).clicked() {
+            commands.push(Command::Sheet(None));
+        }
+        let save = |ui: &mut Ui| widgets::other(ui, say!("robots-save-robot-file"));
+        let save = columns[1].add_enabled_ui(chosen.is_some(), save).inner;
+        if let (true, Some(robot)) = (save.clicked(), chosen) {
+            commands.push(Command::ChooseWhereToExport(What::Robot(&robot.id)));
+        }
+        let primary = |ui: &mut Ui| widgets::primary(ui, say!("robots-simulate"));
+        let primary = columns[2].add_enabled_ui(chosen.is_some(), primary).inner;
+        simulate = primary.clicked();
+    });
+    let entered = ui.input(|i| i.key_pressed(Key::Enter));
+    if let (true, Some(robot)) = (simulate || entered, chosen) {
+        let form = Form::of(robot);
+        commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+    }
+}
