@@ -76,6 +76,9 @@ impl Simulate {
                     crate::atomic::refuse_one_file_for_two(path, other)?;
                 }
             }
+            if let Some((scenario, _)) = &beside {
+                crate::atomic::refuse_one_file_for_two(path, scenario)?;
+            }
             if !truth_to_stdout {
                 output::can_be_written(path, self.force)?;
             }

@@ -29,7 +29,6 @@ mod identify;
 mod import;
 mod languages;
 mod letters;
-mod look;
 mod many;
 mod models;
 mod pictures;
