@@ -17,6 +17,13 @@
 
 /// A sentence in the language of this thread: text that lives as long as the program, or, with arguments, a
 /// `String`.
+#[cfg_attr(
+    not(feature = "gui"),
+    allow(
+        unused_macros,
+        reason = "so far only the window speaks other languages"
+    )
+)]
 macro_rules! say {
     (in $context:literal, $english:literal $(,)?) => {
         $crate::text::spoken(template!($context, $english, "";))
@@ -77,7 +84,9 @@ mod speech;
 pub use english::Template;
 pub use language::Language;
 
+#[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
+#[cfg(feature = "gui")]
 pub(crate) use speech::{
     choose, current, filled, known, known_in, letters, spoken, stretch, within,
 };

@@ -129,10 +129,6 @@ pub(super) fn export(
             say!("Save robot file"),
             say!("A file that sessions, imports and plans take"),
         ),
-        What::Robot(_) => (
-            say!("robots-save-robot-file-2"),
-            say!("robots-a-file-for-sessions"),
-        ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {
