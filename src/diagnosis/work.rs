@@ -10,8 +10,8 @@ use std::rc::Rc;
 use crate::answers::diagnosis::Stopped;
 
 /// Products of numbers for a whole diagnosis, and so many more for each sample that is searched.
-const PRODUCTS: f64 = 7.8e9;
-const FOR_A_SAMPLE: f64 = 1.56e7;
+const PRODUCTS: f64 = 6.0e9;
+const FOR_A_SAMPLE: f64 = 1.2e7;
 
 /// Shares of the whole.
 pub(crate) const FIRST_SEARCH: f64 = 0.45;
