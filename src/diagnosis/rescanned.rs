@@ -178,7 +178,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     /// The step of a fit without these rows, every scanned term at the setting that the others like best.
     pub(super) fn without(&self, rows: &[usize]) -> Step {
         let told = self.told.step(&self.terms, rows);
-        let (coefficients, exchanged) = told.unwrap_or_else(|| self.from_the_rest(rows));
+        let (coefficients, exchanged) = told.unwrap_or_else(|| self.told_by_the_rest(rows));
         let instead = exchanged.into_iter().map(|(at, setting, own)| {
             let term = &self.terms[at];
             let table = &self.regression.table;
@@ -193,7 +193,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     }
 
     /// The same where the rows that stay do not tell all columns: which they do not has to be seen in them.
-    fn from_the_rest(&self, rows: &[usize]) -> (DVector<f64>, Vec<Exchanged>) {
+    fn told_by_the_rest(&self, rows: &[usize]) -> (DVector<f64>, Vec<Exchanged>) {
         let regression = self.regression;
         let measured = regression.rows.len();
         let own = self.raw.columns(0, self.fit.model.coefficient_count());
@@ -437,6 +437,10 @@ impl Seen<'_, '_> {
 
     /// The setting that is better than the fit's beside everything else in the rows that stay; `None` where
     /// they do not tell everything else.
+    #[allow(
+        clippy::option_option,
+        reason = "no better setting is an answer, rows that tell nothing are none"
+    )]
     fn better(&self, at: usize) -> Option<Option<usize>> {
         let (term, of_term) = (&self.terms[at], &self.told.of_terms[at]);
         let taken = self.taken(Some(at))?;

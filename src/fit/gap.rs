@@ -49,7 +49,7 @@ pub(crate) fn lengths_mm(problem: &Problem, model: &Model) -> Vec<f64> {
     }
     let mut lengths = Vec::with_capacity(problem.inputs.len());
     each_block(problem, model, |_, length| {
-        lengths.extend_from_slice(length)
+        lengths.extend_from_slice(length);
     });
     lengths
 }

@@ -188,7 +188,7 @@ fn a_page_of_no_command_is_refused_with_those_there_are() {
     assert_eq!(refused.status.code(), Some(2));
     let message = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        message.contains("expected one of simulate, import"),
+        message.contains("expected one of simulate, robots, import"),
         "{message}"
     );
     assert!(printed(&["man"]).contains("Exit status"));
