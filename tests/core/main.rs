@@ -42,7 +42,6 @@ mod imports;
 mod installed;
 mod kinematics_reference;
 mod limits;
-mod mistakes;
 mod observations;
 mod observed_poses;
 mod paper;
