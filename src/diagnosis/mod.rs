@@ -55,7 +55,6 @@ pub(crate) mod shape_space;
 pub(crate) mod prepare;
 pub(crate) mod projected;
 mod remainder;
-mod rescanned;
 mod robust;
 mod run_away;
 mod scores;

@@ -16,7 +16,7 @@ use crate::linear::Basis;
 use crate::model::Model;
 
 /// How far a column may be from the base's own, as a share of it.
-pub(super) const NEAR: f64 = 5e-3;
+const NEAR: f64 = 5e-3;
 
 pub(crate) struct OfBase {
     /// Whitened, at the base's coefficients.

@@ -15,7 +15,7 @@ use super::aliases::Rival;
 use super::candidates::{Table, What};
 use super::familywise::Familywise;
 use super::memo::Memo;
-use super::of_base::{NEAR, OfBase};
+use super::of_base::OfBase;
 use super::placed::Placed;
 use super::projected::Grams;
 use super::scores::Score;
@@ -32,20 +32,9 @@ pub(crate) struct Fit {
     pub(crate) model: Model,
     pub(crate) shapes: Vec<Placed>,
     pub(crate) residual: DVector<f64>,
-    pub(crate) basis: Rc<Basis>,
+    pub(crate) basis: Basis,
     pub(crate) rss: f64,
     pub(crate) ln_evidence: f64,
-}
-
-/// A model at one place, for steps from there on.
-struct Linearised {
-    basis: Rc<Basis>,
-    /// Whitened columns of the model.
-    columns: DMatrix<f64>,
-    /// The square of what the last step with them moved.
-    moved: Option<f64>,
-    /// Whether they are still near the columns of where the model is.
-    holds: bool,
 }
 
 pub(crate) struct Regression<'a> {
@@ -195,7 +184,8 @@ impl<'a> Regression<'a> {
         columns: &DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
         let (m, more) = (self.rows.len(), self.beside);
-        let mut residual = self.whitened_residual(model, raw);
+        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = residual.resize_vertically(m + more, 0.0);
         let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), more);
         let mut first = 0;
         for term in model.terms() {
@@ -203,6 +193,7 @@ impl<'a> Regression<'a> {
                 if prior.term.same_column(term) {
                     let k = prior.coefficient;
                     jacobian[(m + row, first + k)] = 1.0 / prior.sigma;
+                    residual[m + row] = -term.coefficients[k] / prior.sigma;
                 }
             }
             first += term.coefficients.len();
@@ -216,32 +207,6 @@ impl<'a> Regression<'a> {
         (residual, jacobian)
     }
 
-    /// Whitened residuals, but for what is known of places, with those of the priors.
-    fn whitened_residual(&self, model: &Model, raw: &DVector<f64>) -> DVector<f64> {
-        let m = self.rows.len();
-        let residual = self.noise.whitened_vector(&self.rows, raw);
-        let mut residual = residual.resize_vertically(m + self.beside, 0.0);
-        for term in model.terms() {
-            for (row, prior) in self.priors.iter().enumerate() {
-                if prior.term.same_column(term) {
-                    residual[m + row] = -term.coefficients[prior.coefficient] / prior.sigma;
-                }
-            }
-        }
-        residual
-    }
-
-    /// Whitened residuals of a model, with all rows.
-    fn residual(&self, model: &Model) -> DVector<f64> {
-        let mut residual = self.whitened_residual(model, &self.rows.residual(model));
-        if self.beside > self.priors.len() {
-            let (left, _) = self.rows.known(model, &self.problem.priors);
-            let from = self.rows.len() + self.priors.len();
-            residual.rows_mut(from, left.len()).copy_from(&left);
-        }
-        residual
-    }
-
     /// Fits a model and shapes, starting from their coefficients.
     pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
         let work = || self.fitted(start.clone(), shapes.to_vec());
@@ -249,25 +214,30 @@ impl<'a> Regression<'a> {
     }
 
     fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> Fit {
-        let mut last: Option<(DVector<f64>, Rc<Basis>, f64)> = None;
-        let mut linear: Option<Linearised> = None;
-        let own = model.coefficient_count();
-        let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
-        let of_a_round = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
+        let mut last = None;
         for round in 0..8 {
-            self.work.did(of_a_round);
-            let known = linear
-                .take()
-                .filter(|known| known.holds && round < WITH_THE_BASES_OWN);
-            let (residual, now) = match known {
-                Some(known) => (self.residual(&model), known),
-                None => self.linearised(&model, &shapes, round),
-            };
-            let Linearised { basis, columns, .. } = &now;
+            let (raw, columns) = self.raw(&model);
+            let (residual, jacobian) = self.whitened(&model, &raw, &columns);
+            let own = jacobian.ncols();
+            let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
+            self.work
+                .did((self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64));
+            let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
+            let mut all = jacobian.resize_horizontally(width, 0.0);
+            let mut at = own;
+            for shape in &shapes {
+                all.columns_mut(at, shape.white.ncols())
+                    .copy_from(&shape.white);
+                at += shape.white.ncols();
+            }
+            let extended = (round < WITH_THE_BASES_OWN)
+                .then(|| self.of_base().extended(&self.base, &model, &all))
+                .flatten();
+            let basis = extended.unwrap_or_else(|| Basis::new(&all));
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
-            let moved = (columns * step.rows(0, own)).norm_squared();
+            let moved = (all.columns(0, own) * step.rows(0, own)).norm_squared();
             model = model.stepped(&step.as_slice()[..own]);
             let mut at = own;
             for shape in &mut shapes {
@@ -276,14 +246,7 @@ impl<'a> Regression<'a> {
                 at += size;
             }
             let rss = left.norm_squared();
-            let (basis, before) = (Rc::clone(basis), now.moved);
             last = Some((left, basis, rss));
-            linear = Some(Linearised {
-                // What a step with the same columns falls short of is by how much they are others.
-                holds: before.is_none_or(|before| moved <= NEAR * NEAR * before),
-                moved: Some(moved),
-                ..now
-            });
             // A step of a hundredth of the noise changes nothing to second order.
             if own == 0 || moved <= 1e-10 * self.m().max(1.0) + 1e-8 * rss && round > 0 {
                 break;
@@ -291,11 +254,7 @@ impl<'a> Regression<'a> {
         }
         let (residual, basis, rss) = last.unwrap_or_else(|| {
             let empty = DMatrix::zeros(self.height(), 0);
-            (
-                DVector::zeros(self.height()),
-                Rc::new(Basis::new(&empty)),
-                0.0,
-            )
+            (DVector::zeros(self.height()), Basis::new(&empty), 0.0)
         });
         let ln_evidence =
             self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
@@ -307,46 +266,6 @@ impl<'a> Regression<'a> {
             rss,
             ln_evidence,
         }
-    }
-
-    /// Whitened residuals and columns of a model beside shapes, and the basis of all of them.
-    fn linearised(
-        &self,
-        model: &Model,
-        shapes: &[Placed],
-        round: usize,
-    ) -> (DVector<f64>, Linearised) {
-        let (raw, columns) = self.raw(model);
-        let (residual, jacobian) = self.whitened(model, &raw, &columns);
-        let own = jacobian.ncols();
-        let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-        let mut all = jacobian.resize_horizontally(width, 0.0);
-        let mut at = own;
-        for shape in shapes {
-            all.columns_mut(at, shape.white.ncols())
-                .copy_from(&shape.white);
-            at += shape.white.ncols();
-        }
-        let extended = (round < WITH_THE_BASES_OWN)
-            .then(|| self.of_base().extended(&self.base, model, &all))
-            .flatten();
-        let linearised = Linearised {
-            basis: Rc::new(extended.unwrap_or_else(|| Basis::new(&all))),
-            columns: all.resize_horizontally(own, 0.0),
-            moved: None,
-            holds: false,
-        };
-        (residual, linearised)
-    }
-
-    /// What was found for fits so far is worked out again where it is asked for again.
-    pub(crate) fn forget(&self) {
-        self.fits.clear();
-        self.scores_of_names.clear();
-        self.scores_of_shapes.clear();
-        self.surroundings.clear();
-        self.rivals.clear();
-        *self.familywise.borrow_mut() = Familywise::default();
     }
 
     pub(super) fn of_base(&self) -> &OfBase {

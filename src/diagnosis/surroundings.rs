@@ -152,11 +152,6 @@ impl Regression<'_> {
 }
 
 impl Surroundings {
-    /// Products of the fit's orthonormal columns with a candidate's.
-    pub(super) fn along(&self, candidate: &Candidate) -> DMatrixView<'_, f64> {
-        self.along.columns(candidate.first, candidate.size)
-    }
-
     /// Cholesky factor of what is left of a candidate's columns where these products of them come back, and
     /// their rank.
     fn factor(&self, candidate: &Candidate, back: DMatrixView<f64>) -> (Vec<f64>, usize) {

@@ -207,24 +207,6 @@ impl<'a> Rows<'a> {
         (residual, columns)
     }
 
-    /// The residuals alone.
-    pub(crate) fn residual(&self, model: &Model) -> DVector<f64> {
-        if let Some(rows) = &self.observed {
-            return rows.residual(model);
-        }
-        let n = self.samples.len();
-        let mut residual = DVector::zeros(self.len());
-        model.visit(&self.inputs, false, |start, block| {
-            for (a, axis) in self.axes.iter().enumerate() {
-                for i in 0..block.len {
-                    residual[a * n + start + i] =
-                        self.measured_mm[a][start + i] - block.point[*axis][i];
-                }
-            }
-        });
-        residual
-    }
-
     /// Points that the model predicts, in the order of the samples.
     pub fn points(&self, model: &Model) -> Vec<[f64; 3]> {
         let predicted = model.predict(&self.inputs);

@@ -130,28 +130,13 @@ impl<'a> ObservedRows<'a> {
                 let Some(item) = *item else { continue };
                 for row in (0..self.width).filter(|row| block.rows[*row][lane]) {
                     residual[row * n + item] = block.left[row][lane];
-                    for k in &block.live {
-                        columns[(row * n + item, *k)] = block.columns[*k][row][lane];
+                    for (k, column) in block.columns.iter().enumerate() {
+                        columns[(row * n + item, k)] = column[row][lane];
                     }
                 }
             }
         });
         (residual, columns)
-    }
-
-    /// The residuals alone.
-    pub(crate) fn residual(&self, model: &Model) -> DVector<f64> {
-        let n = self.layer.items.len();
-        let mut residual = DVector::zeros(n * self.width);
-        self.layer.visit(model, false, |block| {
-            for (lane, item) in block.items.iter().enumerate() {
-                let Some(item) = *item else { continue };
-                for row in (0..self.width).filter(|row| block.rows[*row][lane]) {
-                    residual[row * n + item] = block.left[row][lane];
-                }
-            }
-        });
-        residual
     }
 
     /// What is known of the distances between sockets, in units of σ.

@@ -71,7 +71,7 @@ fn repeated(name: &str, count: usize) -> String {
             let moved = |_| {
                 let starts = ["movel(p[", "movej([", "movej(get"];
                 let own = lines().filter(|line| starts.iter().any(|start| line.starts_with(start)));
-                own.map(|line| format!("  {line}\n")).collect::<String>()
+                own.flat_map(|line| ["  ", line, "\n"]).collect::<String>()
             };
             // A pose is told from the others that reach it by where the arm was before.
             let first = lines().find(|line| line.starts_with("movej([")).unwrap();
@@ -148,9 +148,9 @@ fn samples_of_an_arm_cost_in_proportion() {
         let made = truepose(folder.path(), &["simulate", "a.scenario", "--out", &out]);
         assert_eq!(made.code, Some(0), "{}", made.stderr);
     };
-    const COUNT: usize = 40_000;
-    simulated(COUNT);
-    simulated(2 * COUNT);
+    let samples = 40_000;
+    simulated(samples);
+    simulated(2 * samples);
     for command in ["identify", "diagnose"] {
         let run = |count: usize| {
             truepose(
@@ -158,7 +158,7 @@ fn samples_of_an_arm_cost_in_proportion() {
                 &[command, &format!("a{count}.json"), "--json"],
             )
         };
-        grows_linearly(command, 0, &run, COUNT);
+        grows_linearly(command, 0, &run, samples);
     }
 }
 
