@@ -72,7 +72,10 @@ fn a_description_has_at_most_64_mib_and_half_a_million_attributes() {
         let ran = identified(folder.path(), &|document| document["robot"] = robot.clone());
         refused(&ran, says);
     }
-    let many: String = (0..900).map(|k| format!("a{k}='' ")).collect();
+    let many = (0..900)
+        .map(|k| format!("a{k}='' "))
+        .collect::<Vec<_>>()
+        .concat();
     let all = format!("<link {many}/>").repeat(560);
     let text = format!("<robot name='r'>{all}</robot>");
     refused(
@@ -84,9 +87,10 @@ fn a_description_has_at_most_64_mib_and_half_a_million_attributes() {
 #[test]
 fn what_an_mjcf_includes_counts_with_it() {
     let folder = folder();
-    let includes: String = (0..70)
+    let includes = (0..70)
         .map(|k| format!("<include file='i{k}.xml'/>"))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     for k in 0..70 {
         fs::write(folder.path().join(format!("i{k}.xml")), "<mujocoinclude/>").unwrap();
     }
@@ -138,14 +142,17 @@ fn what_a_fit_has_parameters_for_is_counted() {
 fn a_table_has_at_most_ten_thousand_columns() {
     let folder = folder();
     let with = |more: usize| {
-        let headings: String = (0..more).map(|k| format!(",c{k}")).collect();
+        let headings = (0..more)
+            .map(|k| format!(",c{k}"))
+            .collect::<Vec<_>>()
+            .concat();
         let cells = ",1".repeat(more);
         let row = |k: i32| format!("{k},250,{k},300{cells}\n");
         let rows: String = (0..12).map(row).collect();
         let text = format!("q1_deg,x_mm,y_mm,z_mm{headings}\n{rows}");
         fs::write(folder.path().join("w.csv"), text).unwrap();
         identified(folder.path(), &|document| {
-            document["samples"]["file"] = "w.csv".into()
+            document["samples"]["file"] = "w.csv".into();
         })
     };
     assert_eq!(with(9_996).code, Some(0));
