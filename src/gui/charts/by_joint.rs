@@ -93,7 +93,9 @@ impl Kind for ByJoint {
             name: phrase!("Deviation by joint"),
             word: Word {
                 name: phrase!("Deviation by joint"),
-                means: phrase!("The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"),
+                means: phrase!(
+                    "The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"
+                ),
             },
             of_component: true,
             of_joint: false,

@@ -1,7 +1,6 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and
 //! after. Of many samples the extremes in each column of the screen are shown.
 
-use crate::text::Template;
 use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::envelope::{Column, Envelope};
 use crate::gui::cache::over::{Over, Scale, Variable};
@@ -10,13 +9,14 @@ use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
-use crate::text::within;
 use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
 };
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
+use crate::text::Template;
+use crate::text::within;
 
 /// Of so many samples near the pointer at most; more stand on one another.
 const MOST_NEAR: usize = 400;
@@ -65,7 +65,10 @@ pub(crate) static LOAD: Along = along(
 pub(crate) static TEMPERATURE: Along = along(
     Variable::Temperature,
     "deviation over temperature",
-    [phrase!("temperature"), phrase!("Deviation over temperature")],
+    [
+        phrase!("temperature"),
+        phrase!("Deviation over temperature"),
+    ],
     help::OVER_TEMPERATURE,
 );
 
@@ -337,7 +340,10 @@ impl<'a> Drawn<'a> {
             }
         }
         if let Some(tolerance) = self.scene.document.tolerance_mm {
-            says += &say!(", tolerance {tolerance}", tolerance = units.length(tolerance));
+            says += &say!(
+                ", tolerance {tolerance}",
+                tolerance = units.length(tolerance)
+            );
         }
         says
     }

@@ -5,12 +5,12 @@ use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
 use crate::gui::language::names::title_of;
 use crate::gui::language::of_core;
-use crate::text::within;
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
+use crate::text::within;
 
 pub(crate) struct Gap;
 
@@ -48,10 +48,7 @@ impl Kind for Gap {
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
         let steps = steps(scene);
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
-        let mut chart = chart.ok_or(Missing::new(
-            say!("nothing is identified yet"),
-            "",
-        ))?;
+        let mut chart = chart.ok_or(Missing::new(say!("nothing is identified yet"), ""))?;
         say!("RMS over the fitted samples").clone_into(&mut chart.note);
         let says = |s: &GapStep| format!("{} {}", said(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();

@@ -4,13 +4,13 @@ use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::text::spoken;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
+use crate::text::spoken;
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
@@ -119,15 +119,9 @@ impl Bars for Drawn<'_> {
         let here = |sample: &usize| bins.of(self.value(*sample, take_after)) == Some(bin);
         let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
         let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
-        let lines = [
-            line(say!("before"), before),
-            line(say!("after"), after),
-        ];
+        let lines = [line(say!("before"), before), line(say!("after"), after)];
         let mut lines: Vec<_> = lines.into_iter().flatten().collect();
-        lines.push((
-            say!("click").to_owned(),
-            say!("marks them").to_owned(),
-        ));
+        lines.push((say!("click").to_owned(), say!("marks them").to_owned()));
         Some(Facts {
             title: format!("{from} … {to} {}", units.length_name()),
             lines,
@@ -296,7 +290,9 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         "{width} {unit} wide {rule}",
         width = width,
         unit = units.length_name(),
-        rule = spoken(phrase!("bars as wide as the spread of the samples asks for"))
+        rule = spoken(phrase!(
+            "bars as wide as the spread of the samples asks for"
+        ))
     ));
     notes.join(" · ")
 }

@@ -5,13 +5,13 @@ use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::work::{Given, Work};
 use crate::gui::core::search::terms;
 use crate::gui::help;
-use crate::text::spoken;
 use crate::numeric::whole;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
+use crate::text::spoken;
 
 /// Part of the height that is left for names.
 const ROOM: f64 = 0.30;
@@ -111,7 +111,9 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
     if spectrum.orders.is_empty() {
         return Err(Missing::new(
             say!("Too few different angles"),
-            say!("An order shows where a wave comes back with every turn: measure thirty angles or more, spread over the whole range of the joint"),
+            say!(
+                "An order shows where a wave comes back with every turn: measure thirty angles or more, spread over the whole range of the joint"
+            ),
         ));
     }
     Ok(spectrum)
@@ -222,14 +224,13 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     if scene.answer.is_some() {
         legend.push(Entry::after(Sign::Bar));
     }
-    legend.push(Entry::new(
-        say!("noise"),
-        Sign::Line,
-        Stands::Noise,
-        false,
-    ));
+    legend.push(Entry::new(say!("noise"), Sign::Line, Stands::Noise, false));
     Chart {
-        title: say!("{name} deviation by order over {joint}", name = name, joint = joint),
+        title: say!(
+            "{name} deviation by order over {joint}",
+            name = name,
+            joint = joint
+        ),
         across: Axis {
             label: say!("cycles per turn of {joint}", joint = joint),
             ticks: Ticks::Words(

@@ -35,7 +35,9 @@ impl Kind for Quantiles {
             name: phrase!("Normal quantiles"),
             word: Word {
                 name: phrase!("Normal quantiles"),
-                means: phrase!("Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"),
+                means: phrase!(
+                    "Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"
+                ),
             },
             of_component: true,
             of_joint: false,

@@ -15,7 +15,13 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         say!("version {version}", version = env!("CARGO_PKG_VERSION")),
     );
     ui.label(say!("Calibrates a robot at commissioning: finds where measurement and simulation disagree, and writes what the controller needs"));
-    widgets::hint(ui, say!("Everything in this window can be done in the terminal too: truepose --help"));
-    widgets::hint(ui, say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"));
+    widgets::hint(
+        ui,
+        say!("Everything in this window can be done in the terminal too: truepose --help"),
+    );
+    widgets::hint(
+        ui,
+        say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"),
+    );
     done(ui, commands);
 }

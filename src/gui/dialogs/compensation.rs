@@ -51,12 +51,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             lines(ui, &corrected.changed);
             left(ui, corrected);
             let any = corrected.summary.corrected > 0;
-            if ends::buttons_without_enter(
-                ui,
-                say!("Save corrected file…"),
-                any,
-                commands,
-            ) {
+            if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
                 commands.push(Command::ChooseWhereToExport(What::Targets));
             }
         }
@@ -72,12 +67,7 @@ fn asked(ui: &mut Ui, before: &Wanted, differs: &[Differing], commands: &mut Vec
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);
-    widgets::number(
-        ui,
-        say!("load where the file says none"),
-        "kg",
-        field,
-    );
+    widgets::number(ui, say!("load where the file says none"), "kg", field);
     let says = say!("the measuring frame is the robot's base (--measured-frame)");
     ui.checkbox(&mut wanted.measured_frame, says);
     let tool = say!("Tool of the program");
@@ -98,8 +88,14 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
     ui.horizontal_wrapped(|ui| {
         ui.label(of);
         let choices = [
-            (Whose::Model, say!("the model's tool or base (--as-modelled)")),
-            (Whose::Program, say!("as the program writes it (--as-programmed)")),
+            (
+                Whose::Model,
+                say!("the model's tool or base (--as-modelled)"),
+            ),
+            (
+                Whose::Program,
+                say!("as the program writes it (--as-programmed)"),
+            ),
         ];
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
@@ -157,11 +153,7 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
         .max_scroll_height(high)
         .min_scrolled_height(0.0)
         .header(ROW, |mut header| {
-            for head in [
-                say!("line"),
-                say!("before"),
-                say!("corrected"),
-            ] {
+            for head in [say!("line"), say!("before"), say!("corrected")] {
                 header.col(|ui| {
                     ui.label(RichText::new(head).font(strong(size::SMALL)));
                 });
@@ -232,7 +224,10 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::wrong(ui, &at(warning));
             }
             if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
-                let says = say!("and {more} more: all of them stand in the file beside the saved one", more = more);
+                let says = say!(
+                    "and {more} more: all of them stand in the file beside the saved one",
+                    more = more
+                );
                 widgets::hint(ui, says);
             }
             for remark in remarks.iter().take(MOST_LEFT) {

@@ -18,7 +18,12 @@ const WIDE: f32 = 560.0;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     widgets::heading(ui, say!("Report details"));
-    widgets::hint(ui, say!("Stated at the head of the report, and remembered for this machine; what is empty is a line to fill in by hand"));
+    widgets::hint(
+        ui,
+        say!(
+            "Stated at the head of the report, and remembered for this machine; what is empty is a line to fill in by hand"
+        ),
+    );
     let before = workbench.stated();
     let mut stated = before.clone();
     let muted = Palette::of(ui).muted;
@@ -81,8 +86,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let measured = !workbench.subject().is_empty();
-        let report =
-            columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
+        let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
             commands.push(Command::Sheet(None));
             commands.push(Command::ChooseWhereToExport(What::Report(About::Session)));
@@ -114,8 +118,12 @@ fn history(ui: &mut Ui, workbench: &Workbench, without: &mut bool) {
 fn about(rule: Option<Rule>) -> &'static str {
     match rule {
         None => say!("The report states the errors and leaves the decision to its reader"),
-        Some(Rule::Iso14253) => say!("Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven"),
-        Some(Rule::Simple) => say!("Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)"),
+        Some(Rule::Iso14253) => say!(
+            "Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven"
+        ),
+        Some(Rule::Simple) => say!(
+            "Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)"
+        ),
     }
 }
 

@@ -4,7 +4,6 @@
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
 use crate::gui::language::known_words;
-use crate::text::filled;
 use crate::gui::language::names::{title_on, with_parameter};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
@@ -16,6 +15,7 @@ use crate::present::history::{
 };
 use crate::present::numbers::mm;
 use crate::present::table::Table;
+use crate::text::filled;
 
 /// Widest, points.
 const WIDE: f32 = 900.0;
@@ -57,8 +57,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let name = past.folder.file_name().unwrap_or(past.folder.as_os_str());
     let name = name.to_string_lossy();
     let says = match robot.ordered_by {
-        Order::Time => say!("Sessions and models of the folder {folder}, by the time of the first sample", folder = name),
-        Order::Name => say!("Sessions and models of the folder {folder}, by file name, numbers in it by their value", folder = name),
+        Order::Time => say!(
+            "Sessions and models of the folder {folder}, by the time of the first sample",
+            folder = name
+        ),
+        Order::Name => say!(
+            "Sessions and models of the folder {folder}, by file name, numbers in it by their value",
+            folder = name
+        ),
     };
     widgets::hint(ui, says);
     if all.len() > 1 {
@@ -129,9 +135,16 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     if rows.get(charted).is_some_and(|now| now.name != row.name) {
         choice.row = Some(charted);
     }
-    let mut says = say!("± half the 95 % interval; {mark} changed by more than its interval", mark = CHANGED);
+    let mut says = say!(
+        "± half the 95 % interval; {mark} changed by more than its interval",
+        mark = CHANGED
+    );
     if shown.len() < last {
-        says += &say!("; the last {shown} of {all} sessions", shown = shown.len(), all = last);
+        says += &say!(
+            "; the last {shown} of {all} sessions",
+            shown = shown.len(),
+            all = last
+        );
     }
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);
@@ -163,10 +176,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
     let newest = names.len().saturating_sub(1);
     let usual = [newest.saturating_sub(1), newest];
     let mut ends = [0, 1].map(|k| choice.ends[k].unwrap_or(usual[k]).min(newest));
-    for (k, says) in [say!("Before"), say!("After")]
-        .into_iter()
-        .enumerate()
-    {
+    for (k, says) in [say!("Before"), say!("After")].into_iter().enumerate() {
         if let Some(next) = list(ui, says, &names, ends[k]) {
             choice.ends[k] = Some(next);
             ends[k] = next;

@@ -17,7 +17,10 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     let others: [(&str, &str); 7] = [
         ("← →", say!("move the boundary that has the focus")),
         ("Shift+← →", say!("move it further")),
-        ("← → ↑ ↓ + −", say!("orbit and zoom the 3-D view that has the focus")),
+        (
+            "← → ↑ ↓ + −",
+            say!("orbit and zoom the 3-D view that has the focus"),
+        ),
         ("Tab, Shift+Tab", say!("next control, the one before")),
         (say!("Space or Enter"), say!("press it")),
         (

@@ -33,12 +33,7 @@ fn language(
     let languages: Vec<_> = std::iter::once((None, say!("as the system")))
         .chain(languages)
         .collect();
-    choice(
-        ui,
-        say!("Language"),
-        &languages,
-        &mut next.language,
-    );
+    choice(ui, say!("Language"), &languages, &mut next.language);
 }
 
 /// One of some values.
@@ -82,12 +77,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         &mut next.decimals,
     );
     let signs = [(false, "1.5"), (true, "1,5")];
-    choice(
-        ui,
-        say!("Decimal sign"),
-        &signs,
-        &mut next.decimal_comma,
-    );
+    choice(ui, say!("Decimal sign"), &signs, &mut next.decimal_comma);
     let themes = [
         (Theme::System, say!("as the system")),
         (Theme::Light, say!("light")),
@@ -110,13 +100,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             next.zoom = percent / 100.0;
         }
     });
-    widgets::hint(ui, say!("Files are read and written in their own units, whatever is shown here"));
+    widgets::hint(
+        ui,
+        say!("Files are read and written in their own units, whatever is shown here"),
+    );
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let reset = now != Preferences::default();
-        let button = columns[0].add_enabled_ui(reset, |ui| {
-            widgets::other(ui, say!("Reset all"))
-        });
+        let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, say!("Reset all")));
         if button.inner.clicked() {
             next = Preferences::default();
         }

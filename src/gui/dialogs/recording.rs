@@ -28,7 +28,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let robot = &workbench.subject().session.robot;
     widgets::hint(
         ui,
-        say!("Lines of text, one for each measurement, become samples of a new session of {robot}; a connection that ends is made again", robot = robot.name),
+        say!(
+            "Lines of text, one for each measurement, become samples of a new session of {robot}; a connection that ends is made again",
+            robot = robot.name
+        ),
     );
     let id = Id::unique("recording");
     let blank = || Wanted {
@@ -54,11 +57,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             &mut wanted.columns,
             say!("empty: the first line names them"),
         ),
-        (
-            say!("File"),
-            &mut path,
-            say!("a new CSV table"),
-        ),
+        (say!("File"), &mut path, say!("a new CSV table")),
     ];
     for (name, text, hint) in fields {
         widgets::form_row(ui, name, |ui| {
@@ -77,15 +76,19 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let problem = placed.problem();
     let empty = matches!(wanted.address.trim(), "tcp://" | "udp://" | "");
     match &problem {
-        Some(_) if empty => widgets::hint(ui, say!("Type where the instrument's software sends, such as tcp://192.168.0.10:4000")),
+        Some(_) if empty => widgets::hint(
+            ui,
+            say!("Type where the instrument's software sends, such as tcp://192.168.0.10:4000"),
+        ),
         Some(problem) => widgets::wrong(ui, problem),
         None => {}
     }
-    let small = RichText::new(say!("Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces"));
+    let small = RichText::new(say!(
+        "Columns such as q1_deg, x_mm, y_mm, z_mm; between commas, semicolons, tabs or spaces"
+    ));
     ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
     ui.data_mut(|data| data.insert_temp(id, wanted));
-    if super::ends::buttons_without_enter(ui, say!("Record"), problem.is_none(), commands)
-    {
+    if super::ends::buttons_without_enter(ui, say!("Record"), problem.is_none(), commands) {
         ui.data_mut(|data| data.remove_temp::<Wanted>(id));
         commands.push(Command::Record(Box::new(placed)));
     }

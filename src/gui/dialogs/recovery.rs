@@ -11,7 +11,12 @@ use crate::gui::workbench::{Command, Workbench};
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
     widgets::heading(ui, say!("Not saved when the program ended"));
-    widgets::hint(ui, say!("The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"));
+    widgets::hint(
+        ui,
+        say!(
+            "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
+        ),
+    );
     ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
         for (index, left) in workbench.left_behind().iter().enumerate() {
             widgets::card(ui, |ui| {

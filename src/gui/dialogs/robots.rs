@@ -27,13 +27,20 @@ struct Typed {
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(LIST + PICTURE + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
-    widgets::hint(ui, say!("{count} common robots with their nominal geometry: type a maker, a model or a kind", count = library().len()));
+    widgets::hint(
+        ui,
+        say!(
+            "{count} common robots with their nominal geometry: type a maker, a model or a kind",
+            count = library().len()
+        ),
+    );
     let id = ui.scope_id().with("typed robot");
     let before: Option<Typed> = ui.data(|data| data.get_temp(id));
     let first = before.is_none();
     let mut typed = before.unwrap_or_default();
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
-    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("such as ur5e, kuka kr 6, scara"));
+    let field =
+        TextEdit::singleline(&mut typed.text).hint_text(say!("such as ur5e, kuka kr 6, scara"));
     let room = vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
@@ -91,7 +98,9 @@ fn list(
             for robot in found {
                 let on = chosen.is_some_and(|chosen| chosen.id == robot.id);
                 let title = robot.title();
-                let reach = robot.reach_mm.map_or(String::new(), |mm| format!("{mm} mm"));
+                let reach = robot
+                    .reach_mm
+                    .map_or(String::new(), |mm| format!("{mm} mm"));
                 let button = Button::selectable(on, title.as_str()).shortcut_text(reach);
                 let row = ui.add(button.min_size(vec2(ui.available_width(), space::CONTROL)));
                 row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, on, &title));
@@ -113,18 +122,30 @@ fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
     let name = say!("{robot} at its zero", robot = robot.title());
     let size = vec2(PICTURE, HEIGHT - 110.0);
     robot_alone(ui, (&robot.robot, &name), camera, size);
-    let mm = |value: Option<f64>| value.map_or("–".to_owned(), |_| format!("{} mm", figure(value)));
+    let mm =
+        |value: Option<f64>| value.map_or("–".to_owned(), |_| format!("{} mm", figure(value)));
     let kg = robot.payload_kg;
     let kg = kg.map_or("–".to_owned(), |_| format!("{} kg", figure(kg)));
     widgets::fact_of(ui, phrase!("kind"), kind(robot));
-    widgets::fact_of(ui, phrase!("reach, load"), format!("{}, {kg}", mm(robot.reach_mm)));
-    widgets::fact_of(ui, phrase!("repeatability (ISO 9283)"), mm(robot.repeatability_mm));
+    widgets::fact_of(
+        ui,
+        phrase!("reach, load"),
+        format!("{}, {kg}", mm(robot.reach_mm)),
+    );
+    widgets::fact_of(
+        ui,
+        phrase!("repeatability (ISO 9283)"),
+        mm(robot.repeatability_mm),
+    );
     let geometry = source(&robot.geometry.source);
     let geometry = geometry.map_or("", |source| source.what.as_str());
     widgets::fact_of(ui, phrase!("geometry from"), geometry);
     if !robot.not_checked.is_empty() {
         let muted = Palette::of(ui).muted;
-        let says = say!("Not checked against a second source: {what}", what = robot.not_checked.join("; "));
+        let says = say!(
+            "Not checked against a second source: {what}",
+            what = robot.not_checked.join("; ")
+        );
         ui.add(egui::Label::new(egui::RichText::new(says).small().color(muted)).wrap());
     }
 }

@@ -13,7 +13,10 @@ const REST: f32 = 240.0;
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
     widgets::heading(ui, say!("Glossary"));
-    widgets::hint(ui, say!("The same stands beside the numbers, where the pointer rests on a name"));
+    widgets::hint(
+        ui,
+        say!("The same stands beside the numbers, where the pointer rests on a name"),
+    );
     ui.add_space(space::TIGHT);
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {

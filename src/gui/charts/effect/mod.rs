@@ -189,9 +189,8 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     let mut legend = vec![residual.on_paper(say!("without {what}", what = what))];
     match &curve.lines[..] {
         [] => {
-            legend.push(
-                Entry::new(say!("what it does"), dot, Stands::Curve, true).on_paper(&*what),
-            );
+            legend
+                .push(Entry::new(say!("what it does"), dot, Stands::Curve, true).on_paper(&*what));
         }
         [_] => legend.push(line(say!("what it does"), true).on_paper(&*what)),
         _ => legend.extend([
@@ -218,7 +217,10 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
 }
 
 fn note(scene: &Scene, curve: &EffectCurve) -> String {
-    let mut notes = vec![say!("what is left without {curve}; all else as fitted", curve = name(curve))];
+    let mut notes = vec![say!(
+        "what is left without {curve}; all else as fitted",
+        curve = name(curve)
+    )];
     if curve.lines.is_empty() {
         notes.push(say!("it depends on the pose too: its value at each sample").to_owned());
     }
