@@ -36,7 +36,6 @@ mod preferences;
 mod record;
 mod regions;
 mod report;
-mod robots;
 mod session;
 mod setup;
 mod sizes;
