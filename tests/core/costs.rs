@@ -210,3 +210,15 @@ fn a_description_with_a_target_kilometres_away_is_read_back() {
         assert_eq!(ran.code, Some(0), "{kind}: {}", ran.stderr);
     }
 }
+
+#[test]
+fn a_tool_on_its_axis_has_a_report() {
+    let folder = folder();
+    let mut document = session();
+    document["robot"]["tool"]["position_mm"][0] = json!(5e-324);
+    fs::write(folder.path().join("s.json"), document.to_string()).unwrap();
+    for out in ["r.pdf", "r.html"] {
+        let ran = truepose(folder.path(), &["report", "s.json", "--out", out]);
+        assert_eq!(ran.code, Some(0), "{out}: {}", ran.stderr);
+    }
+}

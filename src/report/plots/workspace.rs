@@ -24,7 +24,8 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
         extent(values.iter())
     };
     let (x, y) = (room(extent(axes[0])), room(extent(axes[1])));
-    let size = (x[1] - x[0]).max(y[1] - y[0]);
+    // A tool on the axis stays where it is.
+    let size = (x[1] - x[0]).max(y[1] - y[0]).max(1e-6);
     let magnification = among(LONG * size / large(stages), &[8.0, 6.0, 5.0, 4.0, 3.0, 2.0]);
     let reach = size * (LONG + 0.06);
     let (x, y) = ([x[0] - reach, x[1] + reach], [y[0] - reach, y[1] + reach]);
