@@ -51,7 +51,7 @@ fn the_recorder_alone_opens_a_connection() {
         "UnixStream",
     ];
     let opens = files_that_say(&words);
-    assert_eq!(opens, ["recorder/live.rs", "recorder/source.rs"]);
+    assert_eq!(opens, ["recorder/source.rs"]);
 }
 
 fn refused(ran: &Ran, says: &str) {
