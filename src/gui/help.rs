@@ -89,6 +89,7 @@ words! {
     PLACE, phrase!("Where"), phrase!("The part of the range, or the number of cycles per turn, at which what is left stands out: look at the machine there");
     CURVE, phrase!("Largest of the curve"), phrase!("The most that the smooth correction moves the point, in this direction");
     AXIS, phrase!("Axis"), phrase!("The line about which, or along which, a joint moves when every joint is at zero: a direction and any point on it, in the base frame");
+    LIBRARY, phrase!("Robot of the library"), phrase!("A maker's robot with its nominal geometry: its kind by its axes, reach and load by its data sheet, repeatability as ISO 9283 defines it, and where its link lengths were read. A real one differs by what a calibration finds");
 }
 
 /// Names of numbers, by key, and what explains them.
@@ -148,6 +149,15 @@ const NAMES: &[(&[Template], Word)] = &[
     (
         &[phrase!("robot"), phrase!("joint"), phrase!("joints")],
         ROBOT,
+    ),
+    (
+        &[
+            phrase!("kind"),
+            phrase!("reach, load"),
+            phrase!("repeatability (ISO 9283)"),
+            phrase!("geometry from"),
+        ],
+        LIBRARY,
     ),
     (&[phrase!("samples")], SAMPLES),
     (&[phrase!("came from")], DIRECTION),
