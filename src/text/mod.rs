@@ -6,8 +6,8 @@
 //!
 //! | | gives | for |
 //! | --- | --- | --- |
-//! | [`say!`] | the sentence in the language of this thread | what is shown at once |
-//! | [`phrase!`] | a [`Template`] | a constant: a name in a table, a label of an action |
+//! | `say!` | the sentence in the language of this thread | what is shown at once |
+//! | `phrase!` | a [`Template`] | a constant: a name in a table, a label of an action |
 //!
 //! Arguments have names (`say!("joint {joint} turns", joint = 3)`) that are checked while compiling, as languages
 //! have orders of their own. The same English of two meanings is told apart by a context (`say!(in "table", "from")`),

@@ -69,7 +69,10 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 path,
                 replace,
             } => paths::export(ui, workbench, *what, (path, *replace), commands),
-            Sheet::Simulate(form) => simulation::show(ui, form, commands),
+            Sheet::Simulate(form) => match form.robot {
+                Some(robot) => simulated_robot::show(ui, robot, form, commands),
+                None => simulation::show(ui, form, commands),
+            },
             Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
             Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
             Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),

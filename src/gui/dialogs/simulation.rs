@@ -10,9 +10,6 @@ use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
-    if let Some(robot) = form.robot {
-        return super::simulated_robot::show(ui, robot, form, commands);
-    }
     ui.set_width(520.0);
     widgets::heading(ui, say!("New by simulation"));
     widgets::hint(
