@@ -32,7 +32,7 @@ pub(crate) struct Requested {
     #[arg(long, value_name = "MM", requires = "robot")]
     noise: Option<f64>,
     /// How the noise is distributed [default: gauss]
-    #[arg(long, value_name = "KIND", requires = "robot", value_parser = PossibleValuesParser::new(["gauss", "t4", "ar1"]))]
+    #[arg(long, value_name = "KIND", requires = "robot", value_parser = PossibleValuesParser::new(NoiseKind::ALL.map(NoiseKind::name)))]
     noise_kind: Option<String>,
     /// Part of the measurements that go wrong, and by how much
     #[arg(long, value_name = "SHARE:MM", requires = "robot")]
@@ -78,11 +78,9 @@ impl Requested {
         let effects = self.effects.iter().map(|text| effect(text));
         request.effects = effects.collect::<Result<_, _>>()?;
         request.noise_mm = self.noise.unwrap_or(request.noise_mm);
-        request.noise_kind = match self.noise_kind.as_deref() {
-            Some("t4") => NoiseKind::T4,
-            Some("ar1") => NoiseKind::Ar1,
-            _ => NoiseKind::Gauss,
-        };
+        let named = |kind: &NoiseKind| self.noise_kind.as_deref() == Some(kind.name());
+        let kind = NoiseKind::ALL.into_iter().find(named);
+        request.noise_kind = kind.unwrap_or(request.noise_kind);
         if let Some(text) = &self.outliers {
             let both = text.split_once(':');
             let both = both.and_then(|(share, mm)| Some([number(share)?, number(mm)?]));

@@ -165,16 +165,22 @@ pub struct Noise {
     pub kind: NoiseKind,
 }
 
-/// How noise is distributed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum NoiseKind {
-    /// Normal, independent.
-    #[default]
-    Gauss,
-    /// Student's t with four degrees of freedom: heavy tails.
-    T4,
-    /// Normal, each value correlated by 0.7 with the one before (autoregressive).
-    Ar1,
+named! {
+    /// How noise is distributed.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum NoiseKind {
+        /// Normal, independent.
+        #[default]
+        Gauss = "gauss",
+        /// Student's t with four degrees of freedom: heavy tails.
+        T4 = "t4",
+        /// Normal, each value correlated by 0.7 with the one before (autoregressive).
+        Ar1 = "ar1",
+    }
+    /// Its name in files.
+    pub fn name;
+    /// Every one.
+    pub const ALL;
 }
 
 /// Measurements that went wrong: a share of the samples is moved by a length in any direction.

@@ -1,7 +1,7 @@
 //! What was in a simulated session, for whoever checks the answer; the session itself says nothing
 //! of it.
 
-use super::scenario::{Noise, NoiseKind};
+use super::scenario::Noise;
 use crate::document::{Member, Value, object, text_of};
 use crate::effects::Term;
 use crate::model::Positions;
@@ -27,17 +27,6 @@ pub struct Truth {
 /// and the truth should look as it was given.
 fn as_given(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
-}
-
-impl NoiseKind {
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Gauss => "gauss",
-            Self::T4 => "t4",
-            Self::Ar1 => "ar1",
-        }
-    }
 }
 
 impl Truth {

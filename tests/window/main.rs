@@ -36,6 +36,7 @@ mod preferences;
 mod record;
 mod regions;
 mod report;
+mod robots;
 mod session;
 mod setup;
 mod sizes;

@@ -1,6 +1,6 @@
 //! The library of robots: found by typing, drawn as it is chosen, simulated or saved.
 
-use egui::{Button, Key, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
+use egui::{Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, space};
@@ -63,6 +63,7 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     }
     let mut chosen = at.map(|at| found[at]);
     ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
         if let Some(clicked) = list(ui, &found, chosen, moved) {
             chosen = Some(clicked);
         }
@@ -92,7 +93,10 @@ fn list(
         .id_salt("robots")
         .max_height(HEIGHT)
         .auto_shrink(false);
-    ui.allocate_ui(vec2(LIST, HEIGHT), |ui| {
+    // Below each other, beside the picture.
+    let down = Layout::top_down(Align::Min);
+    ui.allocate_ui_with_layout(vec2(LIST, HEIGHT), down, |ui| {
+        ui.set_width(LIST);
         scroll.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for robot in found {

@@ -3,12 +3,11 @@
 use egui::{DragValue, Ui};
 
 use crate::gui::core::simulate::{Form, field};
-use crate::gui::view::Sheet;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 use crate::robots::LibraryRobot;
 
-use super::simulation::{effects, number};
+use super::simulation::{effects, ends, number};
 
 pub(super) fn show(ui: &mut Ui, robot: &LibraryRobot, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
@@ -30,17 +29,7 @@ pub(super) fn show(ui: &mut Ui, robot: &LibraryRobot, form: &Form, commands: &mu
     number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
     let seed = DragValue::new(&mut filled.seed);
     widgets::number(ui, say!("seed"), "", seed);
+    widgets::section(ui, say!("Effects"));
     effects(ui, &mut filled, &wrong);
-    if !wrong.is_empty() {
-        widgets::hint(
-            ui,
-            say!("What stands in colour above has to be another number first"),
-        );
-    }
-    let ready = filled.problem().is_none();
-    if super::ends::buttons_without_enter(ui, say!("Simulate"), ready, commands) {
-        commands.push(Command::Simulate(filled));
-    } else if filled != *form {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
-    }
+    ends(ui, filled, form, commands);
 }

@@ -29,8 +29,14 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
         measurement(&mut columns[1], &mut filled, &wrong);
     });
     ui.spacing_mut().item_spacing.x = space::ROW;
+    widgets::section(ui, say!("Other effects"));
     effects(ui, &mut filled, &wrong);
-    if !wrong.is_empty() {
+    ends(ui, filled, form, commands);
+}
+
+/// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
+pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Command>) {
+    if !form.problems().is_empty() {
         widgets::hint(
             ui,
             say!("What stands in colour above has to be another number first"),
@@ -112,7 +118,6 @@ fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
 }
 
 pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("Other effects"));
     let mut gone = None;
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {

@@ -272,10 +272,7 @@ const WHOLE: Kind<u64> = Kind {
 
 const NOISE_KIND: Kind<NoiseKind> = Kind {
     expected: "\"gauss\", \"t4\" or \"ar1\"",
-    read: |at| {
-        let all = [NoiseKind::Gauss, NoiseKind::T4, NoiseKind::Ar1];
-        at.one_of(&all, NoiseKind::name)
-    },
+    read: |at| at.one_of(&NoiseKind::ALL, NoiseKind::name),
     write: |kind| kind.name().into(),
 };
 

@@ -1,0 +1,78 @@
+//! Robots of the library: found by typing, drawn, simulated, saved; and what was hidden is shown at the end.
+
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+
+use crate::window::{Window, go_to, keys, press, says, status, there, window};
+
+fn typed(window: &mut Window, text: &str) {
+    window.get_by_label("Find a robot").click();
+    window.run_steps(2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run_steps(1);
+    window.get_by_label("Find a robot").type_text(text);
+    window.run_steps(4);
+}
+
+#[test]
+fn a_robot_is_found_by_typing_and_moved_to_with_the_arrows() {
+    let mut window = window(None);
+    press(&mut window, "Robots…");
+    assert!(says(&window, "common robots with their nominal geometry"));
+    typed(&mut window, "ur 5e");
+    assert!(there(&window, "Universal Robots UR5e at its zero"));
+    assert!(says(&window, "850 mm, 5 kg"));
+    typed(&mut window, "kuka sixx");
+    assert!(there(&window, "KUKA KR 6 R700 sixx at its zero"));
+    keys(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert!(there(&window, "KUKA KR 6 R900 sixx at its zero"));
+    press(&mut window, "KUKA KR 10 R1100 sixx");
+    assert!(there(&window, "KUKA KR 10 R1100 sixx at its zero"));
+    typed(&mut window, "no such robot");
+    assert!(says(&window, "No robot has this name"));
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!there(&window, "Find a robot"));
+}
+
+#[test]
+fn a_robot_of_the_library_is_simulated_diagnosed_and_what_was_hidden_is_shown() {
+    let mut window = window(None);
+    keys(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::N);
+    typed(&mut window, "ur5e");
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(says(&window, "Universal Robots UR5e"));
+    assert!(says(&window, "three reflectors at the tool"));
+    window.get_by_label("Add an effect").click();
+    window.run_steps(4);
+    press(&mut window, "Backlash");
+    press(&mut window, "Simulate");
+    assert!(
+        status(&window).starts_with("360 samples"),
+        "{}",
+        status(&window)
+    );
+    assert!(!says(&window, "Hidden in this simulation"));
+    go_to(&mut window, "Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
+    assert!(
+        !says(&window, "Hidden in this simulation"),
+        "only where it is asked for"
+    );
+    press(&mut window, "Show what was hidden");
+    assert!(says(&window, "Hidden in this simulation"));
+    assert!(there(&window, "found"));
+    press(&mut window, "Do not show what was hidden");
+    assert!(!says(&window, "Hidden in this simulation"));
+}
+
+#[test]
+fn a_session_that_was_not_simulated_here_hides_nothing() {
+    let mut window = window(None);
+    go_to(&mut window, "Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(!there(&window, "Show what was hidden"));
+}
