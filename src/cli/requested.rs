@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
+use crate::effects::find;
 use crate::kinematics::Robot;
 use crate::simulation::{
     HiddenEffect, MOST_REFLECTORS, NoiseKind, RequestedPoses, RequestedTemperature,
@@ -29,7 +30,12 @@ pub(crate) struct Requested {
     )]
     effects: Vec<String>,
     /// Noise of the instrument on each axis, mm [default: 0.03]
-    #[arg(long, value_name = "MM", requires = "robot")]
+    #[arg(
+        long,
+        value_name = "MM",
+        requires = "robot",
+        allow_negative_numbers = true
+    )]
     noise: Option<f64>,
     /// How the noise is distributed [default: gauss]
     #[arg(long, value_name = "KIND", requires = "robot", value_parser = PossibleValuesParser::new(NoiseKind::ALL.map(NoiseKind::name)))]
@@ -75,9 +81,19 @@ impl Requested {
                 stops: poses,
             };
         }
-        let effects = self.effects.iter().map(|text| effect(text));
+        let joints = request.robot.joints.len();
+        let effects = self.effects.iter().map(|text| effect(text, joints));
         request.effects = effects.collect::<Result<_, _>>()?;
-        request.noise_mm = self.noise.unwrap_or(request.noise_mm);
+        if let Some(noise_mm) = self.noise {
+            if !(noise_mm.is_finite() && noise_mm >= 0.0) {
+                return Err(wrong(
+                    "--noise",
+                    &noise_mm.to_string(),
+                    "a length from 0 mm on",
+                ));
+            }
+            request.noise_mm = noise_mm;
+        }
         let named = |kind: &NoiseKind| self.noise_kind.as_deref() == Some(kind.name());
         let kind = NoiseKind::ALL.into_iter().find(named);
         request.noise_kind = kind.unwrap_or(request.noise_kind);
@@ -145,8 +161,8 @@ fn temperature(text: &str) -> Result<RequestedTemperature, Failure> {
     })
 }
 
-/// `ID[:JOINT]:NAME=VALUE[,NAME=VALUE…]`.
-fn effect(text: &str) -> Result<HiddenEffect, Failure> {
+/// `ID[:JOINT]:NAME=VALUE[,NAME=VALUE…]`, on a robot with so many joints.
+fn effect(text: &str, joints: usize) -> Result<HiddenEffect, Failure> {
     const EXPECTED: &str = "a name, a joint and parameters such as backlash:2:width_deg=0.04";
     let mut parts = text.split(':');
     let mut hidden = HiddenEffect {
@@ -171,6 +187,11 @@ fn effect(text: &str) -> Result<HiddenEffect, Failure> {
     if hidden.parameters.is_empty() {
         return Err(wrong("--effect", text, EXPECTED));
     }
+    let of_a_joint = find(&hidden.effect).is_some_and(|effect| effect.about().per_joint);
+    if of_a_joint && hidden.joint.is_none() && joints > 1 {
+        let expected = format!("its joint, from 1 to {joints}, behind the name of the effect");
+        return Err(wrong("--effect", text, &expected));
+    }
     Ok(hidden)
 }
 
@@ -180,7 +201,7 @@ mod tests {
 
     #[test]
     fn an_effect_is_a_name_a_joint_and_parameters() {
-        let hidden = effect("encoder-eccentricity:3:amplitude_deg=0.03,phase_deg=-40").unwrap();
+        let hidden = effect("encoder-eccentricity:3:amplitude_deg=0.03,phase_deg=-40", 6).unwrap();
         assert_eq!(
             (hidden.effect.as_str(), hidden.joint),
             ("encoder-eccentricity", Some(3))
@@ -190,15 +211,17 @@ mod tests {
             ("phase_deg".to_owned(), -40.0),
         ];
         assert_eq!(hidden.parameters, expected);
-        assert_eq!(effect("base-offset:x_mm=0.4").unwrap().joint, None);
+        assert_eq!(effect("base-offset:x_mm=0.4", 6).unwrap().joint, None);
         for text in [
             "backlash",
             "backlash:2",
             "backlash:2:width_deg",
             "backlash:2:width_deg=x",
+            "backlash:width_deg=0.1",
         ] {
-            assert!(effect(text).is_err(), "{text}");
+            assert!(effect(text, 6).is_err(), "{text}");
         }
+        assert_eq!(effect("backlash:width_deg=0.1", 1).unwrap().joint, None);
     }
 
     #[test]

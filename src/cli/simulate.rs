@@ -6,6 +6,7 @@ use anyhow::Context;
 use clap::Args;
 use serde_json::json;
 
+use crate::diagnostic::Rejected;
 use crate::pipeline::{load_scenario, parse_scenario, save, simulate, write_inline};
 use crate::sessions::{Replacing, samples_path};
 use crate::simulation::{LoadedScenario, SimulateError, unwatched};
@@ -125,10 +126,18 @@ impl Simulate {
         let payload_kg = of_library.and_then(|own| own.payload_kg);
         let request = self.requested.of(robot, payload_kg, self.seed)?;
         let document = request.scenario();
-        let mut loaded = parse_scenario(document.as_bytes())?;
+        let mut loaded = parse_scenario(document.as_bytes()).map_err(without_lines)?;
         if of_library.is_none() {
             loaded.files.push(name.clone());
         }
         Ok((loaded, Some(document)))
     }
+}
+
+/// What is wrong with a scenario that the options made: there is no text of it whose lines could be looked at.
+fn without_lines(mut rejected: Rejected) -> Rejected {
+    for finding in &mut rejected.diagnostics {
+        (finding.place.line, finding.place.column) = (None, None);
+    }
+    rejected
 }

@@ -267,6 +267,13 @@ fn each_kind_of_wrong_scenario_is_refused_with_its_place() {
         ),
         (
             format!(
+                "{},\"effects\":[{{\"effect\":\"backlash\",\"parameters\":{{\"width_mm\":1}}}}]",
+                sweep(fine)
+            ),
+            "'width_mm'; expected width_deg: joint 1 turns",
+        ),
+        (
+            format!(
                 "{},\"effects\":[{{\"effect\":\"bearing-runout\",\"parameters\":{{\"order\":2,\"amplitude_mm\":-1}}}}]",
                 sweep(fine)
             ),

@@ -456,6 +456,34 @@ fn what_is_hidden_in_a_robot_of_every_kind_is_found() {
     }
 }
 
+/// Options have no lines: what is wrong is said by its name.
+#[test]
+fn a_wrong_option_is_said_without_lines_of_a_file_that_is_not_there() {
+    for (option, value, says) in [
+        ("--poses", "0", "poses.random.count: 0"),
+        ("--noise", "-1", "--noise -1: expected a length"),
+        ("--effect", "backlash:9:width_deg=1", "the robot has 6"),
+        (
+            "--effect",
+            "backlash:2:width_mm=1",
+            "expected width_deg: joint 2 turns",
+        ),
+        ("--effect", "backlash:width_deg=1", "its joint, from 1 to 6"),
+    ] {
+        let said = refused(&[
+            "simulate",
+            "--robot",
+            "ur5e",
+            option,
+            value,
+            "--out",
+            "none.json",
+        ]);
+        assert!(said.contains(says), "{option} {value}: {said}");
+        assert!(!said.contains("line "), "{option} {value}: {said}");
+    }
+}
+
 #[test]
 fn the_scenario_beside_a_session_makes_the_same_session_again() {
     let folder = tempfile::tempdir().unwrap();

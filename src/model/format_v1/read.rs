@@ -164,7 +164,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     let mut terms = own.model.terms().to_vec();
     let joints = robot.joints.len();
     if o.needs("effects", "an array") {
-        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, joints));
+        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, &robot));
         let write = |all: &Vec<Term>| {
             let all = all.iter().map(|own| term_written(own, &robot));
             Some(all.collect())

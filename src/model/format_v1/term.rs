@@ -4,15 +4,18 @@ use super::curve::{self, unexplained};
 use super::exact::exact_term;
 use super::rest;
 use crate::document::kinds::count;
+use crate::document::number::quoted;
 use crate::document::object::{At, Kind, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::effects::term::names_on;
 use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
-use crate::kinematics::Robot;
+use crate::kinematics::{JointKind, Robot};
 
 const JOINT: Kind<usize> = count("a joint, counted from 1");
 
-/// Reads an effect of a robot with so many joints.
-pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
+/// Reads an effect of a robot.
+pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
+    let joints = robot.joints.len();
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     let members = fields.object(node, path, "an object with effect and parameters")?;
     let id = fields.required_text(members, node.at, path, "effect")?;
@@ -62,6 +65,12 @@ pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
             return None;
         }
     };
+    if let Some((name, expected)) = of_another_kind(&readable, robot, &named) {
+        let at = given.map_or(node.at, |given| given.at);
+        let path = path.key("parameters");
+        fields.error(at, &path.key(name), quoted(name), expected);
+        return None;
+    }
     let mut term = readable;
     if let Some(node) = optional(members, "exact") {
         let mut at = At {
@@ -79,6 +88,26 @@ pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
         term.label = Some(name.into());
     }
     Some(term)
+}
+
+/// A parameter that has the unit of another kind of joint: an offset in mm on one that turns would be taken for as
+/// many radians. With what is expected in its place.
+fn of_another_kind<'n>(
+    term: &Term,
+    robot: &Robot,
+    given: &[(&'n str, f64)],
+) -> Option<(&'n str, String)> {
+    let kind = robot.joints.get(term.joint)?.kind;
+    let (other, says) = match kind {
+        JointKind::Revolute => (JointKind::Prismatic, "turns"),
+        JointKind::Prismatic => (JointKind::Revolute, "slides"),
+    };
+    let own = names_on(term.effect, kind);
+    let others = names_on(term.effect, other);
+    let is_others = |name: &str| others.contains(&name) && !own.contains(&name);
+    let (name, _) = given.iter().find(|(name, _)| is_others(name))?;
+    let expected = format!("{}: joint {} {says}", own.join(", "), term.joint + 1);
+    Some((name, expected))
 }
 
 fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {

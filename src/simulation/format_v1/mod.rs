@@ -179,8 +179,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     }
     o.know("effects");
     if o.is_given("effects") {
-        let joints = robot.joints.len();
-        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, joints));
+        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, robot));
         o.with(
             "effects",
             &mut own.effects,
