@@ -1,6 +1,8 @@
 //! The library of robots: found by typing, drawn as it is chosen, simulated or saved.
 
-use egui::{Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
+use egui::{
+    Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
+};
 
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, space};
