@@ -3,6 +3,7 @@
 //! Bad data yields diagnostics, bugs yield panics. A reader collects every problem it can find
 //! before it gives up, so that a technician mends a file once and not ten times.
 
+use crate::text::Text;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -93,16 +94,16 @@ pub struct Diagnostic {
     /// Where it is.
     pub place: Place,
     /// What stands there.
-    pub found: String,
+    pub found: Text,
     /// What should stand there; empty for a plain note.
-    pub expected: String,
+    pub expected: Text,
     /// The samples that it is about, counted from 0; empty where it is about none in particular.
     pub samples: Vec<usize>,
 }
 
 impl Diagnostic {
     /// A finding that makes the input unusable.
-    pub fn error(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub fn error(place: Place, found: impl Into<Text>, expected: impl Into<Text>) -> Self {
         Self {
             severity: Severity::Error,
             place,
@@ -131,7 +132,7 @@ impl Diagnostic {
     }
 
     /// A finding that leaves something out.
-    pub fn warning(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub fn warning(place: Place, found: impl Into<Text>, expected: impl Into<Text>) -> Self {
         Self {
             severity: Severity::Warning,
             ..Self::error(place, found, expected)
@@ -139,10 +140,10 @@ impl Diagnostic {
     }
 
     /// A finding that is only worth knowing.
-    pub fn note(place: Place, found: impl Into<String>) -> Self {
+    pub fn note(place: Place, found: impl Into<Text>) -> Self {
         Self {
             severity: Severity::Note,
-            ..Self::error(place, found, "")
+            ..Self::error(place, found, Text::default())
         }
     }
 }
@@ -212,9 +213,9 @@ pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
         }
     }
     for (severity, name) in [
-        (Severity::Note, "notes"),
-        (Severity::Warning, "warnings"),
-        (Severity::Error, "errors"),
+        (Severity::Note, phrase!("notes")),
+        (Severity::Warning, phrase!("warnings")),
+        (Severity::Error, phrase!("errors")),
     ] {
         let more = counts[severity as usize].saturating_sub(MOST_FINDINGS);
         if let (true, Some(last)) = (more > 0, kept.iter().rfind(|f| f.severity == severity)) {
@@ -224,7 +225,10 @@ pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
             };
             kept.push(Diagnostic {
                 severity,
-                ..Diagnostic::note(place, format!("{more} more {name} like these"))
+                ..Diagnostic::note(
+                    place,
+                    text!("{more} more {name} like these", more = more, name = name),
+                )
             });
         }
     }
@@ -232,11 +236,11 @@ pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 /// Why a file cannot be read.
-pub(crate) fn unreadable(error: &io::Error) -> String {
+pub(crate) fn unreadable(error: &io::Error) -> Text {
     match error.kind() {
-        io::ErrorKind::NotFound => "no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
-        _ => error.to_string(),
+        io::ErrorKind::NotFound => text!("no such file"),
+        io::ErrorKind::PermissionDenied => text!("no permission to read it"),
+        _ => Text::verbatim(error.to_string()),
     }
 }
 
@@ -246,9 +250,13 @@ mod tests {
 
     #[test]
     fn many_findings_are_counted_and_an_error_is_never_lost() {
-        let note = |k: u64| Diagnostic::note(Place::file("a").at_line(k), "odd");
+        let note = |k: u64| Diagnostic::note(Place::file("a").at_line(k), Text::verbatim("odd"));
         let mut findings: Vec<Diagnostic> = (0..100_000).map(note).collect();
-        findings.push(Diagnostic::error(Place::file("a"), "wrong", "right"));
+        findings.push(Diagnostic::error(
+            Place::file("a"),
+            Text::verbatim("wrong"),
+            Text::verbatim("right"),
+        ));
         let few = summarised(findings.clone());
         assert_eq!(few.len(), MOST_FINDINGS + 2);
         assert_eq!(few[MOST_FINDINGS].severity, Severity::Error);
@@ -265,7 +273,7 @@ mod tests {
             .at_line(3)
             .at_column(2)
             .in_field("x_mm");
-        let found = Diagnostic::error(place, "'abc'", "a number");
+        let found = Diagnostic::error(place, Text::verbatim("'abc'"), text!("a number"));
         assert_eq!(
             found.to_string(),
             "a b.csv, line 3, column 2, x_mm: 'abc'; expected a number"

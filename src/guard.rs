@@ -5,6 +5,7 @@
 //! opened, because opening a pipe waits for ever and reading a device never ends; what grows while it
 //! is read is read no further than it may be long.
 
+use crate::text::{Template, Text};
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
@@ -12,11 +13,11 @@ use std::path::{Component, Path, PathBuf};
 use crate::diagnostic::unreadable;
 
 /// What was found and what was expected.
-pub(crate) type Refusal = (String, String);
+pub(crate) type Refusal = (Text, Text);
 
 /// Opens a regular file and says how long it is.
 pub(crate) fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
-    let failed = |error: &io::Error| (unreadable(error), "a file that can be read".to_owned());
+    let failed = |error: &io::Error| (unreadable(error), text!("a file that can be read"));
     // Looked at before it is opened, and once more after, lest it was exchanged in between.
     let before = fs::metadata(path).map_err(|error| failed(&error))?;
     regular(&before)?;
@@ -31,52 +32,57 @@ fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
         return Ok(());
     }
     let found = if metadata.is_dir() {
-        "a directory"
+        text!("a directory")
     } else {
-        "a device or a pipe"
+        text!("a device or a pipe")
     };
-    Err((found.to_owned(), "a regular file".to_owned()))
+    Err((found, text!("a regular file")))
 }
 
 /// The whole of a regular file of at most so many bytes.
 pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     let (file, length) = open_regular(path)?;
-    let too_long = |found: String| (found, format!("a file of at most {most} bytes"));
+    let too_long = |found: Text| (found, text!("a file of at most {most} bytes", most = most));
     if length > most {
-        return Err(too_long(format!("{length} bytes")));
+        return Err(too_long(text!("{length} bytes", length = length)));
     }
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
     let read = file.take(most + 1).read_to_end(&mut bytes);
-    read.map_err(|error| (unreadable(&error), "a file that can be read".to_owned()))?;
+    read.map_err(|error| (unreadable(&error), text!("a file that can be read")))?;
     if bytes.len() as u64 > most {
-        return Err(too_long("a file that grows".to_owned()));
+        return Err(too_long(text!("a file that grows")));
     }
     Ok(bytes)
 }
 
 /// The path of what a document in `folder` calls `name`: there or below it, links resolved.
 /// `whose` is what the folder is called: "the session's folder".
-pub(crate) fn below(folder: &Path, name: &str, whose: &str) -> Result<PathBuf, Refusal> {
-    let expected = format!("a file in {whose} or below it");
-    let refused = |found: &str| (format!("{found}: {name}"), expected.clone());
+pub(crate) fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBuf, Refusal> {
+    let expected = text!("a file in {whose} or below it", whose = whose);
+    let refused = |found: Text| {
+        let found = text!("{found}: {name}", found = found, name = name);
+        (found, expected.clone())
+    };
     let relative = Path::new(name);
     if name.is_empty() || name.contains('\0') {
-        return Err(refused("not a file name"));
+        return Err(refused(text!("not a file name")));
     }
     for component in relative.components() {
         match component {
             Component::Normal(_) | Component::CurDir => {}
-            Component::ParentDir => return Err(refused("a path that leads upwards")),
-            Component::RootDir | Component::Prefix(_) => return Err(refused("an absolute path")),
+            Component::ParentDir => return Err(refused(text!("a path that leads upwards"))),
+            Component::RootDir | Component::Prefix(_) => {
+                return Err(refused(text!("an absolute path")));
+            }
         }
     }
     let path = folder.join(relative);
-    let failed = |error: &io::Error| refused(&unreadable(error));
+    let failed = |error: &io::Error| refused(unreadable(error));
     // A symbolic link may lead elsewhere.
     let real = fs::canonicalize(&path).map_err(|error| failed(&error))?;
     let real_folder = fs::canonicalize(folder).map_err(|error| failed(&error))?;
     if !real.starts_with(&real_folder) {
-        return Err(refused(&format!("a link that leaves {whose}")));
+        return Err(refused(text!("a link that leaves {whose}", whose = whose)));
     }
     Ok(path)
 }
@@ -85,7 +91,7 @@ pub(crate) fn below(folder: &Path, name: &str, whose: &str) -> Result<PathBuf, R
 mod tests {
     use super::*;
 
-    const WHOSE: &str = "the folder";
+    const WHOSE: Template = phrase!("the session's folder");
 
     #[test]
     fn a_name_leads_into_the_folder_or_nowhere() {
@@ -104,14 +110,21 @@ mod tests {
             ("none.txt", "no such file"),
         ] {
             let (says, expected) = below(&inner, name, WHOSE).unwrap_err();
-            assert!(says.contains(found), "{name:?}: {says}");
-            assert_eq!(expected, "a file in the folder or below it");
+            assert!(says.to_string().contains(found), "{name:?}: {says}");
+            assert_eq!(
+                expected.to_string(),
+                "a file in the session's folder or below it"
+            );
         }
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink("../b.txt", inner.join("out.txt")).unwrap();
             let (says, _) = below(&inner, "out.txt", WHOSE).unwrap_err();
-            assert!(says.contains("a link that leaves the folder"), "{says}");
+            assert!(
+                says.to_string()
+                    .contains("a link that leaves the session's folder"),
+                "{says}"
+            );
         }
     }
 
@@ -121,13 +134,19 @@ mod tests {
         let path = folder.path().join("a");
         fs::write(&path, "abcd").unwrap();
         assert_eq!(read_regular(&path, 4).unwrap(), b"abcd");
-        assert!(read_regular(&path, 3).unwrap_err().0.contains("4 bytes"));
+        assert!(
+            read_regular(&path, 3)
+                .unwrap_err()
+                .0
+                .to_string()
+                .contains("4 bytes")
+        );
         let (says, _) = read_regular(folder.path(), 4).unwrap_err();
-        assert!(says.contains("a directory"), "{says}");
+        assert!(says.to_string().contains("a directory"), "{says}");
         #[cfg(unix)]
         {
             let (says, _) = read_regular(Path::new("/dev/zero"), 4).unwrap_err();
-            assert!(says.contains("a device"), "{says}");
+            assert!(says.to_string().contains("a device"), "{says}");
         }
     }
 }

@@ -232,13 +232,14 @@ fn compare(
     }
     if read.is_empty() {
         let found = match &not_read[..] {
-            [] => "no session and no model".to_owned(),
-            [first, ..] => format!(
-                "no session and no model that can be read: {}",
-                first.because
+            [] => text!("no session and no model"),
+            [first, ..] => text!(
+                "no session and no model that can be read: {because}",
+                because = &first.because
             ),
         };
-        let expected = "a folder with truepose-session/1 or truepose-model/1 documents (*.json)";
+        let expected =
+            text!("a folder with truepose-session/1 or truepose-model/1 documents (*.json)");
         let place = Place::file(folder);
         return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
     }
@@ -268,8 +269,8 @@ pub fn sessions_of_folder(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     let mut paths = documents(folder)?;
     paths.retain(is_session);
     if paths.is_empty() {
-        let expected = "a folder with truepose-session/1 documents (*.json)";
-        let found = Diagnostic::error(Place::file(folder), "no session", expected);
+        let expected = text!("a folder with truepose-session/1 documents (*.json)");
+        let found = Diagnostic::error(Place::file(folder), text!("no session"), expected);
         return Err(Rejected::because(found));
     }
     Ok(paths)
@@ -296,11 +297,15 @@ fn source_of(bytes: &[u8]) -> Option<Source> {
 fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     let wrong = |error: io::Error| {
         let found = match error.kind() {
-            io::ErrorKind::NotFound => "no such folder".to_owned(),
-            io::ErrorKind::NotADirectory => "a file".to_owned(),
+            io::ErrorKind::NotFound => text!("no such folder"),
+            io::ErrorKind::NotADirectory => text!("a file"),
             _ => unreadable(&error),
         };
-        Rejected::because(Diagnostic::error(Place::file(folder), found, "a folder"))
+        Rejected::because(Diagnostic::error(
+            Place::file(folder),
+            found,
+            text!("a folder"),
+        ))
     };
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(wrong)? {

@@ -170,6 +170,7 @@ pub mod programs;
 
 pub mod standards;
 
+pub(crate) mod language;
 pub mod report;
 
 /// Steps inside the library that the benches time and the tests of `tests` look at; they change

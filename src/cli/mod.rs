@@ -40,6 +40,7 @@ use std::thread::{self, Builder, ScopedJoinHandle};
 use anyhow::Error;
 use clap::{Parser, Subcommand};
 
+use crate::text::{Language, choose, current};
 use crate::unfinished;
 
 use failure::Failure;
@@ -57,6 +58,13 @@ struct Arguments {
     command: Option<Command>,
     /// Session or model to open in the window
     file: Option<PathBuf>,
+    /// Language of reports and messages: en, de or zh; otherwise that of the environment (LC_ALL, LC_MESSAGES, LANG)
+    #[arg(long, global = true, value_name = "CODE", value_parser = language)]
+    language: Option<Language>,
+}
+
+fn language(code: &str) -> Result<Language, String> {
+    Language::of_code(code).ok_or_else(|| "expected en, de or zh".to_owned())
 }
 
 #[derive(Debug, Subcommand)]
@@ -107,6 +115,7 @@ pub fn run() -> ExitCode {
     };
     // Without it an unfinished file stays until the next write into its folder.
     let _ = end_at_signals();
+    choose(arguments.language.unwrap_or_else(Language::of_system));
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(command) if cfg!(windows) => apart(|| command.run()),
@@ -152,9 +161,16 @@ fn end_at_signals() -> std::io::Result<()> {
 /// Does it in a thread with the stack that Linux gives: of a program's first thread Windows makes an eighth of that, and
 /// the C library of the GNU toolchain calculates with other rounding there than in threads, which a fleet works in.
 fn apart(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
+    let spoken = current();
     thread::scope(|scope| {
         let thread = Builder::new().stack_size(8 << 20);
-        let done = thread.spawn_scoped(scope, work).map(ScopedJoinHandle::join);
+        let speaking = move || {
+            choose(spoken);
+            work()
+        };
+        let done = thread
+            .spawn_scoped(scope, speaking)
+            .map(ScopedJoinHandle::join);
         match done {
             Ok(Ok(done)) => done,
             Ok(Err(panic)) => std::panic::resume_unwind(panic),

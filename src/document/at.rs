@@ -3,26 +3,28 @@
 use super::number::quoted;
 use super::object::{Kind, Object};
 use super::{Fields, Node, Path, Value};
+use crate::text::Text;
 
 pub(crate) struct At<'o, 'a> {
     pub(crate) fields: &'o mut Fields<'a>,
     pub(crate) node: &'o Node,
     pub(crate) path: &'o Path<'o>,
-    pub(crate) expected: &'o str,
+    pub(crate) expected: Text,
 }
 
 impl<'o> At<'o, '_> {
     /// Complains that something else stands here.
     pub(crate) fn wrong<T>(&mut self) -> Option<T> {
-        self.fields.mismatch(self.node, self.path, self.expected);
+        self.fields
+            .mismatch(self.node, self.path, self.expected.clone());
         None
     }
 
     /// Complains of what stands here.
     pub(crate) fn error<T>(
         &mut self,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) -> Option<T> {
         self.fields.error(self.node.at, self.path, found, expected);
         None
@@ -38,7 +40,8 @@ impl<'o> At<'o, '_> {
 
     /// `N` finite numbers.
     pub(crate) fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
-        self.fields.numbers(self.node, self.path, self.expected)
+        self.fields
+            .numbers(self.node, self.path, self.expected.clone())
     }
 
     /// The one of these that has the name that stands here.
@@ -70,7 +73,7 @@ impl<'o> At<'o, '_> {
     pub(crate) fn each<T>(
         &mut self,
         mut all: Vec<T>,
-        expected: &str,
+        expected: impl Into<Text>,
         take: impl Fn(&mut T, &mut At<'_, '_>) -> bool,
     ) -> Option<Vec<T>> {
         let list = match &self.node.value {
@@ -78,12 +81,13 @@ impl<'o> At<'o, '_> {
             _ => return self.wrong(),
         };
         let mut good = true;
+        let expected = expected.into();
         for (index, (one, node)) in all.iter_mut().zip(list).enumerate() {
             let mut at = At {
                 fields: self.fields,
                 node,
                 path: &self.path.index(index),
-                expected,
+                expected: expected.clone(),
             };
             good &= take(one, &mut at);
         }
@@ -93,7 +97,7 @@ impl<'o> At<'o, '_> {
     /// Every element of an array, unless one of them is wrong.
     pub(crate) fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
         self.list_by(|at| {
-            at.expected = kind.expected;
+            at.expected = kind.expected.into();
             (kind.read)(at)
         })
     }
@@ -109,7 +113,7 @@ impl<'o> At<'o, '_> {
                 fields: self.fields,
                 node,
                 path: &self.path.index(index),
-                expected: "",
+                expected: phrase!("").into(),
             })
         });
         let all: Vec<Option<T>> = all.collect();
@@ -131,7 +135,10 @@ impl<'o> At<'o, '_> {
         value: &mut T,
         declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
     ) -> bool {
-        let Some(members) = self.fields.object(self.node, self.path, self.expected) else {
+        let Some(members) = self
+            .fields
+            .object(self.node, self.path, self.expected.clone())
+        else {
             return false;
         };
         let first = self.fields.findings.len();
@@ -143,20 +150,26 @@ impl<'o> At<'o, '_> {
     /// One value for each key of an object, which is its name. What is wrong in one of them was
     /// reported; it stays, so that what refers to it is not wrong besides.
     pub(crate) fn named<T>(&mut self, read: impl Fn(&str, &mut At<'_, '_>) -> T) -> Option<Vec<T>> {
-        let entries = self.fields.object(self.node, self.path, self.expected)?;
+        let entries = self
+            .fields
+            .object(self.node, self.path, self.expected.clone())?;
         let mut all = Vec::new();
         for entry in entries {
             let path = &self.path.key(&entry.key);
             if entry.key.trim() != entry.key || entry.key.is_empty() {
-                let expected = "a name without spaces around it";
-                self.fields
-                    .error(entry.key_at, path, quoted(&entry.key), expected);
+                let expected = text!("a name without spaces around it");
+                self.fields.error(
+                    entry.key_at,
+                    path,
+                    Text::verbatim(quoted(&entry.key)),
+                    expected,
+                );
             }
             let mut at = At {
                 fields: self.fields,
                 node: &entry.node,
                 path,
-                expected: "",
+                expected: phrase!("").into(),
             };
             all.push(read(&entry.key, &mut at));
         }

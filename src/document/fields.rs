@@ -3,6 +3,7 @@
 //! A wrong field yields a diagnostic and `None`; its siblings are still read, so that a file is
 //! mended once and not ten times.
 
+use crate::text::Text;
 use std::path::{Path as FilePath, PathBuf};
 
 use std::fmt;
@@ -96,21 +97,24 @@ impl<'a> Fields<'a> {
         &mut self,
         root: &'n Node,
         format: &str,
-        expected: &str,
+        expected: impl Into<Text>,
     ) -> Option<&'n [Member]> {
         let members = self.object(root, &Path::Root, expected)?;
-        let mut expected = format!("\"{format}\"");
-        let node = self.required(members, root.at, &Path::Root, "format", &expected)?;
+        let mut expected = text!("\"{format}\"", format = format);
+        let node = self.required(members, root.at, &Path::Root, "format", expected.clone())?;
         if let Value::Text(tag) = &node.value {
             if tag == format {
                 return Some(members);
             }
             let name = format.trim_end_matches(char::is_numeric);
             if tag.starts_with(name) {
-                expected += "; another version of truepose may have written this file";
+                expected = text!(
+                    "{expected}; another version of truepose may have written this file",
+                    expected = expected
+                );
             }
         }
-        self.mismatch(node, &Path::Root.key("format"), &expected);
+        self.mismatch(node, &Path::Root.key("format"), expected);
         None
     }
 
@@ -132,8 +136,8 @@ impl<'a> Fields<'a> {
         &mut self,
         at: usize,
         path: &Path<'_>,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) {
         let place = self.place(at, path);
         self.findings
@@ -141,7 +145,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Complains that a value is something else.
-    pub(crate) fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: &str) {
+    pub(crate) fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: impl Into<Text>) {
         self.error(node.at, path, node.value.describe(), expected);
     }
 
@@ -150,7 +154,7 @@ impl<'a> Fields<'a> {
         &mut self,
         node: &'n Node,
         path: &Path<'_>,
-        expected: &str,
+        expected: impl Into<Text>,
     ) -> Option<&'n [Member]> {
         if let Value::Object(members) = &node.value {
             return Some(members);
@@ -180,14 +184,17 @@ impl<'a> Fields<'a> {
             .take(NAMED)
             .map(|member| {
                 let place = self.place(member.key_at, &path.key(&member.key));
-                let found = format!("key {} is not known: ignored", quoted(&member.key));
+                let found = text!("key {key} is not known: ignored", key = quoted(&member.key));
                 Diagnostic::note(place, found)
             })
             .collect();
         let mut more = unknown.skip(NAMED);
         if let Some(first) = more.next() {
             let place = self.place(first.key_at, path);
-            let found = format!("{} more keys are not known: ignored", more.count() + 1);
+            let found = text!(
+                "{more} more keys are not known: ignored",
+                more = more.count() + 1
+            );
             notes.push(Diagnostic::note(place, found));
         }
         notes
@@ -200,11 +207,11 @@ impl<'a> Fields<'a> {
         at: usize,
         path: &Path<'_>,
         key: &str,
-        expected: &str,
+        expected: impl Into<Text>,
     ) -> Option<&'n Node> {
         let found = members.iter().find(|member| member.key == key);
         if found.is_none() {
-            self.error(at, path, format!("no key {}", quoted(key)), expected);
+            self.error(at, path, text!("no key {key}", key = quoted(key)), expected);
         }
         found.map(|member| &member.node)
     }
@@ -217,7 +224,7 @@ impl<'a> Fields<'a> {
         path: &Path<'_>,
         key: &str,
     ) -> Option<String> {
-        let node = self.required(members, at, path, key, "a text")?;
+        let node = self.required(members, at, path, key, text!("a text"))?;
         self.text(node, &path.key(key))
     }
 
@@ -225,7 +232,7 @@ impl<'a> Fields<'a> {
         if let Value::Text(text) = &node.value {
             return Some(text.clone());
         }
-        self.mismatch(node, path, "a text");
+        self.mismatch(node, path, text!("a text"));
         None
     }
 
@@ -234,7 +241,7 @@ impl<'a> Fields<'a> {
         match node.value {
             Value::Number(value) if value.is_finite() => Some(value),
             _ => {
-                self.mismatch(node, path, "a number");
+                self.mismatch(node, path, text!("a number"));
                 None
             }
         }
@@ -245,7 +252,7 @@ impl<'a> Fields<'a> {
         &mut self,
         node: &Node,
         path: &Path<'_>,
-        expected: &str,
+        expected: impl Into<Text>,
     ) -> Option<[f64; N]> {
         if let Value::Numbers(values) = &node.value
             && let Ok(numbers) = <[f64; N]>::try_from(values.as_slice())

@@ -4,30 +4,31 @@ use nalgebra::{Point3, Unit, UnitQuaternion, Vector3};
 
 use super::object::Kind;
 use super::{Value, degrees};
+use crate::text::Template;
 use crate::units::rad_from_deg;
 
 pub(crate) const TEXT: Kind<String> = Kind {
-    expected: "a text",
+    expected: phrase!("a text"),
     read: |at| at.fields.text(at.node, at.path),
     write: |text| text.into(),
 };
 
 /// A finite number, as it stands.
 pub(crate) const NUMBER: Kind<f64> = Kind {
-    expected: "a number",
+    expected: phrase!("a number"),
     read: |at| at.number(|_| true),
     write: |value| (*value).into(),
 };
 
 /// An angle: degrees in the file, rad in the program.
 pub(crate) const DEGREES: Kind<f64> = Kind {
-    expected: "a number",
+    expected: phrase!("a number"),
     read: |at| at.number(|_| true).map(rad_from_deg),
     write: |rad| degrees(*rad).into(),
 };
 
 /// A number above 0.
-pub(crate) const fn positive(expected: &'static str) -> Kind<f64> {
+pub(crate) const fn positive(expected: Template) -> Kind<f64> {
     Kind {
         expected,
         read: |at| at.number(|value| value > 0.0),
@@ -36,7 +37,7 @@ pub(crate) const fn positive(expected: &'static str) -> Kind<f64> {
 }
 
 /// A whole number from 0 on.
-pub(crate) const fn count(expected: &'static str) -> Kind<usize> {
+pub(crate) const fn count(expected: Template) -> Kind<usize> {
     Kind {
         expected,
         #[allow(
@@ -53,7 +54,7 @@ pub(crate) const fn count(expected: &'static str) -> Kind<usize> {
 }
 
 /// A position, mm.
-pub(crate) const fn point(expected: &'static str) -> Kind<Point3<f64>> {
+pub(crate) const fn point(expected: Template) -> Kind<Point3<f64>> {
     Kind {
         expected,
         read: |at| at.numbers::<3>().map(Point3::from),
@@ -63,7 +64,7 @@ pub(crate) const fn point(expected: &'static str) -> Kind<Point3<f64>> {
 
 /// Three numbers.
 pub(crate) const VECTOR: Kind<Vector3<f64>> = Kind {
-    expected: "an array of 3 numbers",
+    expected: phrase!("an array of 3 numbers"),
     read: |at| at.numbers::<3>().map(Vector3::from),
     write: |vector| <[f64; 3]>::from(*vector).into(),
 };

@@ -30,6 +30,7 @@ use std::cell::OnceCell;
 use std::path::PathBuf;
 
 use crate::diagnostic::Place;
+use crate::text::Text;
 
 /// A value and the byte of the document at which it starts.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,24 +72,24 @@ pub struct Member {
 
 impl Value {
     /// What it is, for a message.
-    pub(crate) fn describe(&self) -> String {
+    pub(crate) fn describe(&self) -> Text {
         match self {
-            Self::Absent | Self::Null => "null".to_owned(),
-            Self::Bool(value) => value.to_string(),
-            Self::Number(value) if value.is_infinite() => "a number that overflows".to_owned(),
-            Self::Number(value) => value.to_string(),
-            Self::Whole(value) => value.to_string(),
-            Self::Text(text) => number::quoted(text),
+            Self::Absent | Self::Null => Text::verbatim("null"),
+            Self::Bool(value) => Text::verbatim(value.to_string()),
+            Self::Number(value) if value.is_infinite() => text!("a number that overflows"),
+            Self::Number(value) => Text::verbatim(value.to_string()),
+            Self::Whole(value) => Text::verbatim(value.to_string()),
+            Self::Text(text) => Text::verbatim(number::quoted(text)),
             Self::Numbers(values) if values.iter().any(|value| value.is_infinite()) => {
-                "an array with a number that overflows".to_owned()
+                text!("an array with a number that overflows")
             }
             Self::Numbers(values) if values.iter().any(|value| value.is_nan()) => {
-                "an array with null in it".to_owned()
+                text!("an array with null in it")
             }
-            Self::Numbers(values) => format!("an array of {} numbers", values.len()),
-            Self::List(list) if list.is_empty() => "an empty array".to_owned(),
-            Self::List(list) => format!("an array of {} values", list.len()),
-            Self::Object(_) => "an object".to_owned(),
+            Self::Numbers(values) => text!("an array of {count} numbers", count = values.len()),
+            Self::List(list) if list.is_empty() => text!("an empty array"),
+            Self::List(list) => text!("an array of {count} values", count = list.len()),
+            Self::Object(_) => text!("an object"),
         }
     }
 }

@@ -7,11 +7,12 @@
 
 pub(crate) use super::at::At;
 use super::{Fields, Member, Node, Path, Value, optional};
+use crate::text::{Template, Text};
 
 /// How one kind of value stands in a document.
 pub(crate) struct Kind<T> {
     /// What should stand there.
-    pub(crate) expected: &'static str,
+    pub(crate) expected: Template,
     /// Takes it from its place, or complains.
     pub(crate) read: fn(&mut At<'_, '_>) -> Option<T>,
     /// What is written.
@@ -25,7 +26,7 @@ impl<T> Kind<T> {
             fields,
             node,
             path,
-            expected: self.expected,
+            expected: self.expected.into(),
         })
     }
 }
@@ -144,7 +145,7 @@ impl Object<'_, '_> {
         &mut self,
         key: &'static str,
         value: &mut T,
-        expected: &str,
+        expected: impl Into<Text>,
         read: impl FnOnce(&mut At<'_, '_>) -> Option<T>,
         write: impl FnOnce(&T) -> Option<Value>,
     ) {
@@ -164,7 +165,7 @@ impl Object<'_, '_> {
                     fields,
                     node: &member.node,
                     path: &self.path.key(key),
-                    expected,
+                    expected: expected.into(),
                 });
                 match read {
                     Some(read) => *value = read,
@@ -179,13 +180,17 @@ impl Object<'_, '_> {
         &mut self,
         key: &'static str,
         value: &mut T,
-        expected: &str,
+        expected: impl Into<Text>,
         declare: fn(&mut Object<'_, '_>, &mut T),
     ) {
         if let Side::Writing(out) = &mut self.side {
             let part = written(value, |o, value| declare(o, value));
             out.push(Member::new(key, part));
-        } else if self.needs(key, expected) {
+        } else {
+            let expected = expected.into();
+            if !self.needs(key, &expected) {
+                return;
+            }
             let read = |at: &mut At<'_, '_>| at.fill(value, declare).then_some(());
             self.with(key, &mut (), expected, read, |()| None);
         }
@@ -193,7 +198,13 @@ impl Object<'_, '_> {
 
     /// A field that always says the same, and was read before.
     pub(crate) fn says(&mut self, key: &'static str, text: &str) {
-        self.with(key, &mut (), "", |_| Some(()), |()| Some(text.into()));
+        self.with(
+            key,
+            &mut (),
+            phrase!(""),
+            |_| Some(()),
+            |()| Some(text.into()),
+        );
     }
 
     /// A key that is known, whatever stands there.
@@ -217,7 +228,7 @@ impl Object<'_, '_> {
     }
 
     /// As [`Object::is_given`], null being something; complains where nothing is.
-    pub(crate) fn needs(&mut self, key: &'static str, expected: &str) -> bool {
+    pub(crate) fn needs(&mut self, key: &'static str, expected: impl Into<Text>) -> bool {
         self.know(key);
         match &mut self.side {
             _ if self.is_over => true,
@@ -236,7 +247,7 @@ impl Object<'_, '_> {
     }
 
     /// Complains of the object as a whole.
-    pub(crate) fn error(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+    pub(crate) fn error(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         self.good = false;
         if let Side::Reading { fields, at, .. } = &mut self.side {
             fields.error(*at, self.path, found, expected);
@@ -247,8 +258,8 @@ impl Object<'_, '_> {
     pub(crate) fn error_in(
         &mut self,
         key: &str,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) {
         self.good = false;
         if let Side::Reading {

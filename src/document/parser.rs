@@ -1,5 +1,6 @@
 //! The grammar.
 
+use crate::text::{Template, Text};
 use std::collections::BTreeSet;
 
 use super::{Member, Node, Source, Value};
@@ -18,8 +19,8 @@ enum Stop {
     /// A syntax error: where, what is there, what should be.
     Wrong {
         at: usize,
-        found: String,
-        expected: &'static str,
+        found: Text,
+        expected: Template,
     },
     /// Nobody wants it any more.
     Cancelled(Cancelled),
@@ -39,7 +40,7 @@ pub(crate) fn parse(source: &Source<'_>, part: Part<'_>) -> Result<Node, ReadErr
     let document = parser.value().and_then(|node| {
         parser.skip_space();
         if parser.at < parser.bytes.len() {
-            return Err(parser.wrong("the end of the document"));
+            return Err(parser.wrong(phrase!("the end of the document")));
         }
         Ok(node)
     });
@@ -116,22 +117,22 @@ impl<'a> Parser<'a> {
     }
 
     #[cold]
-    fn wrong(&self, expected: &'static str) -> Stop {
+    fn wrong(&self, expected: Template) -> Stop {
         self.wrong_at(self.at, expected)
     }
 
     #[cold]
-    fn wrong_at(&self, at: usize, expected: &'static str) -> Stop {
+    fn wrong_at(&self, at: usize, expected: Template) -> Stop {
         let rest = self.bytes.get(at..).unwrap_or_default();
         let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-._".contains(byte);
         let word = rest.iter().take_while(|byte| is_word(byte)).count();
         let found = if rest.is_empty() {
-            "the end of the file".to_owned()
+            text!("the end of the file")
         } else if word > 0 {
-            quoted(&String::from_utf8_lossy(&rest[..word]))
+            Text::verbatim(quoted(&String::from_utf8_lossy(&rest[..word])))
         } else {
             let first = String::from_utf8_lossy(&rest[..rest.len().min(4)]);
-            quoted(&first.chars().take(1).collect::<String>())
+            Text::verbatim(quoted(&first.chars().take(1).collect::<String>()))
         };
         Wrong {
             at,
@@ -152,7 +153,7 @@ impl<'a> Parser<'a> {
             Some(b't') => self.word("true", Value::Bool(true))?,
             Some(b'f') => self.word("false", Value::Bool(false))?,
             Some(b'n') => self.word("null", Value::Null)?,
-            _ => return Err(self.wrong("a JSON value")),
+            _ => return Err(self.wrong(phrase!("a JSON value"))),
         };
         Ok(Node { at, value })
     }
@@ -161,8 +162,8 @@ impl<'a> Parser<'a> {
         if self.depth == DEEPEST {
             return Err(Wrong {
                 at: self.at,
-                found: format!("more than {DEEPEST} levels of nesting"),
-                expected: "a session or a robot, which have fewer",
+                found: text!("more than {most} levels of nesting", most = DEEPEST),
+                expected: phrase!("a session or a robot, which have fewer"),
             });
         }
         self.depth += 1;
@@ -174,7 +175,7 @@ impl<'a> Parser<'a> {
 
     fn word(&mut self, word: &str, value: Value) -> Parsed<Value> {
         if !self.bytes[self.at..].starts_with(word.as_bytes()) {
-            return Err(self.wrong("a JSON value"));
+            return Err(self.wrong(phrase!("a JSON value")));
         }
         self.at += word.len();
         Ok(value)
@@ -192,19 +193,19 @@ impl<'a> Parser<'a> {
             self.skip_space();
             let key_at = self.at;
             if self.peek() != Some(b'"') {
-                return Err(self.wrong("a key in double quotes"));
+                return Err(self.wrong(phrase!("a key in double quotes")));
             }
             let key = self.text()?;
             if !keys.insert(key.clone()) {
                 return Err(Wrong {
                     at: key_at,
-                    found: format!("the key {} a second time", quoted(&key)),
-                    expected: "every key once",
+                    found: text!("the key {key} a second time", key = quoted(&key)),
+                    expected: phrase!("every key once"),
                 });
             }
             self.skip_space();
             if self.peek() != Some(b':') {
-                return Err(self.wrong("':' after the key"));
+                return Err(self.wrong(phrase!("':' after the key")));
             }
             self.at += 1;
             let node = self.value()?;
@@ -216,7 +217,7 @@ impl<'a> Parser<'a> {
                     self.at += 1;
                     return Ok(Value::Object(members));
                 }
-                _ => return Err(self.wrong("',' or '}'")),
+                _ => return Err(self.wrong(phrase!("',' or '}'"))),
             }
         }
     }
@@ -243,7 +244,7 @@ impl<'a> Parser<'a> {
                     self.at += 1;
                     return Ok(Value::List(list));
                 }
-                _ => return Err(self.wrong("',' or ']'")),
+                _ => return Err(self.wrong(phrase!("',' or ']'"))),
             }
         }
     }
@@ -273,7 +274,7 @@ impl<'a> Parser<'a> {
                     self.at += 1;
                     return Ok(any.then_some(numbers));
                 }
-                _ => return Err(self.wrong("',' or ']'")),
+                _ => return Err(self.wrong(phrase!("',' or ']'"))),
             }
         }
     }
@@ -303,7 +304,8 @@ impl<'a> Parser<'a> {
 
     fn any_number(&mut self) -> Parsed<f64> {
         let start = self.at;
-        let wrong = |parser: &Self| parser.wrong_at(start, "a JSON number such as -12.5 or 3e-4");
+        let wrong =
+            |parser: &Self| parser.wrong_at(start, phrase!("a JSON number such as -12.5 or 3e-4"));
         if self.has_leading_zero() {
             return Err(wrong(self));
         }
@@ -346,8 +348,8 @@ impl<'a> Parser<'a> {
                 .position(|&byte| byte == b'"' || byte == b'\\' || byte < 0x20)
                 .ok_or_else(|| Wrong {
                     at: start,
-                    found: "a text that never ends".to_owned(),
-                    expected: "a closing '\"'",
+                    found: text!("a text that never ends"),
+                    expected: phrase!("a closing '\"'"),
                 })?;
             // The document is UTF-8, and both ends of the part are next to ASCII.
             text.push_str(&String::from_utf8_lossy(&rest[..plain]));
@@ -361,8 +363,8 @@ impl<'a> Parser<'a> {
                 _ => {
                     return Err(Wrong {
                         at: self.at,
-                        found: "a control character in a text".to_owned(),
-                        expected: "an escape such as \\n or a closing '\"'",
+                        found: text!("a control character in a text"),
+                        expected: phrase!("an escape such as \\n or a closing '\"'"),
                     });
                 }
             }
@@ -416,8 +418,8 @@ impl<'a> Parser<'a> {
         let end = (at + 6).min(self.bytes.len());
         Wrong {
             at,
-            found: quoted(&String::from_utf8_lossy(&self.bytes[at..end])),
-            expected: "an escape of JSON such as \\n or \\u00e9",
+            found: Text::verbatim(quoted(&String::from_utf8_lossy(&self.bytes[at..end]))),
+            expected: phrase!("an escape of JSON such as \\n or \\u00e9"),
         }
     }
 }

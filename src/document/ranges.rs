@@ -5,6 +5,7 @@
 //! part of a document checks all of its keys, so that no field can be forgotten.
 
 use super::{Fields, Node, Path, Value};
+use crate::text::Text;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S};
 
 /// A smaller noise is no noise of an instrument, and the weight that it gives is too large to square.
@@ -64,13 +65,21 @@ struct Limit {
 
 impl Limit {
     /// What is wrong with a number, where anything is. What is not finite is refused elsewhere.
-    fn refusal(self, value: f64) -> Option<String> {
+    fn refusal(self, value: f64) -> Option<Text> {
         let size = value.abs();
         if size.is_finite() && size > self.largest {
-            return Some(format!("a number of at most {}", plain(self.largest)));
+            return Some(text!(
+                "a number of at most {most}",
+                most = plain(self.largest)
+            ));
         }
         let tiny = size > 0.0 && size < self.smallest;
-        tiny.then(|| format!("a number of at least {}", self.smallest))
+        tiny.then(|| {
+            text!(
+                "a number of at least {least}",
+                least = self.smallest.to_string()
+            )
+        })
     }
 }
 
@@ -97,7 +106,7 @@ fn walk(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, limit: Option<Lim
     match &node.value {
         Value::Number(value) => {
             if let Some(expected) = limit.and_then(|limit| limit.refusal(*value)) {
-                fields.error(node.at, path, short(*value), expected);
+                fields.error(node.at, path, Text::verbatim(short(*value)), expected);
             }
         }
         Value::Numbers(values) => {
@@ -106,7 +115,7 @@ fn walk(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, limit: Option<Lim
             let wrong = wrong.filter_map(|(k, v)| limit.refusal(*v).map(|expected| (k, expected)));
             if let Some((index, expected)) = wrong.take(1).next() {
                 let place = fields.element_place(node.at, path, index);
-                let found = short(values[index]);
+                let found = Text::verbatim(short(values[index]));
                 fields
                     .findings
                     .push(crate::diagnostic::Diagnostic::error(place, found, expected));

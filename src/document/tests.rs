@@ -92,7 +92,7 @@ fn an_overflowing_number_is_not_lost() {
     assert_eq!(read("1e999").unwrap().value, Value::Number(f64::INFINITY));
     assert_eq!(
         read("1e999").unwrap().value.describe(),
-        "a number that overflows"
+        text!("a number that overflows")
     );
 }
 

@@ -221,7 +221,7 @@ fn write(job: &Job, found: &Rows) -> String {
         o.field("dh", &mut found.rows.clone(), &DH_ROWS);
         o.field("base", &mut found.base.clone(), &POSE);
         o.field("tool", &mut tool.clone(), &POSE);
-        o.with("limits", &mut (), "", |_| None, |()| Some(limits));
+        o.with("limits", &mut (), phrase!(""), |_| None, |()| Some(limits));
         o.optional("gravity_m_s2", &mut robot.gravity_m_s2, &VECTOR);
     }))
 }

@@ -25,7 +25,6 @@
 
 // First: `say!` is in the scope of what follows.
 #[macro_use]
-mod language;
 
 mod actions;
 mod app;

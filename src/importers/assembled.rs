@@ -26,11 +26,11 @@ impl Job<'_> {
             return Ok(());
         };
         if values.iter().any(|value| value.is_infinite()) {
-            let found = "a position that overflows";
+            let found = text!("a position that overflows");
             return self.refuse(
                 self.place.clone(),
                 found,
-                "numbers that a double can hold in mm",
+                text!("numbers that a double can hold in mm"),
             );
         }
         let mut q = vec![0.0; robot.joint_count()];
@@ -49,11 +49,11 @@ impl Job<'_> {
         if values.len() > 1 && moved < 1e-9 {
             return self.refuse(
                 self.place.clone(),
-                format!(
-                    "the tool lies on the axis of joint {}: it does not move",
-                    joint + 1
+                text!(
+                    "the tool lies on the axis of joint {joint}: it does not move",
+                    joint = joint + 1
                 ),
-                "a tool off the axis, in the robot",
+                text!("a tool off the axis, in the robot"),
             );
         }
         for (quantity, list) in [Quantity::X, Quantity::Y, Quantity::Z]
@@ -75,14 +75,14 @@ impl Job<'_> {
             ));
         }
         if robot.joint_count() > 1 {
-            self.note(format!(
-                "joints other than {} are taken to stand at home",
-                joint + 1
+            self.note(text!(
+                "joints other than {joint} are taken to stand at home",
+                joint = joint + 1
             ));
         }
-        let said = format!(
-            "only the position of joint {} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
-            joint + 1
+        let said = text!(
+            "only the position of joint {joint} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
+            joint = joint + 1
         );
         self.note(said.clone());
         self.said.push(said);
@@ -102,8 +102,8 @@ impl Job<'_> {
             let place = self.place.clone().in_field(column.name.clone());
             return self.refuse(
                 place,
-                "a number that overflows",
-                "numbers that a double can hold in mm",
+                text!("a number that overflows"),
+                text!("numbers that a double can hold in mm"),
             );
         }
         let references = self.references(&mut columns)?;
@@ -134,7 +134,12 @@ impl Job<'_> {
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         let mut session = Session {
             name: self.settings.name.clone(),
-            note: self.said.join(".\n") + ".",
+            note: self
+                .said
+                .iter()
+                .map(|said| format!("{said}."))
+                .collect::<Vec<_>>()
+                .join("\n"),
             robot: self.settings.robot.clone(),
             targets,
             instrument: Instrument {

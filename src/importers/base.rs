@@ -1,5 +1,6 @@
 //! Brings measured points into the base frame, and says how well.
 
+use crate::text::Text;
 use std::collections::BTreeSet;
 
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
@@ -34,10 +35,10 @@ impl Job<'_> {
                 columns.put(Column::made(quantity, Unit::Length(1.0), values));
             }
         }
-        let found = format!(
-            "the instrument lost the reflector (0, 0, 0) in {} measurements: {}",
-            lost.len(),
-            matching::listed_rows(columns, &lost)
+        let found = text!(
+            "the instrument lost the reflector (0, 0, 0) in {lost} measurements: {lost_2}",
+            lost = lost.len(),
+            lost_2 = matching::listed_rows(columns, &lost)
         );
         self.left_out(self.place.clone(), found);
     }
@@ -63,8 +64,8 @@ impl Job<'_> {
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
                 self.place.clone(),
-                "no names, or not all of x, y and z",
-                "names and points in space to align by",
+                text!("no names, or not all of x, y and z"),
+                text!("names and points in space to align by"),
             );
         };
         let is_there = |point: &Point3<f64>| point.coords.iter().all(|v| v.is_finite());
@@ -94,22 +95,26 @@ impl Job<'_> {
             Ok(alignment) => alignment,
             Err(error) => {
                 let found = if missing.is_empty() {
-                    error.to_string()
+                    Text::verbatim(error.to_string())
                 } else {
-                    format!("{error}; not measured: {}", listed(&missing))
+                    text!(
+                        "{error}; not measured: {missing}",
+                        error = error.to_string(),
+                        missing = listed(&missing)
+                    )
                 };
                 return self.refuse(
                     place,
                     found,
-                    "at least 3 points that are not on one line, with the same names in both files",
+                    text!("at least 3 points that are not on one line, with the same names in both files"),
                 );
             }
         };
         self.say_alignment(&alignment, &place);
         if !missing.is_empty() {
-            let found = format!(
-                "left out reference points that were not measured: {}",
-                listed(&missing)
+            let found = text!(
+                "left out reference points that were not measured: {missing}",
+                missing = listed(&missing)
             );
             self.left_out(place, found);
         }
@@ -122,14 +127,15 @@ impl Job<'_> {
         if rows.is_empty() {
             return self.refuse(
                 self.place.clone(),
-                "nothing but reference points",
-                "measured poses as well",
+                text!("nothing but reference points"),
+                text!("measured poses as well"),
             );
         }
         let dropped = names.len() - rows.len();
         if dropped > 0 {
-            self.note(format!(
-                "{dropped} measurements of reference points are no samples"
+            self.note(text!(
+                "{dropped} measurements of reference points are no samples",
+                dropped = dropped
             ));
         }
         Ok((
@@ -158,15 +164,16 @@ impl Job<'_> {
 
     pub(crate) fn say_alignment(&mut self, alignment: &Alignment, place: &Place) {
         let kept = alignment.residuals.len() - alignment.outliers().count();
-        let mut said = format!(
-            "brought into the base frame by {kept} reference points, which fit with {:.4} mm (root mean square)",
-            alignment.rms_mm
+        let mut said = text!(
+            "brought into the base frame by {kept} reference points, which fit with {rms_mm} mm (root mean square)",
+            kept = kept,
+            rms_mm = format!("{:.4}", alignment.rms_mm)
         );
         if self.settings.scale {
-            said += &format!(
-                ", scaled by {:.6} ({:+.1} ppm)",
-                alignment.scale,
-                1e6 * (alignment.scale - 1.0)
+            said += text!(
+                ", scaled by {scale} ({scale_2} ppm)",
+                scale = format!("{:.6}", alignment.scale),
+                scale_2 = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
             );
         }
         let each: Vec<String> = alignment
@@ -181,23 +188,27 @@ impl Job<'_> {
                 )
             })
             .collect();
-        let found = format!("{said}: {}", matching::listed_up_to(&each, 40));
+        let found = text!(
+            "{said}: {each}",
+            said = &said,
+            each = matching::listed_up_to(&each, 40)
+        );
         self.findings.push(Diagnostic::note(place.clone(), found));
         self.said.push(said);
         for outlier in alignment.outliers() {
-            let found = format!(
-                "reference point {} is {:.3} mm off: left out of the alignment",
-                quoted(&outlier.name),
-                outlier.vector_mm.norm()
+            let found = text!(
+                "reference point {outlier} is {norm} mm off: left out of the alignment",
+                outlier = quoted(&outlier.name),
+                norm = format!("{:.3}", outlier.vector_mm.norm())
             );
             self.left_out(place.clone(), found);
         }
         if !self.settings.scale && (alignment.best_scale - 1.0).abs() > 1e-3 {
-            let found = format!(
-                "the reference points would fit better scaled by {:.5}",
-                alignment.best_scale
+            let found = text!(
+                "the reference points would fit better scaled by {best_scale}",
+                best_scale = format!("{:.5}", alignment.best_scale)
             );
-            let expected = "the right unit in both files, or --scale";
+            let expected = text!("the right unit in both files, or --scale");
             self.findings
                 .push(Diagnostic::warning(place.clone(), found, expected));
         }

@@ -14,6 +14,7 @@
 //! motion, from the residual that is left: a motion that a shift in time imitates (one axis at a
 //! constant speed) leaves τ undetermined, and that is said.
 
+use crate::text::Text;
 use nalgebra::{Matrix3, Matrix6, Point3, Vector3, Vector6};
 
 use crate::importers::path::Path;
@@ -81,19 +82,27 @@ pub(crate) enum NoOffset {
 }
 
 impl NoOffset {
-    pub(crate) fn in_words(&self) -> String {
+    pub(crate) fn in_words(&self) -> Text {
         match self {
             Self::NothingMoves => {
-                "nothing moves, or too few points were measured at different places: the offset of the clocks cannot be found".to_owned()
+                text!(
+                    "nothing moves, or too few points were measured at different places: the offset of the clocks cannot be found"
+                )
             }
             Self::Unrelated => {
-                "the measured points follow the commanded path at no offset of the clocks: the robot never moved while it was measured, or the files do not belong together".to_owned()
+                text!(
+                    "the measured points follow the commanded path at no offset of the clocks: the robot never moved while it was measured, or the files do not belong together"
+                )
             }
-            Self::Ambiguous(a, b) => format!(
-                "the clocks may be {a:.3} s or {b:.3} s apart: the motion repeats, and both fit alike"
+            Self::Ambiguous(a, b) => text!(
+                "the clocks may be {a} s or {b} s apart: the motion repeats, and both fit alike",
+                a = format!("{a:.3}"),
+                b = format!("{b:.3}")
             ),
             Self::Undetermined => {
-                "a shift in time looks like another place of the instrument: the offset of the clocks cannot be found".to_owned()
+                text!(
+                    "a shift in time looks like another place of the instrument: the offset of the clocks cannot be found"
+                )
             }
         }
     }

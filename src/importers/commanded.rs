@@ -27,7 +27,7 @@ impl Job<'_> {
             (None, Some(recorded)) => return self.with_recorded(columns, *recorded, targets),
             (Some(_), Some(_)) => {
                 let found = "the joint values that the file has recorded are not used";
-                self.note(format!("commands are given: {found}"));
+                self.note(text!("commands are given: {found}", found = found));
             }
             _ => {}
         }
@@ -41,32 +41,38 @@ impl Job<'_> {
             .collect();
         let Some(companion) = &self.settings.commands else {
             if let Some(&joint) = leading.iter().find(|joint| !own.contains(joint)) {
-                let found = format!("nothing says where joint {} was sent", joint + 1);
-                let expected = format!(
-                    "--commands with a column q{}_deg, or such a column in the measured file",
-                    joint + 1
+                let found = text!(
+                    "nothing says where joint {joint} was sent",
+                    joint = joint + 1
+                );
+                let expected = text!(
+                    "--commands with a column q{joint}_deg, or such a column in the measured file",
+                    joint = joint + 1
                 );
                 return self.refuse(self.place.clone(), found, expected);
             }
             return Ok((columns, None));
         };
         if let Some(joint) = own.first() {
-            let found = format!(
-                "commands are given, and the measured file has those of joint {} too",
-                joint + 1
+            let found = text!(
+                "commands are given, and the measured file has those of joint {joint} too",
+                joint = joint + 1
             );
-            return self.refuse(self.place.clone(), found, "one of the two");
+            return self.refuse(self.place.clone(), found, text!("one of the two"));
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
         let commands = self.companion(companion, COMMANDS, &header.join(","), csv::read_any)?;
         let place = companion.place();
         let lacking = |joint: &&usize| commands.find(Quantity::Commanded(**joint)).is_none();
         if let Some(joint) = leading.iter().find(lacking) {
-            let found = format!("no column for the commanded value of joint {}", joint + 1);
+            let found = text!(
+                "no column for the commanded value of joint {joint}",
+                joint = joint + 1
+            );
             return self.refuse(
                 place,
                 found,
-                format!("a header such as {}", header.join(",")),
+                text!("a header such as {header}", header = header.join(",")),
             );
         }
         if let Some(wrong) = self.joints_checked(&commands, &place) {
@@ -83,7 +89,8 @@ impl Job<'_> {
             lonely_commands: Vec::new(),
             clock: None,
         };
-        self.said.push(format!("commands matched by {}", by.id()));
+        self.said
+            .push(text!("commands matched by {how}", how = by.id()));
         let (columns, left) = match by {
             Matching::Order => match matching::by_order(&columns, &commands) {
                 Ok(pairs) => matching::join(columns, commands, &pairs),
@@ -109,9 +116,9 @@ impl Job<'_> {
             }
         };
         if !left.is_empty() {
-            let found = format!(
-                "both files have {}: the measured ones are taken",
-                left.join(", ")
+            let found = text!(
+                "both files have {left}: the measured ones are taken",
+                left = left.join(", ")
             );
             self.note(found);
         }
@@ -136,11 +143,12 @@ impl Job<'_> {
             own[*joint].follows.is_none() && recorded.find(Quantity::Commanded(*joint)).is_none()
         };
         if let Some(joint) = (0..joints).find(lacks) {
-            let found = format!("no joint {} in the recording", joint + 1);
-            return self.refuse(place, found, "as many joints as the robot has");
+            let found = text!("no joint {joint} in the recording", joint = joint + 1);
+            return self.refuse(place, found, text!("as many joints as the robot has"));
         }
-        self.said
-            .push("commands are the recorded joint values, matched by time".to_owned());
+        self.said.push(text!(
+            "commands are the recorded joint values, matched by time"
+        ));
         let (columns, _, clock) = self.by_time(columns, recorded, targets, &place, true)?;
         let matched = Matched {
             by: Matching::Time,
@@ -154,18 +162,18 @@ impl Job<'_> {
 
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
-            let found = format!(
-                "left out {} without a command: {}",
-                counted(pairs.lonely_measured.len(), "measurement"),
-                listed(&pairs.lonely_measured)
+            let found = text!(
+                "left out {lonely_measured} without a command: {lonely_measured_2}",
+                lonely_measured = counted(pairs.lonely_measured.len(), "measurement"),
+                lonely_measured_2 = listed(&pairs.lonely_measured)
             );
             self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
-            let found = format!(
-                "left out {} without a measurement: {}",
-                counted(pairs.lonely_commands.len(), "command"),
-                listed(&pairs.lonely_commands)
+            let found = text!(
+                "left out {lonely_commands} without a measurement: {lonely_commands_2}",
+                lonely_commands = counted(pairs.lonely_commands.len(), "command"),
+                lonely_commands_2 = listed(&pairs.lonely_commands)
             );
             self.left_out(commands.clone(), found);
         }
@@ -208,11 +216,17 @@ impl Job<'_> {
         };
         let clock = done.clock;
         let said = match clock.ci95_s() {
-            Some([from, to]) => format!(
-                "the clocks are {:+.6} s apart (command less measurement; 95 % confidence interval [{:+.6}, {:+.6}], {:.3} mm left)",
-                clock.offset_s, from, to, clock.rms_mm
+            Some([from, to]) => text!(
+                "the clocks are {offset} s apart (command less measurement; 95 % confidence interval [{from}, {to}], {left} mm left)",
+                offset = format!("{:+.6}", clock.offset_s),
+                from = format!("{from:+.6}"),
+                to = format!("{to:+.6}"),
+                left = format!("{:.3}", clock.rms_mm)
             ),
-            None => format!("the clocks are {:+.4} s apart, as was said", clock.offset_s),
+            None => text!(
+                "the clocks are {offset} s apart, as was said",
+                offset = format!("{:+.4}", clock.offset_s)
+            ),
         };
         self.note(said.clone());
         self.said.push(said);

@@ -96,19 +96,25 @@ impl Job<'_> {
             findings.extend(found.questions.iter().map(|question| {
                 let mut diagnostic = question.as_diagnostic();
                 if question.about == About::Columns {
-                    diagnostic.expected = format!("a header such as {header}");
-                    if are_commands {
-                        diagnostic.expected += ", or --commands-columns with what each column is";
-                    }
+                    diagnostic.expected = if are_commands {
+                        text!(
+                            "a header such as {header}, or --commands-columns with what each column is",
+                            header = header
+                        )
+                    } else {
+                        text!("a header such as {header}", header = header)
+                    };
                 }
                 diagnostic
             }));
             return self.refused(findings);
         };
         self.findings.append(&mut findings);
-        self.said.push(format!(
-            "{what} from {}: {encoding}",
-            file_in_words(companion.file.as_ref(), companion.bytes)
+        self.said.push(text!(
+            "{what} from {file}: {encoding}",
+            what = what,
+            file = file_in_words(companion.file.as_ref(), companion.bytes),
+            encoding = encoding.to_string()
         ));
         Ok(columns)
     }
@@ -124,8 +130,8 @@ impl Job<'_> {
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
                 place,
-                "no names, or not all of x, y and z",
-                "name,x_mm,y_mm,z_mm",
+                text!("no names, or not all of x, y and z"),
+                text!("name,x_mm,y_mm,z_mm"),
             );
         };
         let mut named = BTreeMap::new();
@@ -137,15 +143,15 @@ impl Job<'_> {
             if name.is_empty() || point.coords.iter().any(|v| !v.is_finite()) {
                 return self.refuse(
                     place,
-                    "a point without a name or a coordinate",
-                    "name, x, y and z",
+                    text!("a point without a name or a coordinate"),
+                    text!("name, x, y and z"),
                 );
             }
             if named.insert((*name).to_owned(), point).is_some() {
                 return self.refuse(
                     place,
-                    format!("{} a second time", quoted(name)),
-                    "each name once",
+                    text!("{name} a second time", name = quoted(name)),
+                    text!("each name once"),
                 );
             }
         }
@@ -171,22 +177,22 @@ impl Job<'_> {
         match used[..] {
             [] => Ok(default_targets()),
             [name] => {
-                self.note(format!(
-                    "target {} is taken to sit at the tool's origin",
-                    quoted(name)
+                self.note(text!(
+                    "target {name} is taken to sit at the tool's origin",
+                    name = quoted(name)
                 ));
                 Ok(vec![at_origin(name)])
             }
             _ => {
                 let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
-                let found = format!(
-                    "several targets, and nothing says where they sit: {}",
-                    listed(&names)
+                let found = text!(
+                    "several targets, and nothing says where they sit: {names}",
+                    names = listed(&names)
                 );
                 self.refuse(
                     self.place.clone(),
                     found,
-                    "--targets with their names and positions in the tool frame",
+                    text!("--targets with their names and positions in the tool frame"),
                 )
             }
         }

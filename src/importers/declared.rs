@@ -111,7 +111,10 @@ impl Job<'_> {
             return;
         };
         if columns.find(quantity).is_some() {
-            self.note(format!("--{option} is not used: a column says it"));
+            self.note(text!(
+                "--{option} is not used: a column says it",
+                option = option
+            ));
             return;
         }
         let mut names = Names::default();
@@ -140,13 +143,21 @@ impl Job<'_> {
         }
         let unknown = names.iter().filter(|name| !known.contains_key(*name));
         let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
-        let mut said = format!("{} are named", counted(names.len(), what))
-            .replace("1 socket are", "1 socket is")
-            .replace("1 plane are", "1 plane is")
-            .replace("1 station are", "1 station is");
-        if !unknown.is_empty() {
-            said += &format!("; not known where, and to be fitted: {}", listed(&unknown));
-        }
+        let named = counted(names.len(), what);
+        let said = match (names.len(), &unknown[..]) {
+            (1, []) => text!("{named} is named", named = named),
+            (_, []) => text!("{named} are named", named = named),
+            (1, _) => text!(
+                "{named} is named; not known where, and to be fitted: {unknown}",
+                named = named,
+                unknown = listed(&unknown)
+            ),
+            _ => text!(
+                "{named} are named; not known where, and to be fitted: {unknown}",
+                named = named,
+                unknown = listed(&unknown)
+            ),
+        };
         self.note(said.clone());
         self.said.push(said);
         names
@@ -208,10 +219,14 @@ impl Job<'_> {
             });
             let Some(read) = read else {
                 let names: Vec<&str> = sockets.iter().map(|socket| socket.name.as_str()).collect();
-                let found = format!("--{SOCKET_DISTANCES}: {}", quoted(one));
-                let expected = format!(
-                    "two of the sockets ({}) and a length in mm, such as S1-S2=400",
-                    names.join(", ")
+                let found = text!(
+                    "--{socket_distances}: {one}",
+                    socket_distances = SOCKET_DISTANCES,
+                    one = quoted(one)
+                );
+                let expected = text!(
+                    "two of the sockets ({names}) and a length in mm, such as S1-S2=400",
+                    names = names.join(", ")
                 );
                 return self.refuse(self.place.clone(), found, expected);
             };

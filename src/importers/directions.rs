@@ -48,10 +48,8 @@ impl Job<'_> {
         );
         if !self.settings.in_measuring_order {
             if matched.is_none_or(|matched| matched.by != Matching::Time) {
-                self.note(format!(
-                    "nothing says from which side {of} came, so that backlash cannot be tested: where the rows are in \
-                     the order in which they were measured, --in-measuring-order derives it from the row before"
-                ));
+                self.note(text!("nothing says from which side {of} came, so that backlash cannot be tested: where the rows are in \
+                     the order in which they were measured, --in-measuring-order derives it from the row before", of = of));
             }
             return;
         }
@@ -61,8 +59,9 @@ impl Job<'_> {
                 columns.put(Column::made(quantity, Unit::Fixed, sides(&values)));
             }
         }
-        let said = format!(
-            "the side from which {of} came is that of the motion since the row before: the rows are in measuring order, as was said"
+        let said = text!(
+            "the side from which {of} came is that of the motion since the row before: the rows are in measuring order, as was said",
+            of = of
         );
         self.note(said.clone());
         self.said.push(said);

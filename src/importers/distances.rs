@@ -50,12 +50,22 @@ impl Job<'_> {
             .filter(|anchor| anchor.position_mm.is_none())
             .map(|anchor| quoted(&anchor.name))
             .collect();
-        let mut said = format!("distances from {}", counted(anchors.len(), "anchor"));
+        let mut said = text!(
+            "distances from {anchors}",
+            anchors = counted(anchors.len(), "anchor")
+        );
         if !unknown.is_empty() {
-            said += &format!("; not known where, and to be fitted: {}", listed(&unknown));
+            said = text!(
+                "{said}; not known where, and to be fitted: {unknown}",
+                said = said,
+                unknown = listed(&unknown)
+            );
         }
         if offset_mm.is_none() {
-            said += "; a constant offset of the distances is to be fitted";
+            said = text!(
+                "{said}; a constant offset of the distances is to be fitted",
+                said = said
+            );
         }
         self.note(said.clone());
         self.said.push(said);
@@ -107,8 +117,16 @@ impl Job<'_> {
         match said.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(Some(value)),
             _ => {
-                let found = format!("--{ANCHOR_OFFSET}: {}", quoted(said));
-                self.refuse(self.place.clone(), found, "a length in mm, such as 0")
+                let found = text!(
+                    "--{anchor_offset}: {said}",
+                    anchor_offset = ANCHOR_OFFSET,
+                    said = quoted(said)
+                );
+                self.refuse(
+                    self.place.clone(),
+                    found,
+                    text!("a length in mm, such as 0"),
+                )
             }
         }
     }

@@ -14,6 +14,7 @@
 //! first of the order). Where an axis recurs (`zyz`) only the turn names a column, so that `rx, ry, rz`
 //! are then taken as the first, second and third.
 
+use crate::text::Text;
 use nalgebra::{Unit as Direction, UnitQuaternion, Vector3};
 
 use crate::document::number::quoted;
@@ -191,11 +192,12 @@ impl Convention {
     }
 
     /// The convention and its product, for a note.
-    pub(crate) fn says(self) -> String {
+    pub(crate) fn says(self) -> Text {
         match self {
             Self::RotationVector => {
-                "the orientation is a rotation vector: its direction the axis, its length the angle"
-                    .to_owned()
+                text!(
+                    "the orientation is a rotation vector: its direction the axis, its length the angle"
+                )
             }
             Self::Euler { order, moving } => {
                 let letters: Vec<&str> = order.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
@@ -204,12 +206,21 @@ impl Convention {
                 if !moving {
                     factors.reverse();
                 }
-                format!(
-                    "the orientation is three angles about {} axes in the order {}: R = {}",
-                    if moving { "moving" } else { "fixed" },
-                    letters.join(", "),
-                    factors.join(" · ")
-                )
+                let order = letters.join(", ");
+                let product = factors.join(" · ");
+                if moving {
+                    text!(
+                        "the orientation is three angles about moving axes in the order {order}: R = {product}",
+                        order = order,
+                        product = product
+                    )
+                } else {
+                    text!(
+                        "the orientation is three angles about fixed axes in the order {order}: R = {product}",
+                        order = order,
+                        product = product
+                    )
+                }
             }
         }
     }
@@ -217,7 +228,7 @@ impl Convention {
 
 /// The columns of angles among these, in the order x, y, z or first, second, third, and whether they
 /// are named by axis; `None` where there is none. The error says what is missing.
-pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), String>> {
+pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), Text>> {
     let mut found = [None; 3];
     let mut named = [false; 2];
     for (index, role) in roles.iter().enumerate() {
@@ -232,12 +243,13 @@ pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), St
     }
     let [Some(a), Some(b), Some(c)] = found else {
         let count = found.iter().flatten().count();
-        return Some(Err(format!("{count} of the 3 numbers of an orientation")));
+        return Some(Err(text!(
+            "{count} of the 3 numbers of an orientation",
+            count = count
+        )));
     };
     if by_turn && by_axis {
-        return Some(Err(
-            "angles named by axis and angles named by turn".to_owned()
-        ));
+        return Some(Err(text!("angles named by axis and angles named by turn")));
     }
     Some(Ok(([a, b, c], by_axis)))
 }
@@ -261,14 +273,14 @@ impl Case<'_> {
             return None;
         }
         if let Err(found) = found {
-            self.refuse(found, "rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be left out");
+            self.refuse(found, text!("rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be left out"));
             return None;
         }
         let quaternion = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
         if roles.iter().any(quaternion) {
             self.ask(
                 About::Columns,
-                "the orientation is there as a quaternion and as angles",
+                text!("the orientation is there as a quaternion and as angles"),
                 &[],
             );
             return None;
@@ -278,19 +290,22 @@ impl Case<'_> {
             Some(Answer::Known(convention)) => return Some(convention),
             Some(Answer::Axes(order)) => {
                 let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
-                let says = format!(
-                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said"
+                let says = text!(
+                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said",
+                    order = order
                 );
                 self.ask(About::Own(EULER), says, &[&fixed, &moving]);
             }
             Some(Answer::Wrong) => {
                 self.refuse(
-                    format!("--{EULER} {}", quoted(&self.reading.options[EULER])),
-                    "an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec",
+                    text!("--{euler} {options}", euler = EULER, options = quoted(&self.reading.options[EULER])),
+                    text!("an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec"),
                 );
             }
             None => {
-                let says = "three angles of an orientation, and neither the order of their axes nor whether these move is said";
+                let says = text!(
+                    "three angles of an orientation, and neither the order of their axes nor whether these move is said"
+                );
                 self.ask(
                     About::Own(EULER),
                     says,

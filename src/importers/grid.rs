@@ -13,6 +13,7 @@ use crate::importers::settings::{About, Question};
 use crate::importers::units;
 use crate::progress::Part;
 use crate::sessions::columns::Unit;
+use crate::text::Text;
 
 /// Lines that are looked at for the separator and the start of the table.
 const LOOKED_AT: usize = 400;
@@ -40,8 +41,8 @@ pub(crate) struct Grid<'a> {
 /// The complaint about an open quote.
 pub(crate) fn open_quote(file: &Place, quote: OpenQuote) -> Diagnostic {
     let place = file.clone().at_line(quote.line);
-    let found = "a quote that nothing closes";
-    Diagnostic::error(place, found, "a second quote, or none")
+    let found = text!("a quote that nothing closes");
+    Diagnostic::error(place, found, text!("a second quote, or none"))
 }
 
 impl<'a> Grid<'a> {
@@ -76,13 +77,13 @@ impl<'a> Grid<'a> {
             if let Some(quote) = quote {
                 return Err(Box::new(open_quote(file, quote)));
             }
-            let found = "no table: no line of cells of which one is a number";
-            let expected = "rows of cells between tabs, semicolons, commas or spaces";
+            let found = text!("no table: no line of cells of which one is a number");
+            let expected = text!("rows of cells between tabs, semicolons, commas or spaces");
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
         if width > MOST_COLUMNS {
-            let found = format!("{width} columns");
-            let expected = format!("a table of at most {MOST_COLUMNS} columns");
+            let found = text!("{width} columns", width = width);
+            let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
         let found = Self::with(text, separator, width, numbers)
@@ -113,8 +114,8 @@ impl<'a> Grid<'a> {
                 Ok(true) if row.line == line => break,
                 Ok(_) => {
                     let place = file.clone().at_line(line);
-                    let found = "no line of cells to be the header";
-                    let expected = "the number of a line that is not blank and no comment";
+                    let found = text!("no line of cells to be the header");
+                    let expected = text!("the number of a line that is not blank and no comment");
                     return Err(Box::new(Diagnostic::error(place, found, expected)));
                 }
                 Err(quote) => return Err(Box::new(open_quote(file, quote))),
@@ -205,12 +206,13 @@ impl<'a> Grid<'a> {
                 each(&row, complaints);
             } else {
                 let found = match row.cells.len() {
-                    1 => format!("1 cell, {}", quoted(&row.cells[0])),
-                    count => format!("{count} cells"),
+                    1 => text!("1 cell, {cells}", cells = quoted(&row.cells[0])),
+                    count => text!("{count} cells", count = count),
                 };
-                let expected = format!(
-                    "{} between {}, as in the rows before",
-                    self.width, self.separator
+                let expected = text!(
+                    "{width} between {separator}, as in the rows before",
+                    width = self.width,
+                    separator = self.separator.to_string()
                 );
                 complaints
                     .add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));
@@ -258,12 +260,12 @@ impl<'a> Grid<'a> {
         match votes.decide() {
             Decision::Is(decimal) => Some(decimal),
             Decision::Ask(example) => {
-                let says = format!(
-                    "{} is 1.234 with a decimal comma, or 1234 with a comma between thousands, and no other number tells",
-                    quoted(&example.cell)
-                )
-                .replace("1.234", &example.cell.replace(',', "."))
-                .replace("1234", &example.cell.replace(',', ""));
+                let says = text!(
+                    "{cell} is {decimal} with a decimal comma, or {grouped} with a comma between thousands, and no other number tells",
+                    cell = quoted(&example.cell),
+                    decimal = example.cell.replace(',', "."),
+                    grouped = example.cell.replace(',', "")
+                );
                 questions.push(Question::new(
                     About::Decimal,
                     place(&example),
@@ -273,13 +275,15 @@ impl<'a> Grid<'a> {
                 None
             }
             Decision::Mixed(point, comma) => {
-                let found = format!(
-                    "{} here and {} in line {}: a decimal point and a decimal comma",
-                    quoted(&comma.cell),
-                    quoted(&point.cell),
-                    point.line
+                let found = text!(
+                    "{cell} here and {cell_2} in line {line}: a decimal point and a decimal comma",
+                    cell = quoted(&comma.cell),
+                    cell_2 = quoted(&point.cell),
+                    line = point.line
                 );
-                let expected = "one decimal sign in the whole file, or --decimal if one of the two separates thousands";
+                let expected = text!(
+                    "one decimal sign in the whole file, or --decimal if one of the two separates thousands"
+                );
                 findings.push(Diagnostic::error(place(&comma), found, expected));
                 None
             }
@@ -319,8 +323,8 @@ impl Complaints {
     pub(crate) fn into(self, file: &Place, findings: &mut Vec<Diagnostic>) {
         findings.extend(self.findings);
         if self.more > 0 {
-            let found = format!("{} more cells or rows like these", self.more);
-            findings.push(Diagnostic::error(file.clone(), found, ""));
+            let found = text!("{more} more cells or rows like these", more = self.more);
+            findings.push(Diagnostic::error(file.clone(), found, Text::default()));
         }
     }
 }

@@ -6,6 +6,7 @@
 //! most points were measured in motion, each stays a sample, with the joint values between the
 //! commands before and after and their speed.
 
+use crate::text::{Template, Text};
 use std::ops::RangeInclusive;
 
 use nalgebra::Point3;
@@ -73,12 +74,16 @@ pub(crate) fn by_time(
     places: (&Place, &Place),
 ) -> Result<Timely, Box<Diagnostic>> {
     let (measured_place, commands_place) = places;
-    let refused = |place: &Place, found: String, expected: &str| {
+    let refused = |place: &Place, found: Text, expected: Template| {
         Err(Box::new(Diagnostic::error(place.clone(), found, expected)))
     };
     let Some(time_s) = measured.numbers(Quantity::Time) else {
-        let found = "no column of times".to_owned();
-        return refused(measured_place, found, "time_s, or --match order or name");
+        let found = text!("no column of times");
+        return refused(
+            measured_place,
+            found,
+            phrase!("time_s, or --match order or name"),
+        );
     };
     let path = path_of(&commands, robot, commands_place)?;
     let points = timed(&measured, &time_s, targets.1);
@@ -87,7 +92,7 @@ pub(crate) fn by_time(
         None => match clock::find(&path, robot, targets.0, &points) {
             Ok(clock) => clock,
             Err(why) => {
-                let expected = "--clock-offset with the seconds to add to a measured time";
+                let expected = phrase!("--clock-offset with the seconds to add to a measured time");
                 return refused(measured_place, why.in_words(), expected);
             }
         },
@@ -103,11 +108,11 @@ pub(crate) fn by_time(
     let inside = usable.iter().filter(|usable| **usable).count();
     let standing = in_stop.iter().flatten().count();
     if inside == 0 {
-        let found = "no measurement falls into the time of the commands".to_owned();
+        let found = text!("no measurement falls into the time of the commands");
         return refused(
             measured_place,
             found,
-            "recordings of the same time, or another --clock-offset",
+            phrase!("recordings of the same time, or another --clock-offset"),
         );
     }
     let by_stops = match timing.motion {
@@ -128,8 +133,8 @@ pub(crate) fn by_time(
     };
     let (columns, left) = if by_stops {
         if standing == 0 {
-            let found = "no measurement falls into a stop of the commands".to_owned();
-            return refused(measured_place, found, "--motion all");
+            let found = text!("no measurement falls into a stop of the commands");
+            return refused(measured_place, found, phrase!("--motion all"));
         }
         job.at_stops(
             measured,
@@ -141,8 +146,10 @@ pub(crate) fn by_time(
         )
     } else {
         if standing > 0 && inside > standing && timing.motion == Motion::Auto {
-            let found = format!(
-                "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds"
+            let found = text!(
+                "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds",
+                standing = standing,
+                inside = inside
             );
             findings.push(Diagnostic::note(measured_place.clone(), found));
         }
@@ -162,15 +169,15 @@ fn path_of(commands: &Columns, robot: &Robot, place: &Place) -> Result<Path, Box
         let (place, found, expected) = match wrong {
             None => (
                 place.clone(),
-                "no column of times, or not all joints",
-                "time_s and the commanded value of every joint",
+                text!("no column of times, or not all joints"),
+                text!("time_s and the commanded value of every joint"),
             ),
             Some(row) => (
                 place
                     .clone()
                     .at_line(commands.lines.get(row).unwrap_or(row as u64 + 1)),
-                "a time that is not later than the one before",
-                "rows in the order of time",
+                text!("a time that is not later than the one before"),
+                text!("rows in the order of time"),
             ),
         };
         Box::new(Diagnostic::error(place, found, expected))
@@ -183,13 +190,13 @@ fn left_outside(measured: &Columns, usable: &[bool], place: &Place) -> Option<Di
     if outside.is_empty() {
         return None;
     }
-    let found = format!(
-        "left out {} of {} measurements, taken before the first or after the last command: {}",
-        outside.len(),
-        usable.len(),
-        listed_rows(measured, &outside)
+    let found = text!(
+        "left out {outside} of {usable} measurements, taken before the first or after the last command: {outside_2}",
+        outside = outside.len(),
+        usable = usable.len(),
+        outside_2 = listed_rows(measured, &outside)
     );
-    Some(Diagnostic::warning(place.clone(), found, ""))
+    Some(Diagnostic::warning(place.clone(), found, Text::default()))
 }
 
 fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
@@ -309,10 +316,11 @@ impl Job<'_> {
         let groups = self.groups(stops, in_stop, &measured);
         let averaged: usize = groups.iter().map(|group| group.rows.len()).sum();
         let moving = in_stop.iter().filter(|stop| stop.is_none()).count();
-        let found = format!(
-            "{} samples at the stops of the commands, each the mean of {:.1} measurements on average; {moving} measurements in motion or outside are left out",
-            groups.len(),
-            averaged as f64 / groups.len().max(1) as f64
+        let found = text!(
+            "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are left out",
+            groups = groups.len(),
+            max = format!("{:.1}", averaged as f64 / groups.len().max(1) as f64),
+            moving = moving
         );
         findings.push(Diagnostic::note(place.clone(), found));
         let means = Means::of(&measured, &groups);

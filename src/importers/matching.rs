@@ -4,6 +4,7 @@
 //! the first occurrence of a name belongs to the first, the second to the second; what is left on
 //! either side is listed.
 
+use crate::text::{Template, Text};
 use std::collections::BTreeMap;
 
 use crate::document::number::quoted;
@@ -38,10 +39,7 @@ pub(crate) struct Pairs {
 }
 
 /// Pairs by order. The error says what differs.
-pub(crate) fn by_order(
-    measured: &Columns,
-    commands: &Columns,
-) -> Result<Pairs, (String, &'static str)> {
+pub(crate) fn by_order(measured: &Columns, commands: &Columns) -> Result<Pairs, (Text, Template)> {
     let (m, c) = (measured.rows(), commands.rows());
     if m == c {
         return Ok(Pairs {
@@ -52,46 +50,47 @@ pub(crate) fn by_order(
     }
     let (more, fewer) = (m.max(c), m.min(c));
     let (which, longer) = if m > c {
-        ("measurements", measured)
+        (phrase!("measurements"), measured)
     } else {
-        ("commands", commands)
+        (phrase!("commands"), commands)
     };
-    let mut found = format!("{m} measurements and {c} commands");
+    let mut found = text!("{m} measurements and {c} commands", m = m, c = c);
     let rest: Vec<usize> = (fewer..more).collect();
-    found += &format!(
-        "; {which} beyond the {fewer} of the other side: {}",
-        listed_rows(longer, &rest)
+    found += text!(
+        "; {which} beyond the {fewer} of the other side: {rest}",
+        which = which,
+        fewer = fewer,
+        rest = listed_rows(longer, &rest)
     );
     // Names on both sides show where the first gap is.
     if let (Some(a), Some(b)) = (measured.points(), commands.points())
         && let Some(row) = (0..fewer).find(|&row| a[row] != b[row])
     {
-        found += &format!(
-            "; the first difference: measurement {} is {}, command {} is {}",
-            row + 1,
-            quoted(a[row]),
-            row + 1,
-            quoted(b[row])
+        found += text!(
+            "; the first difference: measurement {row} is {row_2}, command {row_3} is {row_4}",
+            row = row + 1,
+            row_2 = quoted(a[row]),
+            row_3 = row + 1,
+            row_4 = quoted(b[row])
         );
     }
     Err((
         found,
-        "as many of one as of the other, or --match name or time",
+        phrase!("as many of one as of the other, or --match name or time"),
     ))
 }
 
 /// Pairs by name. Without names on both sides, or without a common one, the error says so.
-pub(crate) fn by_name(
-    measured: &Columns,
-    commands: &Columns,
-) -> Result<Pairs, (String, &'static str)> {
-    let lacks = |side: &str| {
+pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (Text, Template)> {
+    let lacks = |side: Template| {
         (
-            format!("{side} have no column of names"),
-            "names on both sides, or --match order",
+            text!("{side} have no column of names", side = side),
+            phrase!("names on both sides, or --match order"),
         )
     };
-    let names = measured.points().ok_or_else(|| lacks("the measurements"))?;
+    let names = measured
+        .points()
+        .ok_or_else(|| lacks(phrase!("the measurements")))?;
     let wanted = commands
         .points()
         .or_else(|| {
@@ -101,7 +100,7 @@ pub(crate) fn by_name(
             let column = commands.list.iter().find(target)?;
             commands.texts(column.role)
         })
-        .ok_or_else(|| lacks("the commands"))?;
+        .ok_or_else(|| lacks(phrase!("the commands")))?;
     // Rows of each name that are still free, the next one last.
     let mut free: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (row, name) in wanted.iter().enumerate().rev() {
@@ -129,12 +128,12 @@ pub(crate) fn by_name(
         .map(|row| row_in_words(commands, row))
         .collect();
     if pairs.measured.is_empty() {
-        let found = format!(
-            "no name is on both sides: measured {}, commanded {}",
-            listed(&pairs.lonely_measured),
-            listed(&pairs.lonely_commands)
+        let found = text!(
+            "no name is on both sides: measured {lonely_measured}, commanded {lonely_commands}",
+            lonely_measured = listed(&pairs.lonely_measured),
+            lonely_commands = listed(&pairs.lonely_commands)
         );
-        return Err((found, "the same names on both sides"));
+        return Err((found, phrase!("the same names on both sides")));
     }
     Ok(pairs)
 }
@@ -253,7 +252,7 @@ mod tests {
             "'B' (line 4)",
             "measurement 2 is 'X', command 2 is 'B'",
         ] {
-            assert!(found.contains(part), "{found}");
+            assert!(found.to_string().contains(part), "{found}");
         }
     }
 }

@@ -10,6 +10,7 @@
 //! Columns are found again by their headings, wherever they are; columns without headings by their
 //! place. What is said on the command line comes before what the profile says.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -129,31 +130,28 @@ impl Profile {
                     .at_column(error.column() as u64),
             };
             let text = error.to_string();
-            let found = text
-                .split(" at line ")
-                .next()
-                .unwrap_or_default()
-                .to_owned();
+            let found = text.split(" at line ").next().unwrap_or_default();
+            let found = Text::verbatim(found);
             Rejected::because(Diagnostic::error(
                 place,
                 found,
-                format!("an import profile ({FORMAT})"),
+                text!("an import profile ({format})", format = FORMAT),
             ))
         })?;
         profile.checked(place)
     }
 
     fn checked(self, place: &Place) -> Result<Self, Rejected> {
-        let refuse = |field: &str, found: &str, expected: String| {
+        let refuse = |field: &str, found: &str, expected: Text| {
             let place = place.clone().in_field(field);
             Err(Rejected::because(Diagnostic::error(
                 place,
-                quoted(found),
+                Text::verbatim(quoted(found)),
                 expected,
             )))
         };
         if self.format != FORMAT {
-            return refuse("format", &self.format, FORMAT.to_owned());
+            return refuse("format", &self.format, Text::verbatim(FORMAT));
         }
         let is_known = |value: &Option<String>, known: &[&str]| {
             value
@@ -173,11 +171,11 @@ impl Profile {
         for (field, value, known) in fields {
             if !is_known(value, known) {
                 let value = value.as_deref().unwrap_or_default();
-                return refuse(field, value, known.join(", "));
+                return refuse(field, value, Text::verbatim(known.join(", ")));
             }
         }
         if self.joint == Some(0) {
-            return refuse("joint", "0", "a joint, counted from 1".to_owned());
+            return refuse("joint", "0", text!("a joint, counted from 1"));
         }
         for column in self.columns.iter().chain(&self.commands) {
             let word = column.is.trim();
@@ -189,8 +187,9 @@ impl Profile {
                 return refuse(
                     "columns",
                     word,
-                    "name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s"
-                        .to_owned(),
+                    text!(
+                        "name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s"
+                    ),
                 );
             }
         }

@@ -17,6 +17,7 @@ use crate::progress::Part;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
+use crate::text::{Template, Text};
 
 /// Rows that are kept to be shown.
 const SHOWN_ROWS: usize = 8;
@@ -38,26 +39,26 @@ pub(crate) struct Case<'a> {
 }
 
 impl<'a> Case<'a> {
-    pub(crate) fn ask(&mut self, about: About, says: impl Into<String>, answers: &[&str]) {
+    pub(crate) fn ask(&mut self, about: About, says: impl Into<Text>, answers: &[&str]) {
         let place = self.place.clone();
         self.found
             .questions
             .push(Question::new(about, place, says, answers));
     }
 
-    pub(crate) fn note(&mut self, found: impl Into<String>) {
+    pub(crate) fn note(&mut self, found: impl Into<Text>) {
         let place = self.place.clone();
         self.found.findings.push(Diagnostic::note(place, found));
     }
 
-    pub(crate) fn warn(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+    pub(crate) fn warn(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         let place = self.place.clone();
         self.found
             .findings
             .push(Diagnostic::warning(place, found, expected));
     }
 
-    pub(crate) fn refuse(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+    pub(crate) fn refuse(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         let place = self.place.clone();
         self.found
             .findings
@@ -116,16 +117,23 @@ impl<'a> Case<'a> {
             };
             let Some(role) = role else {
                 self.refuse(
-                    format!("{} among the columns given", quoted(word)),
-                    "name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s",
+                    text!("{word} among the columns given", word = quoted(word)),
+                    text!("name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s"),
                 );
                 return None;
             };
             roles.push(role);
         }
         if roles.len() > width {
-            let found = format!("{} columns given for a table of {width}", roles.len());
-            self.refuse(found, "at most as many as the table has; - leaves one out");
+            let found = text!(
+                "{roles} columns given for a table of {width}",
+                roles = roles.len(),
+                width = width
+            );
+            self.refuse(
+                found,
+                text!("at most as many as the table has; - leaves one out"),
+            );
             return None;
         }
         roles.resize(width, Role::Left);
@@ -198,7 +206,7 @@ impl<'a> Case<'a> {
             })
             .collect();
         if self.found.rows == 0 && !self.is_open() {
-            self.refuse("no row that can be read", "at least one");
+            self.refuse(text!("no row that can be read"), text!("at least one"));
         }
         if self.is_open() {
             return None;
@@ -246,13 +254,13 @@ impl<'a> Case<'a> {
                 },
             };
             if let Some(first) = roles[..index].iter().position(same) {
-                let says = format!(
-                    "columns {} {} and {} {} could both be {}",
-                    first + 1,
-                    quoted(heading(first)),
-                    index + 1,
-                    quoted(heading(index)),
-                    role
+                let says = text!(
+                    "columns {first} {first_2} and {index} {index_2} could both be {role}",
+                    first = first + 1,
+                    first_2 = quoted(heading(first)),
+                    index = index + 1,
+                    index_2 = quoted(heading(index)),
+                    role = role.to_string()
                 );
                 self.ask(About::Columns, says, &[]);
                 return;
@@ -312,8 +320,14 @@ impl<'a> Case<'a> {
             && !lacks_length
         {
             if unit != heading {
-                let found = format!("the headings name another unit than {symbol}");
-                self.warn(found, "the same unit as the headings, which are believed");
+                let found = text!(
+                    "the headings name another unit than {symbol}",
+                    symbol = symbol
+                );
+                self.warn(
+                    found,
+                    text!("the same unit as the headings, which are believed"),
+                );
             }
             "from the headings".clone_into(&mut self.found.unit);
         } else if says_length.is_some() {
@@ -322,15 +336,15 @@ impl<'a> Case<'a> {
         if lacks_length {
             match length {
                 Some(_) if named.is_some() && given.is_none() => {
-                    let found = format!("the unit is {}", self.found.unit);
+                    let found = text!("the unit is {unit}", unit = &self.found.unit);
                     self.note(found);
                 }
                 Some(_) => {}
                 None => {
-                    let says = format!(
-                        "the unit of {} is not said: {}",
-                        lengths_in_words(roles),
-                        units::hint(spread, self.reading.reach_mm)
+                    let says = text!(
+                        "the unit of {roles} is not said: {reach_mm}",
+                        roles = lengths_in_words(roles),
+                        reach_mm = units::hint(spread, self.reading.reach_mm)
                     );
                     self.ask(About::Unit, says, &["mm", "m", "in"]);
                 }
@@ -339,8 +353,8 @@ impl<'a> Case<'a> {
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
         if lacks_angle && angle.is_none() {
             let says = match euler::columns_of(roles) {
-                Some(_) => "the unit of the angles is not said",
-                None => "the unit of the joint values is not said",
+                Some(_) => text!("the unit of the angles is not said"),
+                None => text!("the unit of the joint values is not said"),
             };
             self.ask(About::AngleUnit, says, &["deg", "rad"]);
         }
@@ -376,7 +390,10 @@ impl<'a> Case<'a> {
         if turns || named || any.into_iter().any(has) {
             return true;
         }
-        let says = format!("no column is x or y for certain{headings}");
+        let says = text!(
+            "no column is x or y for certain{headings}",
+            headings = headings
+        );
         self.ask(About::Columns, says, &[]);
         false
     }
@@ -489,7 +506,7 @@ impl<'a> CellReader<'a> {
                                 "" => place,
                                 heading => place.in_field(heading),
                             };
-                            Diagnostic::error(place, quoted(cell), expected)
+                            Diagnostic::error(place, Text::verbatim(quoted(cell)), expected)
                         });
                     }
                 }
@@ -499,24 +516,24 @@ impl<'a> CellReader<'a> {
 }
 
 /// A number in a column of this role.
-pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, &'static str> {
+pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Template> {
     if let Role::Known(Quantity::Direction(_), _) = role {
-        return direction(cell).ok_or("1, -1 or 0 (unknown), + or -, forward or backward");
+        return direction(cell).ok_or(phrase!("1, -1 or 0 (unknown), + or -, forward or backward"));
     }
     match (value(cell, decimal), role) {
         (Ok(value), Role::Time(seconds)) => Ok(value * seconds),
         (Ok(value), _) => Ok(value),
         (Err(_), Role::Time(_)) => {
-            clock_text::seconds(cell, decimal).ok_or("a time: seconds, or 12:34:56.7")
+            clock_text::seconds(cell, decimal).ok_or(phrase!("a time: seconds, or 12:34:56.7"))
         }
-        (Err(NotANumber::NotFinite), _) => {
-            Err("a finite number, or an empty cell where it is missing")
-        }
-        (Err(NotANumber::Overflow), _) => Err("a number that a double can hold"),
-        (Err(NotANumber::DecimalComma), _) => Err("a number with a decimal point"),
+        (Err(NotANumber::NotFinite), _) => Err(phrase!(
+            "a finite number, or an empty cell where it is missing"
+        )),
+        (Err(NotANumber::Overflow), _) => Err(phrase!("a number that a double can hold")),
+        (Err(NotANumber::DecimalComma), _) => Err(phrase!("a number with a decimal point")),
         (Err(NotANumber::Garbage), _) => match decimal {
-            Decimal::Point => Err("a number"),
-            Decimal::Comma => Err("a number with a decimal comma"),
+            Decimal::Point => Err(phrase!("a number")),
+            Decimal::Comma => Err(phrase!("a number with a decimal comma")),
         },
     }
 }

@@ -1,6 +1,7 @@
 //! From the columns of a foreign file to a session: commands, targets, the base frame, and a note
 //! that says where everything came from.
 
+use crate::text::Text;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -174,11 +175,14 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
     }
     if reading.z_up {
         upwards::turn_up(&mut columns);
-        job.said
-            .push("turned so that z points up: (x, y, z) became (x, -z, y)".to_owned());
+        job.said.push(text!(
+            "turned so that z points up: (x, y, z) became (x, -z, y)"
+        ));
     } else if inspection.kind.is_some_and(|kind| kind.asks.y_up) && settings.reference.is_none() {
-        let found = "these files have y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them";
-        job.warn(found, "");
+        let found = text!(
+            "these files have y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them"
+        );
+        job.warn(found, Text::default());
     }
     job.axis_to_points(&mut columns)?;
     let named = columns.find(Quantity::Target).is_some();
@@ -205,8 +209,11 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
 /// The reading with what the robot tells.
 fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
     let Some(joint) = robot.joints.get(reading.joint) else {
-        let found = format!("joint {} does not exist", reading.joint + 1);
-        let expected = format!("--joint from 1 to {}", robot.joint_count());
+        let found = text!("joint {joint} does not exist", joint = reading.joint + 1);
+        let expected = text!(
+            "--joint from 1 to {joint_count}",
+            joint_count = robot.joint_count()
+        );
         return Err(Rejected::because(Diagnostic::error(
             Place::default(),
             found,
@@ -234,7 +241,7 @@ pub(crate) struct Job<'s> {
     pub(crate) place: Place,
     pub(crate) findings: Vec<Diagnostic>,
     /// Sentences of the note.
-    pub(crate) said: Vec<String>,
+    pub(crate) said: Vec<Text>,
     /// What the columns of the commands are taken for.
     pub(crate) commands_columns: Vec<ColumnGuess>,
     /// The work that reading the files beside it is a part of.
@@ -253,44 +260,46 @@ impl Job<'_> {
     pub(crate) fn refuse<T>(
         &self,
         place: Place,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) -> Result<T, Rejected> {
         self.refused(vec![Diagnostic::error(place, found, expected)])
     }
 
-    pub(crate) fn note(&mut self, found: impl Into<String>) {
+    pub(crate) fn note(&mut self, found: impl Into<Text>) {
         self.findings
             .push(Diagnostic::note(self.place.clone(), found));
     }
 
-    pub(crate) fn warn(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+    pub(crate) fn warn(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         self.findings
             .push(Diagnostic::warning(self.place.clone(), found, expected));
     }
 
     /// Warns of what did not come into the session, and has its note say it: whoever signs reads
     /// the note, not the terminal.
-    pub(crate) fn left_out(&mut self, place: Place, found: String) {
+    pub(crate) fn left_out(&mut self, place: Place, found: Text) {
         self.said.push(found.clone());
-        self.findings.push(Diagnostic::warning(place, found, ""));
+        self.findings
+            .push(Diagnostic::warning(place, found, Text::default()));
     }
 
     fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
         let kind = inspection.kind.map_or("", |kind| kind.id);
-        let mut said = format!(
-            "imported from {} as {kind}: {}",
-            file_in_words(self.reading.file.as_ref(), bytes),
-            inspection.encoding
+        let mut said = text!(
+            "imported from {bytes} as {kind}: {encoding}",
+            bytes = file_in_words(self.reading.file.as_ref(), bytes),
+            kind = kind,
+            encoding = inspection.encoding.to_string()
         );
         if let Some(separator) = inspection.separator {
-            said += &format!(", {separator}");
+            said += text!(", {separator}", separator = separator.to_string());
         }
         if let Some(decimal) = inspection.decimal {
-            said += &format!(", {decimal}");
+            said += text!(", {decimal}", decimal = decimal.to_string());
         }
         if !inspection.unit.is_empty() {
-            said += &format!(", unit {}", inspection.unit);
+            said += text!(", unit {unit}", unit = &inspection.unit);
         }
         self.said.push(said);
     }

@@ -1,6 +1,7 @@
 //! What a person can say about a file, what the program found out by itself, and what it has to
 //! ask.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -102,18 +103,13 @@ pub struct Question {
     /// Where in the file it came up.
     pub place: Place,
     /// What is not known, and what the answers would mean.
-    pub says: String,
+    pub says: Text,
     /// Possible answers as the command line takes them; empty where there are too many.
     pub answers: Vec<String>,
 }
 
 impl Question {
-    pub(crate) fn new(
-        about: About,
-        place: Place,
-        says: impl Into<String>,
-        answers: &[&str],
-    ) -> Self {
+    pub(crate) fn new(about: About, place: Place, says: impl Into<Text>, answers: &[&str]) -> Self {
         Self {
             about,
             place,
@@ -127,15 +123,24 @@ impl Question {
         let option = self.about.option();
         let expected = match (&self.answers[..], self.about) {
             ([], About::Columns) => {
-                format!(
-                    "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-"
+                text!(
+                    "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-",
+                    option = option
                 )
             }
-            ([], _) => option,
+            ([], _) => Text::verbatim(option),
             ([proposal], About::Columns) => {
-                format!("--confirm if they are, else {option} with what each is, now {proposal}")
+                text!(
+                    "--confirm if they are, else {option} with what each is, now {proposal}",
+                    option = option,
+                    proposal = proposal
+                )
             }
-            (answers, _) => format!("{option} {}", answers.join(" or ")),
+            (answers, _) => text!(
+                "{option} {answers}",
+                option = option,
+                answers = answers.join(" or ")
+            ),
         };
         Diagnostic::error(self.place.clone(), self.says.clone(), expected)
     }

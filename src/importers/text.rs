@@ -4,6 +4,7 @@
 //! other byte. What is neither is taken as Windows-1252, which every byte is valid in, and that is
 //! said. A file with zero bytes in it is no text.
 
+use crate::text::{Template, Text};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -48,12 +49,14 @@ pub(crate) fn decode<'a>(
     file: &Place,
     findings: &mut Vec<Diagnostic>,
 ) -> Result<(Cow<'a, str>, Encoding), Box<Diagnostic>> {
-    let refused = |found: &str| Box::new(Diagnostic::error(file.clone(), found, EXPECTED));
+    let refused = |found: Text| Box::new(Diagnostic::error(file.clone(), found, EXPECTED));
     if bytes.trim_ascii().is_empty() {
-        return Err(refused("an empty file"));
+        return Err(refused(text!("an empty file")));
     }
     let (text, encoding) = match bytes {
-        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => return Err(refused("a file in UTF-32")),
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => {
+            return Err(refused(text!("a file in UTF-32")));
+        }
         [0xff, 0xfe, rest @ ..] => (utf_16(rest, UTF_16LE, file)?, Encoding::Utf16Le),
         [0xfe, 0xff, rest @ ..] => (utf_16(rest, UTF_16BE, file)?, Encoding::Utf16Be),
         [0xef, 0xbb, 0xbf, rest @ ..] => utf_8_or_windows(rest, file, findings),
@@ -69,7 +72,10 @@ pub(crate) fn decode<'a>(
                 if 3 * even.max(odd) < bytes.len().min(LOOKED_AT) || bytes.len() % 2 == 1 {
                     (String::from_utf8_lossy(bytes), Encoding::Utf8)
                 } else {
-                    let found = format!("no byte order mark, read as {encoding}");
+                    let found = text!(
+                        "no byte order mark, read as {encoding}",
+                        encoding = encoding.to_string()
+                    );
                     findings.push(Diagnostic::note(file.clone(), found));
                     (utf_16(bytes, decoder, file)?, encoding)
                 }
@@ -78,15 +84,22 @@ pub(crate) fn decode<'a>(
     };
     if let Some(line) = too_long(&text) {
         let place = file.clone().at_line(line);
-        let found = format!("a line of more than {LONGEST_LINE} bytes");
+        let found = text!(
+            "a line of more than {longest_line} bytes",
+            longest_line = LONGEST_LINE
+        );
         return Err(Box::new(Diagnostic::error(place, found, EXPECTED)));
     }
     match memchr::memchr(0, text.as_bytes()) {
-        None if text.trim().is_empty() => Err(refused("an empty file")),
+        None if text.trim().is_empty() => Err(refused(text!("an empty file"))),
         None => Ok((text, encoding)),
         Some(at) => {
             let place = file.clone().at_line(line_of(&text, at));
-            Err(Box::new(Diagnostic::error(place, "a zero byte", EXPECTED)))
+            Err(Box::new(Diagnostic::error(
+                place,
+                text!("a zero byte"),
+                EXPECTED,
+            )))
         }
     }
 }
@@ -105,7 +118,7 @@ fn too_long(text: &str) -> Option<u64> {
     long.next().map(|(_, number)| number)
 }
 
-const EXPECTED: &str = "a table as text, in UTF-8, UTF-16 or Windows-1252";
+const EXPECTED: Template = phrase!("a table as text, in UTF-8, UTF-16 or Windows-1252");
 
 /// Zeros at even and at odd places near the start.
 fn zeros(bytes: &[u8]) -> [usize; 2] {
@@ -128,7 +141,7 @@ fn utf_16<'a>(
     let at = text.find('\u{fffd}').unwrap_or(text.len());
     Err(Box::new(Diagnostic::error(
         file.clone().at_line(line_of(&text, at)),
-        "bytes that are not UTF-16, although the file starts like it",
+        text!("bytes that are not UTF-16, although the file starts like it"),
         EXPECTED,
     )))
 }
@@ -146,8 +159,8 @@ fn utf_8_or_windows<'a>(
             let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
             findings.push(Diagnostic::warning(
                 file.clone().at_line(line),
-                "bytes that are not UTF-8: the file is read as Windows-1252",
-                "UTF-8, if letters other than a to z look wrong",
+                text!("bytes that are not UTF-8: the file is read as Windows-1252"),
+                text!("UTF-8, if letters other than a to z look wrong"),
             ));
             (text, Encoding::Windows1252)
         }

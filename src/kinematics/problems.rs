@@ -15,8 +15,8 @@ impl Robot {
         if self.joints.is_empty() {
             problems.push(Diagnostic::error(
                 place.clone().in_field("robot.joints"),
-                "no joints",
-                "at least one joint",
+                text!("no joints"),
+                text!("at least one joint"),
             ));
             return problems;
         }
@@ -38,8 +38,8 @@ impl Robot {
                     place
                         .clone()
                         .in_field(format!("robot.joints[{index}].follows")),
-                    format!("a joint that follows joint {}", follows.of + 1),
-                    "the number of another joint that follows none, and a finite ratio and offset",
+                    text!("a joint that follows joint {of}", of = follows.of + 1),
+                    text!("the number of another joint that follows none, and a finite ratio and offset"),
                 ));
             }
         }
@@ -50,12 +50,14 @@ impl Robot {
                     .in_field(format!("robot.joints[{}]", index + 1));
                 problems.push(Diagnostic::error(
                     at,
-                    format!(
-                        "joints {} and {} move along the same line",
-                        index + 1,
-                        index + 2
+                    text!(
+                        "joints {index} and {index_2} move along the same line",
+                        index = index + 1,
+                        index_2 = index + 2
                     ),
-                    "neighbouring joints with different axes; these two cannot be told apart",
+                    text!(
+                        "neighbouring joints with different axes; these two cannot be told apart"
+                    ),
                 ));
             }
         }
@@ -64,11 +66,12 @@ impl Robot {
             if mobility < self.joints.len() {
                 problems.push(Diagnostic::warning(
                     place.clone().in_field("robot.joints"),
-                    format!(
-                        "{} joints that move the tool in only {mobility} independent ways",
-                        self.joints.len()
+                    text!(
+                        "{joints} joints that move the tool in only {mobility} independent ways",
+                        joints = self.joints.len(),
+                        mobility = mobility
                     ),
-                    "as many ways as joints; some joints stand in for each other",
+                    text!("as many ways as joints; some joints stand in for each other"),
                 ));
             }
         }
@@ -84,16 +87,16 @@ impl Robot {
         if self.joints.len() > MOST_JOINTS {
             problems.push(Diagnostic::error(
                 place.clone().in_field("robot.joints"),
-                format!("{} joints", self.joints.len()),
-                format!("at most {MOST_JOINTS} joints"),
+                text!("{joints} joints", joints = self.joints.len()),
+                text!("at most {most} joints", most = MOST_JOINTS),
             ));
             return problems;
         }
         if !is_within_reach(&self.base_from_tool) {
             problems.push(Diagnostic::error(
                 place.clone().in_field("robot.tool"),
-                "a number that is not finite or too large",
-                "a finite position of at most 10 000 000 mm, and an orientation",
+                text!("a number that is not finite or too large"),
+                text!("a finite position of at most 10 000 000 mm, and an orientation"),
             ));
         }
         if self
@@ -102,8 +105,8 @@ impl Robot {
         {
             problems.push(Diagnostic::error(
                 place.clone().in_field("robot.gravity_m_s2"),
-                "a number that is not finite or too large",
-                "three finite numbers in m/s²",
+                text!("a number that is not finite or too large"),
+                text!("three finite numbers in m/s²"),
             ));
         }
         for (index, joint) in self.joints.iter().enumerate() {
@@ -135,8 +138,8 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     {
         problems.push(Diagnostic::error(
             place.clone(),
-            "an axis that is not a line",
-            "a finite point and a direction of non-zero length",
+            text!("an axis that is not a line"),
+            text!("a finite point and a direction of non-zero length"),
         ));
     }
     if let Some(limits) = joint.limits
@@ -147,23 +150,27 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     {
         problems.push(Diagnostic::error(
             place.clone(),
-            format!("limits from {} to {}", limits.from, limits.to),
-            "limits of at most 1 000 000, the smaller value first",
+            text!(
+                "limits from {from} to {to}",
+                from = limits.from,
+                to = limits.to
+            ),
+            text!("limits of at most 1 000 000, the smaller value first"),
         ));
     }
     if let Some(link) = joint.link {
         if !(0.0..=LARGEST_MASS_KG).contains(&link.mass_kg) {
             problems.push(Diagnostic::error(
                 place.clone(),
-                format!("a link of {} kg", link.mass_kg),
-                "a finite mass of at least 0 kg",
+                text!("a link of {mass_kg} kg", mass_kg = link.mass_kg),
+                text!("a finite mass of at least 0 kg"),
             ));
         }
         if !link.centre_mm.iter().all(|x| x.abs() <= LARGEST_SUM_MM) {
             problems.push(Diagnostic::error(
                 place.clone(),
-                "a centre of mass that is not finite",
-                "three finite numbers in mm",
+                text!("a centre of mass that is not finite"),
+                text!("three finite numbers in mm"),
             ));
         }
     }
@@ -205,7 +212,7 @@ mod tests {
         let twin = robot_of(vec![revolute(z_axis_at(0.0)), revolute(second)]);
         let problems = twin.problems(&Place::default());
         assert_eq!(problems[0].severity, Severity::Error);
-        assert!(problems[0].found.contains("joints 1 and 2"));
+        assert!(problems[0].found.to_string().contains("joints 1 and 2"));
         let apart = robot_of(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
         assert_eq!(apart.problems(&Place::default()), vec![]);
     }
@@ -220,7 +227,12 @@ mod tests {
         let problems = planar.problems(&Place::default());
         assert_eq!(problems.len(), 1);
         assert_eq!(problems[0].severity, Severity::Warning);
-        assert!(problems[0].found.contains("only 3 independent ways"));
+        assert!(
+            problems[0]
+                .found
+                .to_string()
+                .contains("only 3 independent ways")
+        );
     }
 
     #[test]

@@ -10,6 +10,7 @@
 //! tool, each moving joint one axis at home. What is fixed to a link is part of it; a side branch
 //! with a joint of its own is left out, because its pose is not known.
 
+use crate::text::{Template, Text};
 use nalgebra::{Point3, Unit, Vector3};
 
 use super::robot::{
@@ -26,7 +27,7 @@ pub(super) enum Motion {
     /// It turns or slides.
     Moves(JointKind),
     /// Something that no chain can have: what was found, and what was expected.
-    Other(String, String),
+    Other(Text, Text),
 }
 
 /// A joint between a body and its parent, in the body's frame as it is drawn.
@@ -81,7 +82,7 @@ pub(super) struct Tree {
     pub(super) name: String,
     pub(super) bodies: Vec<Body>,
     /// What the description calls its bodies, for messages: link or body.
-    pub(super) called: &'static str,
+    pub(super) called: Template,
 }
 
 /// A body of the chain at home.
@@ -160,8 +161,11 @@ impl Tree {
                         robot.joints.push(moving);
                         if robot.joints.len() > MOST_JOINTS {
                             let place = joint.place.clone();
-                            let found = format!("more than {MOST_JOINTS} joints from base to tip");
-                            let expected = format!("at most {MOST_JOINTS} joints");
+                            let found = text!(
+                                "more than {most} joints from base to tip",
+                                most = MOST_JOINTS
+                            );
+                            let expected = text!("at most {most} joints", most = MOST_JOINTS);
                             return Err(Rejected::because(Diagnostic::error(
                                 place, found, expected,
                             )));
@@ -186,8 +190,8 @@ impl Tree {
         }
         if robot.joints.is_empty() {
             return Err(self.refuse(
-                "a chain without a moving joint",
-                "at least one joint that turns or slides between base and tip",
+                text!("a chain without a moving joint"),
+                text!("at least one joint that turns or slides between base and tip"),
             ));
         }
         robot.base_from_tool = base_from_body;
@@ -197,30 +201,36 @@ impl Tree {
             Ok((robot, carried))
         } else {
             Err(self.refuse(
-                "numbers that are too large to add up",
-                "lengths in m and masses in kg of a robot",
+                text!("numbers that are too large to add up"),
+                text!("lengths in m and masses in kg of a robot"),
             ))
         }
     }
 
-    fn refuse(&self, found: impl Into<String>, expected: impl Into<String>) -> Rejected {
+    fn refuse(&self, found: impl Into<Text>, expected: impl Into<Text>) -> Rejected {
         Rejected::because(Diagnostic::error(self.place.clone(), found, expected))
     }
 
     /// The bodies from `base` to `tip`, both included.
     fn chain(&self, base: &str, tip: &str) -> Result<Vec<usize>, Rejected> {
-        let [base_at, tip_at] = [("base", base), ("tip", tip)].map(|(role, name)| {
-            let called = |body: &Body| !name.is_empty() && body.name == name;
-            let found = self.bodies.iter().position(called);
-            found.ok_or_else(|| {
-                let names = self.bodies.iter().map(|body| body.name.as_str());
-                let named = names.filter(|name| !name.is_empty());
-                self.refuse(
-                    format!("no {} '{name}' for the {role}", self.called),
-                    format!("one of {}", listed(named)),
-                )
-            })
-        });
+        let [base_at, tip_at] =
+            [(phrase!("base"), base), (phrase!("tip"), tip)].map(|(role, name)| {
+                let called = |body: &Body| !name.is_empty() && body.name == name;
+                let found = self.bodies.iter().position(called);
+                found.ok_or_else(|| {
+                    let names = self.bodies.iter().map(|body| body.name.as_str());
+                    let named = names.filter(|name| !name.is_empty());
+                    self.refuse(
+                        text!(
+                            "no {called} '{name}' for the {role}",
+                            called = self.called,
+                            name = name,
+                            role = role
+                        ),
+                        text!("one of {named}", named = listed(named)),
+                    )
+                })
+            });
         let (base_at, mut at) = (base_at?, tip_at?);
         let mut chain = vec![at];
         while at != base_at {
@@ -231,8 +241,16 @@ impl Tree {
                     let above = chain.iter().skip(1).map(|k| self.bodies[*k].name.as_str());
                     let above = listed(above.filter(|name| !name.is_empty()));
                     return Err(self.refuse(
-                        format!("no chain of joints from '{base}' to '{tip}'"),
-                        format!("a tip below the base; above '{tip}': {above}"),
+                        text!(
+                            "no chain of joints from '{base}' to '{tip}'",
+                            base = base,
+                            tip = tip
+                        ),
+                        text!(
+                            "a tip below the base; above '{tip}': {above}",
+                            tip = tip,
+                            above = above
+                        ),
                     ));
                 }
             }
@@ -294,7 +312,7 @@ fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec
     };
     let mut problems = Vec::new();
     for &(joint, body, mimic) in mimics {
-        let mut refuse = |found: String, expected: String| {
+        let mut refuse = |found: Text, expected: Text| {
             let place = body
                 .place
                 .clone()
@@ -306,8 +324,13 @@ fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec
         let leader = loop {
             let Some(leader) = joints.iter().position(|joint| joint.name == of) else {
                 refuse(
-                    format!("a joint that mimics '{of}', which is not between base and tip"),
-                    "a base and a tip with both joints between, or a joint of type fixed in place of this one".to_owned(),
+                    text!(
+                        "a joint that mimics '{of}', which is not between base and tip",
+                        of = of
+                    ),
+                    text!(
+                        "a base and a tip with both joints between, or a joint of type fixed in place of this one"
+                    ),
                 );
                 break None;
             };
@@ -317,8 +340,11 @@ fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec
             passed += 1;
             if passed > mimics.len() {
                 refuse(
-                    format!("a joint that mimics '{}', which mimics it", mimic.of),
-                    "a joint that has a value of its own".to_owned(),
+                    text!(
+                        "a joint that mimics '{of}', which mimics it",
+                        of = &mimic.of
+                    ),
+                    text!("a joint that has a value of its own"),
                 );
                 break None;
             }
@@ -340,14 +366,14 @@ fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec
 
 /// A joint at home in the base frame, and its motion from where it is drawn to home, in the frame
 /// of its body.
-fn at_home(joint: &BodyJoint, base_from_drawn: &Pose) -> Result<(Joint, Pose), (String, String)> {
+fn at_home(joint: &BodyJoint, base_from_drawn: &Pose) -> Result<(Joint, Pose), (Text, Text)> {
     let kind = match &joint.motion {
         Motion::Moves(kind) => *kind,
         Motion::Other(found, expected) => return Err((found.clone(), expected.clone())),
     };
     let useless = |error: super::KinematicsError| {
-        let expected = "a finite axis of non-zero length".to_owned();
-        (error.to_string(), expected)
+        let expected = text!("a finite axis of non-zero length");
+        (Text::verbatim(error.to_string()), expected)
     };
     let local = Axis::through(joint.axis, joint.point_mm).map_err(useless)?;
     let mut axis = local.moved_by(base_from_drawn);

@@ -13,6 +13,7 @@
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
 
+use crate::text::Template;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -39,8 +40,8 @@ pub fn robot_from_urdf(text: &str, file: &Path, base: &str, tip: &str) -> Result
 pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
     let root = ROOT;
     if document.name(root) != "robot" {
-        let found = format!("<{}>", document.name(root));
-        return Err(document.refuse(root, found, "<robot>, as a URDF file begins"));
+        let found = text!("<{root}>", root = document.name(root));
+        return Err(document.refuse(root, found, text!("<robot>, as a URDF file begins")));
     }
     let mut tree = Tree {
         place: Place::file(file),
@@ -49,14 +50,14 @@ pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
             .unwrap_or_default()
             .to_owned(),
         bodies: Vec::new(),
-        called: "link",
+        called: phrase!("link"),
     };
     let mut link_of: BTreeMap<String, usize> = BTreeMap::new();
     for link in document.children(root, "link") {
         let name = document.required(link, "name")?.to_owned();
         if link_of.insert(name.clone(), tree.bodies.len()).is_some() {
-            let found = format!("two links called '{name}'");
-            return Err(document.refuse(link, found, "a name of its own for each link"));
+            let found = text!("two links called '{name}'", name = name);
+            return Err(document.refuse(link, found, text!("a name of its own for each link")));
         }
         tree.bodies.push(Body {
             name,
@@ -81,20 +82,24 @@ fn hang(
 ) -> Result<(), Rejected> {
     let end = |which: &'static str| -> Result<usize, Rejected> {
         let Some(element) = document.children(joint, which).next() else {
-            let found = format!("a joint without <{which}>");
-            return Err(document.refuse(joint, found, "<parent> and <child> in each joint"));
+            let found = text!("a joint without <{which}>", which = which);
+            return Err(document.refuse(joint, found, text!("<parent> and <child> in each joint")));
         };
         let link = document.required(element, "link")?;
         link_of.get(link).copied().ok_or_else(|| {
-            let found = format!("a link '{link}' that is not in the file");
-            document.refuse(element, found, "the name of a link")
+            let found = text!("a link '{link}' that is not in the file", link = link);
+            document.refuse(element, found, text!("the name of a link"))
         })
     };
     let (parent, child) = (end("parent")?, end("child")?);
     if let Some(other) = tree.bodies[child].parent {
         let (child, other) = (&tree.bodies[child].name, &tree.bodies[other].name);
-        let found = format!("the link '{child}' hangs on '{other}' already");
-        return Err(document.refuse(joint, found, "one parent for each link"));
+        let found = text!(
+            "the link '{child}' hangs on '{other}' already",
+            child = child,
+            other = other
+        );
+        return Err(document.refuse(joint, found, text!("one parent for each link")));
     }
     let body = &mut tree.bodies[child];
     body.parent = Some(parent);
@@ -105,14 +110,15 @@ fn hang(
 
 /// What a joint does; none if it is fixed.
 fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Rejected> {
-    const SUPPORTED: &str = "a revolute, continuous, prismatic or fixed joint between base and tip";
+    const SUPPORTED: Template =
+        phrase!("a revolute, continuous, prismatic or fixed joint between base and tip");
     let kind = document.required(joint, "type")?;
     let motion = match kind {
         "fixed" => return Ok(None),
         "revolute" | "continuous" => Motion::Moves(JointKind::Revolute),
         "prismatic" => Motion::Moves(JointKind::Prismatic),
         "floating" | "planar" | "spherical" => {
-            Motion::Other(format!("a {kind} joint"), SUPPORTED.to_owned())
+            Motion::Other(text!("a {kind} joint", kind = kind), SUPPORTED.into())
         }
         _ => return Err(document.refuse_value(joint, "type", SUPPORTED)),
     };
@@ -175,7 +181,11 @@ pub(super) fn origin(document: &Document, element: usize) -> Result<Pose, Reject
     let rotation = if let Some([x, y, z, w]) = document.numbers::<4>(origin, "quat_xyzw")? {
         let quaternion = Quaternion::new(w, x, y, z);
         UnitQuaternion::try_new(quaternion, 1e-12).ok_or_else(|| {
-            document.refuse_value(origin, "quat_xyzw", "a quaternion of non-zero length")
+            document.refuse_value(
+                origin,
+                "quat_xyzw",
+                text!("a quaternion of non-zero length"),
+            )
         })?
     } else {
         let [roll, pitch, yaw] = document.numbers::<3>(origin, "rpy")?.unwrap_or_default();

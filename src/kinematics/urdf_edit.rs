@@ -1,6 +1,7 @@
 //! A URDF file whose joints are moved in its own text: everything else in it (links, visuals, meshes,
 //! inertials, comments, other joints) stays as it is, to the byte.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -50,8 +51,8 @@ pub struct UrdfChain {
 pub fn urdf_chain_of(text: &str, file: &Path, robot: &Robot) -> Result<UrdfChain, Rejected> {
     let document = Document::parse(text, file)?;
     let tree = urdf::tree(&document, file)?;
-    let refuse = |found: String| {
-        let expected = "the file that the robot was read from, unchanged";
+    let refuse = |found: Text| {
+        let expected = text!("the file that the robot was read from, unchanged");
         Err(Rejected::because(Diagnostic::error(
             Place::file(file),
             found,
@@ -85,7 +86,7 @@ pub fn urdf_chain_of(text: &str, file: &Path, robot: &Robot) -> Result<UrdfChain
             .iter()
             .find(|joint| !joints.contains_key(joint.name.as_str()));
         let name = missing.map_or(first, |joint| &joint.name);
-        return refuse(format!("no joint '{name}' in it"));
+        return refuse(text!("no joint '{name}' in it", name = name));
     };
     // Links that are fixed to where the chain begins and ends; a loop uses each joint once at most.
     let mut bases = vec![start.parent];
@@ -107,7 +108,7 @@ pub fn urdf_chain_of(text: &str, file: &Path, robot: &Robot) -> Result<UrdfChain
         tips.extend(below.map(|joint| joint.child));
         at += 1;
     }
-    let mut differs = String::new();
+    let mut differs = Text::default();
     for &base in &bases {
         let Ok(found) = tree.robot(base, stop.child) else {
             continue;
@@ -172,12 +173,12 @@ fn same(one: &Pose, other: &Pose) -> bool {
 }
 
 /// What differs first between the joints of two robots.
-fn difference(found: &Robot, robot: &Robot) -> Option<String> {
+fn difference(found: &Robot, robot: &Robot) -> Option<Text> {
     if found.joints.len() != robot.joints.len() {
-        return Some(format!(
-            "a chain of {} joints in it, where the robot has {}",
-            found.joints.len(),
-            robot.joints.len()
+        return Some(text!(
+            "a chain of {found} joints in it, where the robot has {joints}",
+            found = found.joints.len(),
+            joints = robot.joints.len()
         ));
     }
     let differs = |(own, other): (&super::robot::Joint, &super::robot::Joint)| {
@@ -189,7 +190,7 @@ fn difference(found: &Robot, robot: &Robot) -> Option<String> {
             || own.kind != other.kind
             || direction.norm() > SAME_DIRECTION
             || elsewhere)
-            .then(|| format!("the joint '{}' is elsewhere in it", other.name))
+            .then(|| text!("the joint '{name}' is elsewhere in it", name = &other.name))
     };
     found.joints.iter().zip(&robot.joints).find_map(differs)
 }
@@ -213,19 +214,19 @@ pub fn urdf_with(
         allow_dtd: true,
         ..roxmltree::ParsingOptions::default()
     };
-    let wrong = |found: String| {
-        let expected = "a URDF file";
+    let wrong = |found: Text| {
+        let expected = text!("a URDF file");
         Rejected::because(Diagnostic::error(Place::file(file), found, expected))
     };
     let tree = roxmltree::Document::parse_with_options(text, options)
-        .map_err(|error| wrong(error.to_string()))?;
+        .map_err(|error| wrong(Text::verbatim(error.to_string())))?;
     let mut edits: Vec<(Range<usize>, String)> = Vec::new();
     for (name, pose) in origins {
         let is = |node: &Node<'_, '_>| {
             node.has_tag_name("joint") && node.attribute("name") == Some(name.as_str())
         };
         let joint = tree.root_element().children().find(is);
-        let joint = joint.ok_or_else(|| wrong(format!("no joint '{name}'")))?;
+        let joint = joint.ok_or_else(|| wrong(text!("no joint '{name}'", name = name)))?;
         let element = format!("<origin {}/>", origin(pose));
         let old = joint.children().find(|node| node.has_tag_name("origin"));
         let first = joint.children().find(Node::is_element);
@@ -235,13 +236,13 @@ pub fn urdf_with(
                 let at = first.range().start;
                 edits.push((at..at, format!("{element}{}", indent_before(text, at))));
             }
-            (None, None) => return Err(wrong(format!("an empty joint '{name}'"))),
+            (None, None) => return Err(wrong(text!("an empty joint '{name}'", name = name))),
         }
     }
     if !added.is_empty() {
         let end = text
             .rfind("</")
-            .ok_or_else(|| wrong("an empty robot".to_owned()))?;
+            .ok_or_else(|| wrong(text!("an empty robot")))?;
         let mut links = String::new();
         for (parent, name, pose) in added {
             let _ = writeln!(

@@ -5,6 +5,7 @@
 //! message needs them. What is no well-formed XML is refused with its place; so are numbers that
 //! are none.
 
+use crate::text::Text;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -53,7 +54,7 @@ pub(super) struct Document {
 pub(super) const ROOT: usize = 0;
 
 /// What stands in the file where something else should.
-pub(super) type Mistake = (String, String);
+pub(super) type Mistake = (Text, Text);
 
 /// Finds the text of an included file by the name that the document gives it.
 pub(super) type Include<'a> = &'a dyn Fn(&str) -> Result<(PathBuf, String), Mistake>;
@@ -90,8 +91,8 @@ impl Document {
             let place = Place::file(file).at_line(u64::from(at.row));
             Rejected::because(Diagnostic::error(
                 place.at_column(u64::from(at.col)),
-                without_place(&error.to_string()),
-                "well-formed XML",
+                Text::verbatim(without_place(&error.to_string())),
+                text!("well-formed XML"),
             ))
         })?;
         let source = index(self.sources.len());
@@ -172,18 +173,24 @@ impl Document {
             Rejected::because(Diagnostic::error(place, found, expected))
         };
         if self.sources.len() > MOST_FILES {
-            let found = "more included files than that".to_owned();
-            return Err(refuse(self, (found, format!("at most {MOST_FILES}"))));
+            let found = text!("more included files than that");
+            return Err(refuse(
+                self,
+                (found, text!("at most {most}", most = MOST_FILES)),
+            ));
         }
         let (file, text) = include(&name).map_err(|mistake| refuse(self, mistake))?;
         if self.sources.iter().any(|source| source.file == file) {
-            let found = format!("'{name}' for the second time");
-            return Err(refuse(self, (found, "each file included once".to_owned())));
+            let found = text!("'{name}' for the second time", name = name);
+            return Err(refuse(self, (found, text!("each file included once"))));
         }
         let so_far: usize = self.sources.iter().map(Source::length).sum();
         if so_far + text.len() > usize::try_from(LARGEST_FILE).unwrap_or(usize::MAX) {
-            let found = format!("'{name}', with which the files have more than 64 MiB");
-            return Err(refuse(self, (found, "at most 64 MiB in all".to_owned())));
+            let found = text!(
+                "'{name}', with which the files have more than 64 MiB",
+                name = name
+            );
+            return Err(refuse(self, (found, text!("at most 64 MiB in all"))));
         }
         self.add(&text, &file)
     }
@@ -237,8 +244,12 @@ impl Document {
     pub(super) fn required(&self, index: usize, name: &str) -> Result<&str, Rejected> {
         self.attribute(index, name).ok_or_else(|| {
             let element = self.name(index);
-            let found = format!("<{element}> without {name}");
-            self.refuse(index, found, format!("<{element} {name}=\"…\">"))
+            let found = text!("<{element}> without {name}", element = element, name = name);
+            self.refuse(
+                index,
+                found,
+                text!("<{element} {name}=\"…\">", element = element, name = name),
+            )
         })
     }
 
@@ -262,8 +273,8 @@ impl Document {
     pub(super) fn refuse(
         &self,
         index: usize,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) -> Rejected {
         Rejected::because(Diagnostic::error(self.place(index), found, expected))
     }
@@ -273,11 +284,16 @@ impl Document {
         &self,
         index: usize,
         name: &str,
-        expected: impl Into<String>,
+        expected: impl Into<Text>,
     ) -> Rejected {
         let value = self.attribute(index, name).unwrap_or_default();
         let element = self.name(index);
-        let found = format!("{name}=\"{}\" in <{element}>", short(value));
+        let found = text!(
+            "{name}=\"{value}\" in <{element}>",
+            name = name,
+            value = short(value),
+            element = element
+        );
         let place = self.attribute_place(index, name);
         Rejected::because(Diagnostic::error(place, found, expected))
     }
@@ -322,11 +338,11 @@ impl Document {
             return Ok(Some(numbers));
         }
         let expected = match N {
-            1 => "one finite number".to_owned(),
-            count => format!("{count} finite numbers with spaces between"),
+            1 => text!("one finite number"),
+            count => text!("{count} finite numbers with spaces between", count = count),
         };
         let expected = if text.split_ascii_whitespace().any(is_too_large) {
-            format!("{expected}, each of at most 1 000 000")
+            text!("{expected}, each of at most 1 000 000", expected = expected)
         } else {
             expected
         };
@@ -381,33 +397,44 @@ fn short(value: &str) -> String {
 /// A robot description as text.
 pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
     let bytes = guard::read_regular(path, LARGEST_FILE).map_err(|(found, expected)| {
-        let found = match expected.as_str() {
-            "a regular file" => format!("{found}, not a regular file"),
-            _ => found,
+        let found = if expected.to_string() == "a regular file" {
+            text!("{found}, not a regular file", found = found)
+        } else {
+            found
         };
-        let readable = "a robot description of at most 64 MiB that can be read";
-        (found, readable.to_owned())
+        let readable = text!("a robot description of at most 64 MiB that can be read");
+        (found, readable)
     })?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err(("a file in UTF-16".to_owned(), "UTF-8".to_owned()));
+        return Err((text!("a file in UTF-16"), text!("UTF-8")));
     }
-    String::from_utf8(bytes).map_err(|error| (error.utf8_error().to_string(), "UTF-8".to_owned()))
+    String::from_utf8(bytes).map_err(|error| {
+        (
+            Text::verbatim(error.utf8_error().to_string()),
+            text!("UTF-8"),
+        )
+    })
 }
 
 /// The included file `name` of a document in `folder`: a file there or below.
 pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
-    let path = guard::below(folder, name, "the folder of the document");
+    let path = guard::below(folder, name, phrase!("the folder of the document"));
     let path = path.map_err(|(found, expected)| {
-        let leads = found.contains("leads upwards") || found.starts_with("an absolute path");
+        let says = found.to_string();
+        let leads = says.contains("leads upwards") || says.starts_with("an absolute path");
         let found = if leads {
-            format!("an include that leads elsewhere, {found}")
+            text!("an include that leads elsewhere, {found}", found = found)
         } else {
             found
         };
         (found, expected)
     })?;
-    let text =
-        read_text(&path).map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
+    let text = read_text(&path).map_err(|(found, expected)| {
+        (
+            text!("{found}: {name}", found = found, name = name),
+            expected,
+        )
+    })?;
     Ok((path, text))
 }
 
@@ -506,7 +533,7 @@ mod tests {
                 PathBuf::from("loop"),
                 "<r><include file='loop'/></r>".into(),
             )),
-            _ => Err((format!("no {name}"), "a file".to_owned())),
+            _ => Err((Text::verbatim(name), Text::verbatim("a file"))),
         };
         let read = |text: &str| {
             let mut document = parse(text).unwrap();

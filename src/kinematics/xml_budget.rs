@@ -4,8 +4,9 @@
 //! and writes an entity out wherever it is named: each is fine for a description of a robot and
 //! ruinous for a file that was made to be. One pass over the bytes counts them.
 
+use crate::text::{Template, Text};
 /// What is wrong: at which byte, what was found, what was expected.
-type Refusal = (usize, String, String);
+type Refusal = (usize, Text, Text);
 
 /// Attributes of one element.
 const MOST_ATTRIBUTES: usize = 1000;
@@ -25,7 +26,7 @@ pub(super) fn check(text: &str) -> Result<(), Refusal> {
 
 /// Goes through the tags and counts their attributes: each has one value in quotes.
 fn attributes(text: &[u8]) -> Result<(), Refusal> {
-    const EXPECTED: &str = "the description of a robot";
+    const EXPECTED: Template = phrase!("the description of a robot");
     let (mut at, mut in_all, mut namespaces) = (0, 0, 0);
     while let Some(found) = memchr::memchr(b'<', &text[at..]) {
         let tag = at + found;
@@ -60,15 +61,18 @@ fn attributes(text: &[u8]) -> Result<(), Refusal> {
         }
         in_all += own;
         let found = if own > MOST_ATTRIBUTES {
-            format!("an element with {own} attributes")
+            text!("an element with {own} attributes", own = own)
         } else if in_all > MOST_IN_ALL {
-            format!("more than {MOST_IN_ALL} attributes")
+            text!("more than {most} attributes", most = MOST_IN_ALL)
         } else if namespaces > MOST_NAMESPACES {
-            format!("more than {MOST_NAMESPACES} declarations of namespaces")
+            text!(
+                "more than {most} declarations of namespaces",
+                most = MOST_NAMESPACES
+            )
         } else {
             continue;
         };
-        return Err((tag, found, EXPECTED.to_owned()));
+        return Err((tag, found, EXPECTED.into()));
     }
     Ok(())
 }
@@ -77,16 +81,16 @@ fn attributes(text: &[u8]) -> Result<(), Refusal> {
 /// twice the text.
 fn entities(text: &str) -> Result<(), Refusal> {
     const DECLARES: &str = "<!ENTITY";
-    let refuse = |at: usize, found: String| {
-        let expected = "well-formed XML with few and short entities, none within another";
-        Err((at, found, expected.to_owned()))
+    let refuse = |at: usize, found: Text| {
+        let expected = phrase!("well-formed XML with few and short entities, none within another");
+        Err((at, found, expected.into()))
     };
     let all: Vec<usize> = memchr::memmem::find_iter(text.as_bytes(), DECLARES).collect();
     let (Some(&first), Some(&last)) = (all.first(), all.last()) else {
         return Ok(());
     };
     if all.len() > MOST_ENTITIES {
-        return refuse(first, format!("{} entities", all.len()));
+        return refuse(first, text!("{count} entities", count = all.len()));
     }
     // The last declaration ends with the quote that its value began with.
     let value = &text.as_bytes()[last..];
@@ -96,7 +100,10 @@ fn entities(text: &str) -> Result<(), Refusal> {
     });
     let end = end.unwrap_or(text.len());
     if end - first > LARGEST_DECLARATIONS {
-        return refuse(first, format!("entities of {} bytes", end - first));
+        return refuse(
+            first,
+            text!("entities of {bytes} bytes", bytes = end - first),
+        );
     }
     let named = |part: &str| {
         let own = memchr::memchr_iter(b'&', part.as_bytes());
@@ -108,11 +115,14 @@ fn entities(text: &str) -> Result<(), Refusal> {
         own.collect::<Vec<usize>>()
     };
     if let Some(&within) = named(&text[first..end]).first() {
-        return refuse(first + within, "an entity within another".to_owned());
+        return refuse(first + within, text!("an entity within another"));
     }
     let times = named(&text[..first]).len() + named(&text[end..]).len();
     if times.saturating_mul(end - first) > 2 * text.len() + (1 << 20) {
-        return refuse(first, format!("entities that are named {times} times"));
+        return refuse(
+            first,
+            text!("entities that are named {times} times", times = times),
+        );
     }
     Ok(())
 }
@@ -156,7 +166,7 @@ mod tests {
             (within, "within another"),
         ] {
             let (_, found, _) = check(&text).unwrap_err();
-            assert!(found.contains(says), "{found}");
+            assert!(found.to_string().contains(says), "{found}");
         }
     }
 }

@@ -24,6 +24,7 @@
 //! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.
 //! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
 
+use crate::text::Text;
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 use super::json::{Json, list, object};
@@ -193,7 +194,7 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
         "kind": if outcome.is_pose { "pose" } else { "joints" },
         "corrected": written.is_some(),
         "because": left.map(|l| l.reason.name()),
-        "says": left.map(|l| &l.says),
+        "says": left.map(|l| l.says.to_string()),
         "q_deg": written.map(|w| outer(&w.commanded)),
         "change_deg": written.map(change),
         "dir": written.map(|w| &w.dir),
@@ -205,8 +206,8 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
     }
 }
 
-fn placed(all: &[(u64, u64, String)]) -> Json {
+fn placed(all: &[(u64, u64, Text)]) -> Json {
     list(all, |(line, column, says)| {
-        object! { "line": *line, "column": *column, "says": says }
+        object! { "line": *line, "column": *column, "says": says.to_string() }
     })
 }

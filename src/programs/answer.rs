@@ -1,5 +1,7 @@
 //! What became of the targets of a file.
 
+use crate::text::Text;
+
 named! {
     /// Why a target was left as it is.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,11 +27,11 @@ pub struct Left {
     /// What kind of reason there is.
     pub reason: Reason,
     /// The reason in words.
-    pub says: String,
+    pub says: Text,
 }
 
 impl Left {
-    pub(super) fn new(reason: Reason, says: impl Into<String>) -> Self {
+    pub(super) fn new(reason: Reason, says: impl Into<Text>) -> Self {
         let says = says.into();
         Self { reason, says }
     }
@@ -73,9 +75,9 @@ pub struct Answer {
     /// Every target, in the order of the file.
     pub targets: Vec<Outcome>,
     /// What is worked out at run time and was not corrected: line, column, words.
-    pub at_run_time: Vec<(u64, u64, String)>,
+    pub at_run_time: Vec<(u64, u64, crate::text::Text)>,
     /// What else there is to know, with line and column.
-    pub remarks: Vec<(u64, u64, String)>,
+    pub remarks: Vec<(u64, u64, crate::text::Text)>,
     /// What was assumed.
     pub notes: Vec<String>,
 }

@@ -64,8 +64,11 @@ impl Axes {
         if self.own() <= MOST_OWN {
             return Ok(());
         }
-        let found = format!("a model with {} axes of its own", self.own());
-        let expected = format!("at most 6; external axes are called {external} in the model");
+        let found = text!("a model with {own} axes of its own", own = self.own());
+        let expected = text!(
+            "at most 6; external axes are called {external} in the model",
+            external = external
+        );
         Err(vec![Problem::new(0, found, expected)])
     }
 

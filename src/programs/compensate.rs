@@ -208,7 +208,7 @@ fn resolved(
 ) -> Vec<Result<Resolved, Left>> {
     let robot = &request.calibration.model.robot;
     let mut resolver = Resolver::new(robot, axes, convention, request.start.clone());
-    let nothing = || Err(Left::new(Reason::Ambiguous, String::new()));
+    let nothing = || Err(Left::new(Reason::Ambiguous, crate::text::Text::default()));
     let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
     for k in program.order() {
         results[k] = resolver.resolve(&program.targets[k]);

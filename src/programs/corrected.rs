@@ -134,7 +134,10 @@ impl Corrector<'_> {
             let k = first + k;
             let next = reached.next();
             let ((reached, before), wanted) = next.ok_or_else(|| {
-                Left::new(Reason::Unreachable, "no corrected commands were found")
+                Left::new(
+                    Reason::Unreachable,
+                    text!("no corrected commands were found"),
+                )
             })?;
             let turned_before_rad = before.rotation.angle_to(&wanted.rotation);
             self.check(&self.targets[k], &resolved.q, &reached, turned_before_rad)?;
@@ -273,38 +276,42 @@ impl Corrector<'_> {
     ) -> Result<(), Left> {
         let robot = self.robot;
         if reached.singular {
-            let says = "its position is singular: a small correction would take a large move of the joints";
+            let says = text!(
+                "its position is singular: a small correction would take a large move of the joints"
+            );
             return Err(Left::new(Reason::Singular, says));
         }
         if !reached.settled {
-            let says = "no correction of its position was found that settles: it is at the end of the reach";
+            let says = text!(
+                "no correction of its position was found that settles: it is at the end of the reach"
+            );
             return Err(Left::new(Reason::Singular, says));
         }
         if let Some(says) = beyond_a_limit(robot, &reached.q) {
             return Err(Left::new(
                 Reason::Unreachable,
-                format!("{says} with its correction"),
+                text!("{says} with its correction", says = says),
             ));
         }
         let off = reached.position_mm > REACHED[0] && self.positions;
         let turned = self.whole && reached.rotation_rad > REACHED[1] && !reached.damped;
         if off || turned {
-            let says = format!(
-                "the real tool does not reach it: {:.4} mm and {:.4} mrad are left",
-                reached.position_mm,
-                1e3 * reached.rotation_rad
+            let says = text!(
+                "the real tool does not reach it: {position_mm} mm and {rotation_rad} mrad are left",
+                position_mm = format!("{:.4}", reached.position_mm),
+                rotation_rad = format!("{:.4}", 1e3 * reached.rotation_rad)
             );
             return Err(Left::new(Reason::Unreachable, says));
         }
         if self.whole && reached.rotation_rad > turned_before_rad + MOST_TURNED {
-            let says = format!(
-                "its position is nearly singular: the correction would turn the tool by {:.1} mrad",
-                1e3 * reached.rotation_rad
+            let says = text!(
+                "its position is nearly singular: the correction would turn the tool by {rotation_rad} mrad",
+                rotation_rad = format!("{:.1}", 1e3 * reached.rotation_rad)
             );
             return Err(Left::new(Reason::Singular, says));
         }
         if leaves_its_sides(target, robot, commanded, &reached.q) {
-            let says = "its correction would lead into another configuration";
+            let says = text!("its correction would lead into another configuration");
             return Err(Left::new(Reason::Singular, says));
         }
         let jump = robot.joints.iter().zip(commanded.iter().zip(&reached.q));
@@ -312,7 +319,7 @@ impl Corrector<'_> {
             .filter(|(joint, _)| joint.kind == JointKind::Revolute)
             .any(|(_, (from, to))| (to - from).abs() > MOST_TURN);
         if turned_over {
-            let says = "its correction would turn a joint by more than a quarter turn";
+            let says = text!("its correction would turn a joint by more than a quarter turn");
             return Err(Left::new(Reason::Singular, says));
         }
         Ok(())

@@ -4,6 +4,7 @@
 //! Commas, semicolons or tabs between cells; with semicolons or tabs a decimal comma as well. Other
 //! columns are left as they are. Rows of nothing but empty cells are no targets.
 
+use crate::text::Template;
 use std::ops::Range;
 
 use crate::kinematics::JointKind;
@@ -42,8 +43,8 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         .filter(|l| !text.bytes[l.clone()].trim_ascii().is_empty());
     let mut lines = lines.peekable();
     let Some(first) = lines.peek() else {
-        let expected = "a header, with q1_deg … or x_mm, y_mm, z_mm …";
-        return Err(vec![Problem::new(0, "an empty table", expected)]);
+        let expected = text!("a header, with q1_deg … or x_mm, y_mm, z_mm …");
+        return Err(vec![Problem::new(0, text!("an empty table"), expected)]);
     };
     let separator = separator(&text.bytes[first.clone()]);
     let mut problems = Vec::new();
@@ -111,8 +112,8 @@ fn cells(text: &Text, line: Range<usize>, separator: u8) -> Result<Row, Problem>
         if quoted {
             return Err(Problem::new(
                 start,
-                "a cell that is not closed",
-                "\" at its end",
+                text!("a cell that is not closed"),
+                text!("\" at its end"),
             ));
         }
         cells.push(inside(bytes, start..at));
@@ -149,14 +150,23 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
     let mut columns: Columns = Vec::new();
     for cell in &header.cells {
         let name = text.shown(cell.clone());
-        let column = column(&name, axes)
-            .map_err(|expected| Problem::new(cell.start, format!("the column {name}"), expected))?;
+        let column = column(&name, axes).map_err(|expected| {
+            Problem::new(
+                cell.start,
+                text!("the column {name}", name = &name),
+                expected,
+            )
+        })?;
         let same = |other: &Option<(Quantity, f64)>| {
             other.zip(column).is_some_and(|((a, _), (b, _))| a == b)
         };
         if columns.iter().any(same) {
-            let found = format!("the column {name} a second time");
-            return Err(Problem::new(cell.start, found, "every quantity once"));
+            let found = text!("the column {name} a second time", name = &name);
+            return Err(Problem::new(
+                cell.start,
+                found,
+                text!("every quantity once"),
+            ));
         }
         columns.push(column);
     }
@@ -164,11 +174,13 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
 }
 
 /// What a heading means; an error says what was expected.
-fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, String> {
+fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, crate::text::Text> {
     let (quantity, unit) = match Heading::read(name) {
         Heading::Known(quantity, unit) => (quantity, unit),
         // A slip in the name of a joint value would leave a target as it is.
-        Heading::Unknown { hint: Some(hint) } if name.starts_with('q') => return Err(hint),
+        Heading::Unknown { hint: Some(hint) } if name.starts_with('q') => {
+            return Err(crate::text::Text::verbatim(hint));
+        }
         Heading::Unknown { .. } => return Ok(None),
     };
     let joint = match quantity {
@@ -180,7 +192,7 @@ fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, String> {
         _ => return Ok(None),
     };
     if joint >= axes.joints() {
-        return Err(format!("joints 1 to {}", axes.joints()));
+        return Err(text!("joints 1 to {joints}", joints = axes.joints()));
     }
     let fits = match unit {
         Unit::Angle(_) => axes.kind(joint) == JointKind::Revolute,
@@ -190,7 +202,11 @@ fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, String> {
     if fits {
         Ok(Some((quantity, unit.factor())))
     } else {
-        Err(format!("q{}_{}", joint + 1, axes.kind(joint).unit()))
+        Err(text!(
+            "q{joint}_{unit}",
+            joint = joint + 1,
+            unit = axes.kind(joint).unit()
+        ))
     }
 }
 
@@ -218,29 +234,32 @@ impl Table<'_> {
     /// Checks that the columns make targets, and says what they are.
     fn layout(&self, header: &Row) -> Result<Program, Problem> {
         let at = header.line.start;
-        let wrong = |found: &str, expected: &str| Err(Problem::new(at, found, expected));
+        let wrong =
+            |found: crate::text::Text, expected: Template| Err(Problem::new(at, found, expected));
         let mut program = Program::default();
         let places = POSITION.map(|quantity| self.of(quantity));
         if self.is_of_joints() {
             for joint in 0..self.axes.joints() {
                 if self.of(Quantity::Commanded(joint)).is_none() {
                     let name = format!("q{}_{}", joint + 1, self.axes.kind(joint).unit());
-                    return wrong(&format!("no column {name}"), "one for each joint");
+                    return wrong(
+                        text!("no column {name}", name = name),
+                        phrase!("one for each joint"),
+                    );
                 }
             }
             if places.iter().any(Option::is_some) {
                 program.notes.push(Remark {
                     at,
-                    says: "the targets are the joint values; x, y, z are left as they are"
-                        .to_owned(),
+                    says: text!("the targets are the joint values; x, y, z are left as they are"),
                 });
             }
             return Ok(program);
         }
         for (place, name) in places.iter().zip(["x_mm", "y_mm", "z_mm"]) {
             if place.is_none() {
-                let expected = "q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz";
-                return wrong(&format!("no column {name}"), expected);
+                let expected = phrase!("q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz");
+                return wrong(text!("no column {name}", name = name), expected);
             }
         }
         let turns = (0..4).filter(|k| self.of(Quantity::Orientation(*k)).is_some());
@@ -248,17 +267,17 @@ impl Table<'_> {
             4 => Ok(program),
             0 if self.axes.joints() <= 3 => Ok(program),
             0 => wrong(
-                "positions without qw, qx, qy, qz",
-                "an orientation, for a robot with more than three joints",
+                text!("positions without qw, qx, qy, qz"),
+                phrase!("an orientation, for a robot with more than three joints"),
             ),
-            _ => wrong("an orientation in part", "qw, qx, qy, qz"),
+            _ => wrong(text!("an orientation in part"), phrase!("qw, qx, qy, qz")),
         }
     }
 
     fn target(&self, number: usize, row: &Row) -> Result<Target, Problem> {
         if row.cells.len() != self.columns.len() {
-            let found = format!("{} cells", row.cells.len());
-            let expected = format!("{}, as in the heading", self.columns.len());
+            let found = text!("{cells} cells", cells = row.cells.len());
+            let expected = text!("{columns}, as in the heading", columns = self.columns.len());
             return Err(Problem::new(row.line.start, found, expected));
         }
         let number_at = |k: usize| self.number(row.cells[k].clone());
@@ -308,8 +327,9 @@ impl Table<'_> {
                 Quantity::Direction(joint) => {
                     let value = number_at(k)?;
                     if ![-1.0, 0.0, 1.0].contains(&value.value) {
-                        let found = format!("dir{} {}", joint + 1, value.value);
-                        return Err(Problem::new(value.range.start, found, "1, -1 or 0"));
+                        let found =
+                            text!("dir{joint} {value}", joint = joint + 1, value = value.value);
+                        return Err(Problem::new(value.range.start, found, text!("1, -1 or 0")));
                     }
                     // 0: not stated, so that it follows from the target before.
                     circumstances.dir[joint] = (value.value != 0.0).then_some(value.value);
@@ -347,8 +367,8 @@ impl Table<'_> {
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.line.start, |n| n.range.start);
-            let found = "a quaternion of no length";
-            return Err(Problem::new(at, found, "an orientation"));
+            let found = text!("a quaternion of no length");
+            return Err(Problem::new(at, found, text!("an orientation")));
         }
         Ok(frame)
     }
@@ -359,9 +379,9 @@ impl Table<'_> {
         let problem = |reason: NoNumber| {
             let shown = self.text.shown(range.clone());
             let found = if shown.is_empty() {
-                "an empty cell".to_owned()
+                text!("an empty cell")
             } else {
-                format!("'{shown}'")
+                text!("'{shown}'", shown = shown)
             };
             Problem::new(range.start, found, reason.expected())
         };

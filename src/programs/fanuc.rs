@@ -53,7 +53,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
                 let words = Words {
                     text,
                     tokens,
-                    end: "the end of /POS",
+                    end: phrase!("the end of /POS"),
                 };
                 let mut reader = Positions {
                     words,
@@ -136,7 +136,7 @@ fn motion(
         if let Some(number) = position_numbers(&upper.replace(' ', "")).first()
             && upper.replace(' ', "").starts_with(&format!("P[{number}]="))
         {
-            let says = format!("P[{number}] is changed at run time");
+            let says = text!("P[{number}] is changed at run time", number = number);
             program.at_run_time.push(Remark { at, says });
         }
         return;
@@ -147,22 +147,32 @@ fn motion(
         .iter()
         .find(|w| matches!(**w, "INC" | "OFFSET" | "TOOL_OFFSET"));
     if motion.contains(" PR[") || motion.starts_with("PR[") {
-        let says = "a move to a position register, whose value is set at run time".to_owned();
+        let says = text!("a move to a position register, whose value is set at run time");
         program.at_run_time.push(Remark { at, says });
     }
     for number in position_numbers(motion) {
         let Some(index) = by_number.get(&number) else {
-            let says = format!("P[{number}] is not in /POS, or not a target");
+            let says = text!(
+                "P[{number}] is not in /POS, or not a target",
+                number = number
+            );
             program.at_run_time.push(Remark { at, says });
             continue;
         };
         match by {
             Some(&"INC") => {
-                let says = format!("P[{number}] is a way from where the robot is (INC)");
+                let says = text!(
+                    "P[{number}] is a way from where the robot is (INC)",
+                    number = number
+                );
                 program.targets[*index].left = Some(Left::new(Reason::Relative, says));
             }
             Some(offset) => {
-                let says = format!("the move to P[{number}] is shifted at run time ({offset})");
+                let says = text!(
+                    "the move to P[{number}] is shifted at run time ({offset})",
+                    number = number,
+                    offset = offset
+                );
                 program.at_run_time.push(Remark { at, says });
                 program.visits.push(*index);
             }
@@ -181,7 +191,7 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
     let kinds = [("UTOOL", "UT", true), ("UFRAME", "UF", false)];
     for (name, short, tool) in kinds {
         if let Some(n) = number(name) {
-            let says = format!("{name}[{n}] is set at run time");
+            let says = text!("{name}[{n}] is set at run time", name = name, n = n);
             let names = if tool {
                 &mut program.tools
             } else {
@@ -192,7 +202,10 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
         }
     }
     if let Some(n) = number("PAYLOAD") {
-        let says = format!("PAYLOAD[{n}] has its mass in the controller: --load says it");
+        let says = text!(
+            "PAYLOAD[{n}] has its mass in the controller: --load says it",
+            n = n
+        );
         program.at_run_time.push(Remark { at, says });
     }
 }

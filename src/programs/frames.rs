@@ -11,6 +11,7 @@
 //! the only such frame and the caller states one. What holds of a program's tools and frames is settled
 //! before ([`super::program_frames`]).
 
+use crate::text::Text;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -126,7 +127,7 @@ impl Ways {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Declared {
     pub(super) at: usize,
-    pub(super) pose: Result<Pose, String>,
+    pub(super) pose: Result<Pose, Text>,
     /// Mass of a tool that is declared with one, kg.
     pub(super) mass_kg: Option<f64>,
     /// Whether it is the language's own name for "none": it says nothing.
@@ -137,12 +138,15 @@ pub(super) struct Declared {
 pub(super) type Names = BTreeMap<String, Declared>;
 
 /// Keeps a declaration; of a name that is declared twice differently nothing is known.
-pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<Pose, String>) {
+pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<Pose, Text>) {
     names
         .entry(spelled.to_lowercase())
         .and_modify(|known| {
             if known.pose != pose {
-                known.pose = Err(format!("{spelled} is declared several times"));
+                known.pose = Err(text!(
+                    "{spelled} is declared several times",
+                    spelled = spelled
+                ));
             }
         })
         .or_insert(Declared {
@@ -263,7 +267,7 @@ struct Known<'a> {
 pub(super) fn place(program: &mut Program, reading: &Reading) {
     let known = Known::of(program, reading);
     // Every pair of frame and tool is read once, however many targets there are.
-    let mut read: BTreeMap<(bool, Ways2), Result<Placed, String>> = BTreeMap::new();
+    let mut read: BTreeMap<(bool, Ways2), Result<Placed, Text>> = BTreeMap::new();
     let mut all = Vec::with_capacity(program.targets.len());
     for target in &program.targets {
         let pose = matches!(target.shape, Shape::Pose(_));
@@ -306,16 +310,16 @@ impl<'a> Known<'a> {
             self.reading.tool,
             ToolReading::Named(_) | ToolReading::Declared { .. }
         );
-        let mut taken: BTreeSet<(usize, String)> = BTreeSet::new();
+        let mut taken: BTreeSet<(usize, Text)> = BTreeSet::new();
         for way in Used::of(self.program).poses {
             let kinds = [
                 (
                     &way.frame,
                     &self.program.frames,
-                    "frame",
+                    phrase!("frame"),
                     self.reading.all_frames.is_none(),
                 ),
-                (&way.tool, &self.program.tools, "tool", tools),
+                (&way.tool, &self.program.tools, phrase!("tool"), tools),
             ];
             for (referred, names, what, as_declared) in kinds {
                 if let Referred::Named(name) = referred
@@ -326,7 +330,11 @@ impl<'a> Known<'a> {
                 {
                     taken.insert((
                         *at,
-                        format!("{what} {name} is taken as it is declared here"),
+                        text!(
+                            "{what} {name} is taken as it is declared here",
+                            what = what,
+                            name = &**name
+                        ),
                     ));
                 }
             }
@@ -342,16 +350,23 @@ impl<'a> Known<'a> {
 
     /// The reading of a target that motions go to so; in words where it is not known. Of joint values only
     /// the tool matters: it says which point is to be right.
-    fn placed(&self, ways: Ways, pose: bool) -> Result<Placement, String> {
+    fn placed(&self, ways: Ways, pose: bool) -> Result<Placement, Text> {
         let one = match ways.0.map(|way| way.map(|way| self.program.ways.get(way))) {
             [Some(one), None] => Some(one),
             [Some(one), Some(other)] if pose => {
-                let (what, a, b) = if one.frame == other.frame {
-                    ("tools", &one.tool, &other.tool)
+                return Err(if one.frame == other.frame {
+                    text!(
+                        "motions go to it with the tools {a} and {b}",
+                        a = one.tool.to_string(),
+                        b = other.tool.to_string()
+                    )
                 } else {
-                    ("frames", &one.frame, &other.frame)
-                };
-                return Err(format!("motions go to it with the {what} {a} and {b}"));
+                    text!(
+                        "motions go to it with the frames {a} and {b}",
+                        a = one.frame.to_string(),
+                        b = other.frame.to_string()
+                    )
+                });
             }
             _ => None,
         };
@@ -380,11 +395,13 @@ impl<'a> Known<'a> {
         })
     }
 
-    fn frame(&self, referred: &Referred) -> Result<Pose, String> {
+    fn frame(&self, referred: &Referred) -> Result<Pose, Text> {
         let stated = self.reading.stated.unwrap_or_else(Pose::identity);
         let name = match referred {
             Referred::Unsaid => return Ok(stated),
-            Referred::Unknown(says) => return Err(format!("its frame is not known: {says}")),
+            Referred::Unknown(says) => {
+                return Err(text!("its frame is not known: {says}", says = says));
+            }
             Referred::Named(name) => name,
         };
         match self.program.frames.get(&**name) {
@@ -393,34 +410,36 @@ impl<'a> Known<'a> {
                 pose: Err(says), ..
             }) => Err(says.clone()),
             None if self.reading.stated.is_some() && self.elsewhere == 1 => Ok(stated),
-            None => Err(format!(
+            None => Err(text!(
                 "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \
-                 a file)"
+                 a file)",
+                name = name
             )),
         }
     }
 
-    fn on_flange(&self, name: &str) -> Result<Pose, String> {
+    fn on_flange(&self, name: &str) -> Result<Pose, Text> {
         match self.program.tools.get(&name.to_lowercase()) {
             Some(declared) => declared.pose.clone(),
-            None => Err(format!("its tool {name} is declared elsewhere")),
+            None => Err(text!("its tool {name} is declared elsewhere", name = name)),
         }
     }
 
-    fn tool(&self, referred: &Referred) -> Result<Pose, String> {
+    fn tool(&self, referred: &Referred) -> Result<Pose, Text> {
         if let ToolReading::Given(tool_from_model) = self.reading.tool {
             return Ok(tool_from_model);
         }
         if let Referred::Unknown(says) = referred {
-            return Err(format!("its tool is not known: {says}"));
+            return Err(text!("its tool is not known: {says}", says = says));
         }
         let model = match &self.reading.tool {
             ToolReading::Given(tool_from_model) => return Ok(*tool_from_model),
             ToolReading::OnlyOne if self.tools.len() <= 1 => return Ok(Pose::identity()),
             ToolReading::OnlyOne => {
                 let all = self.tools_in_words();
-                return Err(format!(
-                    "poses of this file are of several tools ({all}): --tool says which one is the model's"
+                return Err(text!(
+                    "poses of this file are of several tools ({all}): --tool says which one is the model's",
+                    all = all
                 ));
             }
             ToolReading::Named(name) if referred.is(name) => return Ok(Pose::identity()),
@@ -440,7 +459,7 @@ impl<'a> Known<'a> {
         };
         let own = match referred {
             Referred::Named(name) => self.on_flange(name)?,
-            _ => return Err("which tool it is of is not said".to_owned()),
+            _ => return Err(text!("which tool it is of is not said")),
         };
         Ok(own.inverse() * model)
     }

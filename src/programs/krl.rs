@@ -66,7 +66,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
             Ok(tokens) => lines.push(Words {
                 text,
                 tokens,
-                end: "the end of the line",
+                end: phrase!("the end of the line"),
             }),
             Err(problem) => problems.push(problem),
         }
@@ -89,7 +89,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     if problems.is_empty() {
         Ok(reader
             .moves
-            .finish(reader.program, "has its values elsewhere"))
+            .finish(reader.program, phrase!("has its values elsewhere")))
     } else {
         Err(problems)
     }
@@ -193,7 +193,10 @@ impl Reader<'_> {
         if name.ends_with("_rel") {
             self.run_time(
                 at,
-                format!("{command} moves by a way from where the robot is"),
+                text!(
+                    "{command} moves by a way from where the robot is",
+                    command = command
+                ),
             );
             return Ok(());
         }
@@ -217,8 +220,10 @@ impl Reader<'_> {
                 let spelled = words.spelled(k);
                 k += 1;
                 if words.is_sign(k, b'[') || words.is_sign(k, b'.') || words.is_sign(k, b'(') {
-                    let says = format!(
-                        "{command} goes to an element of {spelled}, which is chosen at run time"
+                    let says = text!(
+                        "{command} goes to an element of {spelled}, which is chosen at run time",
+                        command = command,
+                        spelled = spelled
                     );
                     self.run_time(at, says);
                     self.go(at, Goal::Mentioned(goal));
@@ -230,18 +235,25 @@ impl Reader<'_> {
                 }
                 self.go(at, Goal::Named(goal, spelled));
             } else {
-                return Err(words.problem(k, format!("the target of {command}")));
+                return Err(words.problem(k, text!("the target of {command}", command = command)));
             }
             if wanted > 0 {
                 if !words.is_sign(k, b',') {
-                    return Err(words.problem(k, format!(", and the end point of {command}")));
+                    return Err(words.problem(
+                        k,
+                        text!(", and the end point of {command}", command = command),
+                    ));
                 }
                 k += 1;
             }
         }
         if words.tokens.len() == 1 {
-            let found = "nothing".to_owned();
-            return Err(Problem::new(at, found, format!("the target of {command}")));
+            let found = text!("nothing");
+            return Err(Problem::new(
+                at,
+                found,
+                text!("the target of {command}", command = command),
+            ));
         }
         Ok(())
     }
@@ -250,14 +262,16 @@ impl Reader<'_> {
     fn is_composed(&mut self, words: &Words, k: usize, at: usize, command: &str) -> bool {
         let composed = words.is_sign(k, b':');
         if composed {
-            let says =
-                format!("{command} goes to a product of frames, which is worked out at run time");
+            let says = text!(
+                "{command} goes to a product of frames, which is worked out at run time",
+                command = command
+            );
             self.run_time(at, says);
         }
         composed
     }
 
-    fn run_time(&mut self, at: usize, says: String) {
+    fn run_time(&mut self, at: usize, says: crate::text::Text) {
         self.program.at_run_time.push(Remark { at, says });
     }
 
@@ -283,8 +297,9 @@ impl Reader<'_> {
             Some(Type::Frame) | None => return Ok(None),
         };
         let Some(target) = target else {
-            let says = format!(
-                "{name} takes some of its components from where the robot is, or works them out at run time"
+            let says = text!(
+                "{name} takes some of its components from where the robot is, or works them out at run time",
+                name = name
             );
             self.run_time(aggregate.at, says);
             return Ok(None);

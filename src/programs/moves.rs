@@ -4,6 +4,7 @@
 //! not once for every pair of a motion and a value, so that the work grows with the file and not with
 //! its square.
 
+use crate::text::Template;
 use std::collections::BTreeMap;
 
 use super::frames::{Referred, Way, Ways};
@@ -111,7 +112,7 @@ impl Moves {
 
     /// The program with its visits, the frames that its targets are used in, and what is not corrected.
     /// `elsewhere`: what there is to say of a name that the file gives no values.
-    pub(super) fn finish(self, mut program: Program, elsewhere: &str) -> Program {
+    pub(super) fn finish(self, mut program: Program, elsewhere: Template) -> Program {
         for visit in self.all {
             let one = match visit {
                 Visit::Inline(index) => {
@@ -123,7 +124,11 @@ impl Moves {
             match (&self.names[one.name].targets[..], one.spelled) {
                 ([index], Some(_)) => program.visits.push(*index),
                 ([], Some(spelled)) => {
-                    let says = format!("{spelled} {elsewhere}");
+                    let says = text!(
+                        "{spelled} {elsewhere}",
+                        spelled = &*spelled,
+                        elsewhere = elsewhere
+                    );
                     program.at_run_time.push(Remark { at: one.at, says });
                 }
                 // An array, a name that is given several values, or one that is only mentioned.
@@ -138,10 +143,15 @@ impl Moves {
         for (name, spelled, at) in self.changed {
             let known = self.by_name.get(&name);
             if known.is_some_and(|known| !self.names[*known].targets.is_empty()) {
-                let says = format!("{spelled} is changed at run time");
+                let says = text!("{spelled} is changed at run time", spelled = &*spelled);
                 program.at_run_time.push(Remark { at, says });
             }
-            let unknown = || Err(format!("{spelled} is changed at run time"));
+            let unknown = || {
+                Err(text!(
+                    "{spelled} is changed at run time",
+                    spelled = &*spelled
+                ))
+            };
             for declared in [&mut program.frames, &mut program.tools] {
                 if let Some(declared) = declared.get_mut(&name) {
                     declared.pose = unknown();

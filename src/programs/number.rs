@@ -1,5 +1,6 @@
 //! Numbers as they stand in a file, and as they are written back.
 
+use crate::text::Template;
 use std::ops::Range;
 
 /// A number in a file.
@@ -28,10 +29,10 @@ pub(super) enum NoNumber {
 
 impl NoNumber {
     /// What was expected instead.
-    pub(super) fn expected(self) -> &'static str {
+    pub(super) fn expected(self) -> Template {
         match self {
-            Self::Malformed => "a number",
-            Self::TooLarge => "a number that is not larger than any machine",
+            Self::Malformed => phrase!("a number"),
+            Self::TooLarge => phrase!("a number that is not larger than any machine"),
         }
     }
 }

@@ -52,7 +52,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         words: Words {
             text,
             tokens,
-            end: "the end of the file",
+            end: phrase!("the end of the file"),
         },
         axes,
         program: Program::default(),
@@ -69,7 +69,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         }
     }
     if reader.problems.is_empty() {
-        Ok(reader.moves.finish(reader.program, "is declared elsewhere"))
+        Ok(reader
+            .moves
+            .finish(reader.program, phrase!("is declared elsewhere")))
     } else {
         Err(reader.problems)
     }
@@ -103,7 +105,7 @@ impl<'t, 'a> Reader<'t, 'a> {
                 Some(name) if is_move(name) => self.motion(k, name),
                 Some(name) => {
                     if SHIFTS.contains(&name) {
-                        let says = format!("{name} shifts the poses after it");
+                        let says = text!("{name} shifts the poses after it", name = name);
                         self.run_time(self.words.at(k), says);
                     }
                     self.other_name(k)
@@ -137,7 +139,10 @@ impl<'t, 'a> Reader<'t, 'a> {
                     names,
                     &spelled,
                     at,
-                    Err(format!("{spelled} has no value in this file")),
+                    Err(text!(
+                        "{spelled} has no value in this file",
+                        spelled = &spelled
+                    )),
                 );
             } else if valued {
                 self.moves.changed(spelled, self.words.at(k));
@@ -170,7 +175,9 @@ impl<'t, 'a> Reader<'t, 'a> {
             self.declared(&tree, &spelled, &spelled, kind == "robtarget", array);
         }
         if !self.words.is_sign(end, b';') {
-            let problem = self.words.problem(end, format!("; behind {spelled}"));
+            let problem = self
+                .words
+                .problem(end, text!("; behind {spelled}", spelled = spelled));
             self.problems.push(problem);
         }
         end
@@ -206,7 +213,10 @@ impl<'t, 'a> Reader<'t, 'a> {
                 };
                 self.run_time(
                     at,
-                    format!("{spelled} has values that are worked out at run time"),
+                    text!(
+                        "{spelled} has values that are worked out at run time",
+                        spelled = spelled
+                    ),
                 );
             }
             Err(problem) => self.problems.push(problem),
@@ -277,7 +287,7 @@ impl<'t, 'a> Reader<'t, 'a> {
             let end = self.words.until(k, b",;");
             let next_move = |j: &usize| self.words.name(*j).is_some_and(|n| is_move(&n));
             if let Some(j) = (k..end).find(next_move) {
-                let expected = format!("; at the end of the {command} before it");
+                let expected = text!("; at the end of the {command} before it", command = command);
                 self.problems.push(self.words.problem(j, expected));
                 return j;
             }
@@ -359,7 +369,11 @@ impl<'t, 'a> Reader<'t, 'a> {
             let what = self.words.shown(k, end);
             return self.run_time(
                 at,
-                format!("{command} goes to {what}, which is worked out at run time"),
+                text!(
+                    "{command} goes to {what}, which is worked out at run time",
+                    command = command,
+                    what = what
+                ),
             );
         }
         if !self.words.is_sign(k, b'[') {
@@ -367,7 +381,7 @@ impl<'t, 'a> Reader<'t, 'a> {
         }
         let read = self.lists().list(k, 0).and_then(|(tree, behind)| {
             if behind != end && !self.words.is_sign(behind, b'\\') {
-                return Err(self.words.problem(behind, ", or ;"));
+                return Err(self.words.problem(behind, text!(", or ;")));
             }
             self.lists()
                 .target(&tree, &format!("target of {command}"), None)
@@ -380,7 +394,10 @@ impl<'t, 'a> Reader<'t, 'a> {
             }
             Ok(None) => self.run_time(
                 at,
-                format!("the target of {command} is worked out at run time"),
+                text!(
+                    "the target of {command} is worked out at run time",
+                    command = command
+                ),
             ),
             Err(problem) => self.problems.push(problem),
         }
@@ -393,7 +410,7 @@ impl<'t, 'a> Reader<'t, 'a> {
         }
     }
 
-    fn run_time(&mut self, at: usize, says: String) {
+    fn run_time(&mut self, at: usize, says: crate::text::Text) {
         self.program.at_run_time.push(Remark { at, says });
     }
 }

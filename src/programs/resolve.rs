@@ -76,7 +76,7 @@ impl<'a> Resolver<'a> {
             }
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
-                    let says = "its orientation is none";
+                    let says = text!("its orientation is none");
                     return Err(Left::new(Reason::Unreachable, says));
                 };
                 let goal = target.placed.goal(&goal);
@@ -97,7 +97,7 @@ impl<'a> Resolver<'a> {
         beyond_a_limit(self.robot, q).map_or(Ok(()), |says| {
             Err(Left::new(
                 Reason::Unreachable,
-                format!("{says} in the file"),
+                text!("{says} in the file", says = says),
             ))
         })
     }
@@ -124,7 +124,7 @@ impl<'a> Resolver<'a> {
         let known = self.with_external(&target.external, &fixed);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
-            let says = "no joint values within the limits reach it";
+            let says = text!("no joint values within the limits reach it");
             return Err(Left::new(Reason::Unreachable, says));
         }
         let possible = self.as_stated(target, &all)?;
@@ -153,11 +153,12 @@ impl<'a> Resolver<'a> {
     /// A robot with more joints than the pose asks for goes there from where it is.
     fn nearest_of_a_line(&self, goal: &Goal, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
         let Some(near) = near else {
-            let says = "endlessly many joint values reach it, and no target before it says which";
+            let says =
+                text!("endlessly many joint values reach it, and no target before it says which");
             return Err(Left::new(Reason::Ambiguous, says));
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
-            let says = "no joint values near those of the target before reach it";
+            let says = text!("no joint values near those of the target before reach it");
             return Err(Left::new(Reason::Unreachable, says));
         };
         self.check_limits(&q)?;
@@ -176,7 +177,7 @@ impl<'a> Resolver<'a> {
             .cloned()
             .collect();
         if possible.is_empty() {
-            let says = "joint values reach it, but none with its configuration";
+            let says = text!("joint values reach it, but none with its configuration");
             return Err(Left::new(Reason::Unreachable, says));
         }
         for side in sides {
@@ -224,19 +225,19 @@ impl<'a> Resolver<'a> {
         let singular = || is_singular(self.robot, &possible[0], &self.free);
         let says = match (&possible[..], near) {
             ([only], _) => return Ok(only.clone()),
-            (_, None) => "several joint values reach it, and no target before it says which",
+            (_, None) => text!("several joint values reach it, and no target before it says which"),
             ([first, second, ..], Some(near)) => {
                 let [first_far, second_far] =
                     [first, second].map(|q| self.inverse.distance(q, near));
                 if second_far > AS_NEAR * first_far {
                     return Ok(first.clone());
                 }
-                "two sets of joint values reach it that are as near to the target before"
+                text!("two sets of joint values reach it that are as near to the target before")
             }
-            ([], Some(_)) => "no joint values reach it",
+            ([], Some(_)) => text!("no joint values reach it"),
         };
         if !possible.is_empty() && singular() {
-            let says = "it is singular: lines of joint values reach it";
+            let says = text!("it is singular: lines of joint values reach it");
             return Err(Left::new(Reason::Singular, says));
         }
         Err(Left::new(Reason::Ambiguous, says))
@@ -259,14 +260,15 @@ pub(super) fn first_beyond(robot: &Robot, q: &[f64]) -> Option<(usize, f64)> {
 }
 
 /// The first joint beyond a limit, in words.
-pub(super) fn beyond_a_limit(robot: &Robot, q: &[f64]) -> Option<String> {
+pub(super) fn beyond_a_limit(robot: &Robot, q: &[f64]) -> Option<crate::text::Text> {
     let (k, limit) = first_beyond(robot, q)?;
     let kind = robot.joints[k].kind;
     let sign = kind.sign();
-    Some(format!(
-        "joint {} would be at {:.4}{sign}, beyond its limit of {:.4}{sign},",
-        k + 1,
-        kind.outer(q[k]),
-        kind.outer(limit)
+    Some(text!(
+        "joint {joint} would be at {value}{sign}, beyond its limit of {limit}{sign},",
+        joint = k + 1,
+        value = format!("{:.4}", kind.outer(q[k])),
+        sign = sign,
+        limit = format!("{:.4}", kind.outer(limit))
     ))
 }

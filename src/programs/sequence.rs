@@ -84,9 +84,9 @@ impl<'m> Sequence<'m> {
                     }
                 }
                 if several {
-                    let says = format!(
-                        "{} is gone to from several sides; effects of the side are left out",
-                        targets[k].name
+                    let says = text!(
+                        "{targets} is gone to from several sides; effects of the side are left out",
+                        targets = &targets[k].name
                     );
                     let at = targets[k].at;
                     sequence.remarks.push(Remark { at, says });

@@ -1,5 +1,6 @@
 //! What a reader finds in a file.
 
+use crate::text::Text;
 use std::ops::Range;
 
 use crate::kinematics::configuration::Statement;
@@ -14,12 +15,12 @@ use super::program_frames::StatedLoads;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Problem {
     pub(super) at: usize,
-    pub(super) found: String,
-    pub(super) expected: String,
+    pub(super) found: Text,
+    pub(super) expected: Text,
 }
 
 impl Problem {
-    pub(super) fn new(at: usize, found: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub(super) fn new(at: usize, found: impl Into<Text>, expected: impl Into<Text>) -> Self {
         Self {
             at,
             found: found.into(),
@@ -34,7 +35,7 @@ pub struct Remark {
     /// The byte that it is about.
     pub at: usize,
     /// What there is to say.
-    pub says: String,
+    pub says: Text,
 }
 
 /// The numbers of a target.

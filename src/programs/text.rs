@@ -74,8 +74,12 @@ impl<'a> Text<'a> {
         let at = if wide { Some(0) } else { zero };
         at.map(|at| Problem {
             at,
-            found: if wide { "UTF-16 text" } else { "a zero byte" }.to_owned(),
-            expected: "text in UTF-8 or another encoding with ASCII in it".to_owned(),
+            found: if wide {
+                text!("UTF-16 text")
+            } else {
+                text!("a zero byte")
+            },
+            expected: text!("text in UTF-8 or another encoding with ASCII in it"),
         })
     }
 

@@ -1,5 +1,6 @@
 //! Words of a program: names, numbers, strings and signs, each with its bytes. Comments are left out.
 
+use crate::text::Template;
 use std::ops::Range;
 
 use super::number::Number;
@@ -85,7 +86,7 @@ pub(super) fn words(
             (Kind::Sign(byte), at + 1)
         };
         let token = Token::new(kind, at..end)
-            .ok_or_else(|| Problem::new(at, "a longer program", "at most 4 GiB"))?;
+            .ok_or_else(|| Problem::new(at, text!("a longer program"), text!("at most 4 GiB")))?;
         tokens.push(token);
         at = end;
     }
@@ -142,8 +143,8 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
     }
     Err(Problem::new(
         at,
-        "a string that does not end on its line",
-        format!("{} at its end", quote as char),
+        text!("a string that does not end on its line"),
+        text!("{char} at its end", char = quote as char),
     ))
 }
 
@@ -152,7 +153,7 @@ pub(super) struct Words<'t, 'a> {
     pub(super) text: &'t Text<'a>,
     pub(super) tokens: Vec<Token>,
     /// What stands behind the last word, for messages.
-    pub(super) end: &'static str,
+    pub(super) end: crate::text::Template,
 }
 
 /// A value in a list.
@@ -211,23 +212,23 @@ impl Words<'_, '_> {
             Ok(number) => Ok((number, digits + 1)),
             Err(reason) => Err(Problem::new(
                 range.start,
-                format!("'{}'", self.text.shown(range)),
+                text!("'{range}'", range = self.text.shown(range)),
                 reason.expected(),
             )),
         })
     }
 
     /// What stands at a word, for messages.
-    pub(super) fn found(&self, k: usize) -> String {
+    pub(super) fn found(&self, k: usize) -> crate::text::Text {
         if k < self.tokens.len() {
-            format!("'{}'", self.spelled(k))
+            crate::text::Text::verbatim(format!("'{}'", self.spelled(k)))
         } else {
-            self.end.to_owned()
+            self.end.into()
         }
     }
 
     /// That something else was expected at a word.
-    pub(super) fn problem(&self, k: usize, expected: impl Into<String>) -> Problem {
+    pub(super) fn problem(&self, k: usize, expected: impl Into<crate::text::Text>) -> Problem {
         Problem::new(self.at(k), self.found(k), expected)
     }
 
@@ -267,7 +268,7 @@ impl Words<'_, '_> {
         &self,
         k: usize,
         ends: &[u8],
-        expected: &str,
+        expected: Template,
     ) -> Result<(Value, usize), Problem> {
         if let Some(read) = self.number(k) {
             let (number, end) = read?;

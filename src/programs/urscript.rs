@@ -40,18 +40,18 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     if (0..axes.joints()).any(|j| axes.kind(j) == JointKind::Prismatic) {
-        let found = "a model with a sliding joint";
+        let found = text!("a model with a sliding joint");
         return Err(vec![Problem::new(
             0,
             found,
-            "turning joints, which URScript gives in rad",
+            text!("turning joints, which URScript gives in rad"),
         )]);
     }
     let tokens = words(text, text.start()..text.bytes.len(), DIALECT).map_err(|p| vec![p])?;
     let words = Words {
         text,
         tokens,
-        end: "the end of the file",
+        end: phrase!("the end of the file"),
     };
     let mut problems = Vec::new();
     let mut reader = Reader {
@@ -157,7 +157,8 @@ impl Reader<'_, '_> {
             Some(Literal::Pose(numbers)) => frame_of(&numbers).and_then(|frame| frame.pose()),
             _ => None,
         };
-        let pose = pose.ok_or_else(|| format!("{shown} is not written out in numbers"));
+        let pose =
+            pose.ok_or_else(|| text!("{shown} is not written out in numbers", shown = &shown));
         declare(&mut self.program.tools, &shown, self.words.at(k), pose);
         Referred::named(shown)
     }
@@ -187,12 +188,12 @@ impl Reader<'_, '_> {
             }
             let comma = self.words.is_sign(k, b',');
             if wanted > 0 && !comma {
-                let expected = format!(", and the next point of {command}");
+                let expected = text!(", and the next point of {command}", command = command);
                 self.problems.push(self.words.problem(k, expected));
                 return k;
             }
             if !comma && !self.words.is_sign(k, b')') {
-                self.problems.push(self.words.problem(k, ", or )"));
+                self.problems.push(self.words.problem(k, text!(", or )")));
                 return k + 1;
             }
             k += usize::from(comma && wanted > 0);
@@ -209,10 +210,12 @@ impl Reader<'_, '_> {
         }
         let end = self.words.until(k, b",)]");
         if end == k {
-            return Err(self.words.problem(k, format!("the target of {command}")));
+            return Err(self
+                .words
+                .problem(k, text!("the target of {command}", command = command)));
         }
         if end >= self.words.tokens.len() {
-            return Err(self.words.problem(end, ") at the end of the move"));
+            return Err(self.words.problem(end, text!(") at the end of the move")));
         }
         if self.words.spelled(k) == "get_inverse_kin" && self.words.is_sign(k + 1, b'(') {
             return self.inverse(k + 2, end, command);
@@ -229,7 +232,11 @@ impl Reader<'_, '_> {
             let what = self.words.shown(k, end);
             self.run_time(
                 at,
-                format!("{command} goes to {what}, which is worked out at run time"),
+                text!(
+                    "{command} goes to {what}, which is worked out at run time",
+                    command = command,
+                    what = what
+                ),
             );
         }
         Ok(end)
@@ -251,7 +258,10 @@ impl Reader<'_, '_> {
     }
 
     fn run_time_goal(&mut self, at: usize, command: &str) {
-        let says = format!("the target of {command} is worked out at run time");
+        let says = text!(
+            "the target of {command} is worked out at run time",
+            command = command
+        );
         self.run_time(at, says);
     }
 
@@ -309,16 +319,17 @@ impl Reader<'_, '_> {
             Literal::RunTime => return Ok(None),
             Literal::Pose(numbers) => {
                 let Some(frame) = frame_of(numbers) else {
-                    let found = format!("a pose of {} numbers", numbers.len());
-                    return Err(Problem::new(at, found, "p[x, y, z, rx, ry, rz]"));
+                    let found = text!("a pose of {numbers} numbers", numbers = numbers.len());
+                    return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
                 };
                 Shape::Pose(frame)
             }
             Literal::List(numbers) => {
                 let joints = self.axes.joints();
                 if numbers.len() != joints {
-                    let found = format!("a list of {} numbers", numbers.len());
-                    let expected = format!("{joints}, one for each joint of the model");
+                    let found = text!("a list of {numbers} numbers", numbers = numbers.len());
+                    let expected =
+                        text!("{joints}, one for each joint of the model", joints = joints);
                     return Err(Problem::new(at, found, expected));
                 }
                 Shape::Joints {
@@ -333,7 +344,7 @@ impl Reader<'_, '_> {
         Ok(Some(self.moves.target(&mut self.program, key, target)))
     }
 
-    fn run_time(&mut self, at: usize, says: String) {
+    fn run_time(&mut self, at: usize, says: crate::text::Text) {
         self.program.at_run_time.push(Remark { at, says });
     }
 
@@ -348,7 +359,10 @@ impl Reader<'_, '_> {
         }
         for (name, at) in std::mem::take(&mut self.uses) {
             if gone_to.get(&name) == Some(&true) {
-                let says = format!("{name} is used here as well, with its corrected values");
+                let says = text!(
+                    "{name} is used here as well, with its corrected values",
+                    name = name
+                );
                 self.program.notes.push(Remark { at, says });
             }
         }
@@ -356,12 +370,15 @@ impl Reader<'_, '_> {
             let is_tool = self.program.tools.contains_key(&name.to_lowercase());
             for (k, literal) in given {
                 if matches!(literal, Literal::Pose(_)) && !is_tool && !gone_to.contains_key(&name) {
-                    let says = format!("{name} is a pose that no move of this file goes to");
+                    let says = text!(
+                        "{name} is a pose that no move of this file goes to",
+                        name = &name
+                    );
                     self.run_time(self.words.at(k), says);
                 }
             }
         }
-        let elsewhere = "is worked out at run time, or has its values elsewhere";
+        let elsewhere = phrase!("is worked out at run time, or has its values elsewhere");
         let mut program = self.moves.finish(self.program, elsewhere);
         if program.tools.is_empty() {
             program.ways.set_tools(&Referred::Unsaid);
@@ -382,7 +399,11 @@ impl Reader<'_, '_> {
                 Ok(target) => any |= target.is_some(),
                 Err(problem) => {
                     // A list that is no target of a move after all.
-                    let says = format!("{name} is not corrected: {}", problem.found);
+                    let says = text!(
+                        "{name} is not corrected: {found}",
+                        name = name,
+                        found = problem.found
+                    );
                     self.run_time(at, says);
                 }
             }

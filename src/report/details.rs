@@ -3,6 +3,7 @@
 //!
 //! Everything is optional. There is no clock here: dates are typed, and printed as they are.
 
+use crate::text::Text;
 use std::path::Path as FilePath;
 
 use super::logo::Logo;
@@ -73,12 +74,11 @@ impl Details {
     /// Everything that is wrong with it, each with its place.
     pub fn load(path: &FilePath) -> Result<Self, Rejected> {
         let place = Place::file(path);
-        let expected = "a document with \"format\": \"truepose-details/1\"";
-        let refused = |found: String| {
-            Rejected::because(Diagnostic::error(Place::file(path), found, expected))
-        };
+        let expected = phrase!("a document with \"format\": \"truepose-details/1\"");
+        let refused =
+            |found: Text| Rejected::because(Diagnostic::error(Place::file(path), found, expected));
         let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| refused(found))?;
-        let text = String::from_utf8(bytes).map_err(|e| refused(e.to_string()))?;
+        let text = String::from_utf8(bytes).map_err(|e| refused(Text::verbatim(e.to_string())))?;
         Self::parse(place, text.strip_prefix('\u{feff}').unwrap_or(&text))
     }
 
@@ -88,14 +88,14 @@ impl Details {
     /// As [`Details::load`].
     pub fn parse(place: Place, text: &str) -> Result<Self, Rejected> {
         let (mut fields, root) = Fields::open(place, text)?;
-        let expected = "report details: an object with the key \"format\"";
+        let expected = phrase!("report details: an object with the key \"format\"");
         let mut own = Self::default();
         if fields.of_format(&root, FORMAT, expected).is_some() {
             let mut at = At {
                 fields: &mut fields,
                 node: &root,
                 path: &Path::Root,
-                expected,
+                expected: expected.into(),
             };
             at.fill(&mut own, declare);
         }
@@ -106,8 +106,8 @@ impl Details {
                 let keys: Vec<&str> = keys.chain(OTHER_KEYS).collect();
                 *note = Diagnostic::error(
                     note.place.clone(),
-                    note.found.replace(": ignored", ""),
-                    format!("one of {}", keys.join(", ")),
+                    Text::verbatim(note.found.to_string().replace(": ignored", "")),
+                    text!("one of {keys}", keys = keys.join(", ")),
                 );
             }
         }
@@ -143,7 +143,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Details) {
         }
     }
     let [logo, tolerance, rule] = OTHER_KEYS;
-    let above_0 = positive("a length above 0 mm");
+    let above_0 = positive(phrase!("a length above 0 mm"));
     o.optional(logo, &mut own.logo, &LOGO);
     o.optional(tolerance, &mut own.tolerance_mm, &above_0);
     o.optional(rule, &mut own.rule, &RULE);
@@ -153,14 +153,14 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Details) {
 const OTHER_KEYS: [&str; 3] = ["logo", "tolerance_mm", "decision_rule"];
 
 const LOGO: Kind<Logo> = Kind {
-    expected: "the name of a PNG file",
+    expected: phrase!("the name of a PNG file"),
     read: |at| {
         let Value::Text(name) = &at.node.value else {
             return at.wrong();
         };
         // Details in memory are the program's own; a file may be somebody else's.
         let path = match at.fields.folder() {
-            Some(folder) => below(folder, name, "the folder of the details"),
+            Some(folder) => below(folder, name, phrase!("the folder of the details")),
             None => Ok(name.into()),
         };
         match path {
@@ -174,7 +174,7 @@ const LOGO: Kind<Logo> = Kind {
 };
 
 const RULE: Kind<Rule> = Kind {
-    expected: "\"iso-14253-1\" or \"simple-acceptance\"",
+    expected: phrase!("\"iso-14253-1\" or \"simple-acceptance\""),
     read: |at| at.one_of(&Rule::ALL, Rule::id),
     write: |rule| rule.id().into(),
 };

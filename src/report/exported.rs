@@ -63,7 +63,7 @@ impl ExportedTable {
         let read = |path: &Path| {
             read_regular(path, MOST_BYTES).map_err(|(found, _)| TableFileError::Unreadable {
                 path: path.to_path_buf(),
-                source: std::io::Error::other(found),
+                source: std::io::Error::other(found.to_string()),
             })
         };
         let bytes = read(path)?;

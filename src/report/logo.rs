@@ -1,6 +1,7 @@
 //! The logo in the head of a report: a PNG file. It is decoded and written anew, so that nothing but
 //! its picture gets into a report; what is transparent is white, as the paper is.
 
+use crate::text::{Template, Text};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -29,20 +30,26 @@ pub struct Logo {
 
 impl Logo {
     /// What a logo has to be.
-    pub const EXPECTED: &str = "a PNG file of at most 2 MiB and 2400 × 2400 pixels";
+    pub const EXPECTED: Template = phrase!("a PNG file of at most 2 MiB and 2400 × 2400 pixels");
 
     /// Reads a PNG file.
     ///
     /// # Errors
     /// What is wrong with the file; [`Logo::EXPECTED`] was expected.
-    pub fn read(path: &Path) -> Result<Self, String> {
-        let wrong = |what: String| format!("{}: {what}", path.display());
+    pub fn read(path: &Path) -> Result<Self, Text> {
+        let wrong = |what: Text| {
+            text!(
+                "{path}: {what}",
+                path = path.display().to_string(),
+                what = what
+            )
+        };
         let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| wrong(found))?;
         Self::decoded(path.to_path_buf(), &bytes).map_err(wrong)
     }
 
-    fn decoded(path: PathBuf, bytes: &[u8]) -> Result<Self, String> {
-        let no_png = |e: png::DecodingError| format!("no PNG file: {e}");
+    fn decoded(path: PathBuf, bytes: &[u8]) -> Result<Self, Text> {
+        let no_png = |e: png::DecodingError| text!("no PNG file: {error}", error = e.to_string());
         let most = Limits {
             bytes: 16 * (MOST_PIXELS as usize).pow(2),
         };
@@ -53,10 +60,14 @@ impl Logo {
         let size = [info.width, info.height];
         if size.iter().any(|side| *side > MOST_PIXELS) {
             let [width, height] = size;
-            return Err(format!("{width} × {height} pixels"));
+            return Err(text!(
+                "{width} × {height} pixels",
+                width = width,
+                height = height
+            ));
         }
         let length = reader.output_buffer_size();
-        let mut pixels = vec![0; length.ok_or("too many pixels")?];
+        let mut pixels = vec![0; length.ok_or_else(|| text!("too many pixels"))?];
         let frame = reader.next_frame(&mut pixels).map_err(no_png)?;
         pixels.truncate(frame.buffer_size());
         let rgb = pixels
@@ -137,11 +148,19 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("logo.png");
         let refused = || Logo::read(&path).unwrap_err();
-        assert!(refused().contains("logo.png"));
+        assert!(refused().to_string().contains("logo.png"));
         std::fs::write(&path, "GIF89a").unwrap();
-        assert!(refused().contains("no PNG file"), "{}", refused());
+        assert!(
+            refused().to_string().contains("no PNG file"),
+            "{}",
+            refused()
+        );
         std::fs::write(&path, vec![0; 3 << 20]).unwrap();
-        assert!(refused().contains("3145728 bytes"), "{}", refused());
+        assert!(
+            refused().to_string().contains("3145728 bytes"),
+            "{}",
+            refused()
+        );
         let mut wide = Vec::new();
         let mut encoder = Encoder::new(&mut wide, 5000, 1);
         encoder.set_color(ColorType::Grayscale);
@@ -149,6 +168,10 @@ mod tests {
         writer.write_image_data(&[0; 5000]).unwrap();
         writer.finish().unwrap();
         std::fs::write(&path, wide).unwrap();
-        assert!(refused().contains("5000 × 1 pixels"), "{}", refused());
+        assert!(
+            refused().to_string().contains("5000 × 1 pixels"),
+            "{}",
+            refused()
+        );
     }
 }

@@ -3,6 +3,7 @@
 //! Here a cell gets its meaning: units become mm and rad, names become indices, and what a number
 //! cannot be (a direction of 2, a target that nobody declared) is said with its place.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -63,8 +64,8 @@ pub(crate) fn samples(
     if rows == 0 {
         findings.push(Diagnostic::error(
             whole.clone(),
-            "no sample",
-            "at least one",
+            text!("no sample"),
+            text!("at least one"),
         ));
     }
     let missing = || vec![f64::NAN; rows];
@@ -214,7 +215,7 @@ struct Column<'a> {
 }
 
 impl Column<'_> {
-    fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> String, expected: &str) {
+    fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
         for &row in rows.iter().take(MOST_COMPLAINTS) {
             let place = (self.locate)(self.index, row);
             self.findings
@@ -223,7 +224,7 @@ impl Column<'_> {
         if let Some(&row) = rows.get(MOST_COMPLAINTS) {
             let place = (self.locate)(self.index, row);
             let more = rows.len() - MOST_COMPLAINTS;
-            let found = format!("{more} more cells like these from here on");
+            let found = text!("{more} more cells like these from here on", more = more);
             self.findings
                 .push(Diagnostic::error(place, found, expected));
         }
@@ -244,8 +245,8 @@ impl Column<'_> {
             let place = (self.locate)(self.index, row);
             self.findings.push(Diagnostic::error(
                 place,
-                "a number that overflows in mm",
-                "a length that a double can hold in mm",
+                text!("a number that overflows in mm"),
+                text!("a length that a double can hold in mm"),
             ));
         }
         values
@@ -265,8 +266,8 @@ impl Column<'_> {
             locate: self.locate,
             findings: &mut *self.findings,
         };
-        let found = |row: usize| short(values[row] / factor);
-        column.complain(&rows, &found, range.expected);
+        let found = |row: usize| Text::verbatim(short(values[row] / factor));
+        column.complain(&rows, &found, &range.expected.into());
     }
 
     fn check_directions(self, values: &[f64]) {
@@ -275,8 +276,8 @@ impl Column<'_> {
         });
         self.complain(
             &wrong,
-            &|row| values[row].to_string(),
-            "1, -1 or 0 (unknown)",
+            &|row| Text::verbatim(values[row].to_string()),
+            &text!("1, -1 or 0 (unknown)"),
         );
     }
 
@@ -297,10 +298,13 @@ impl Column<'_> {
         let wrong: Vec<usize> = (0..cells.index.len())
             .filter(|&row| known[of(row)].is_none())
             .collect();
-        let expected = format!("a target of the session: {}", observed::first_of(names()));
+        let expected = text!(
+            "a target of the session: {names}",
+            names = observed::first_of(names())
+        );
         let found = |row: usize| match cells.list[of(row)].as_str() {
-            "" => "an empty cell, while there are several targets".to_owned(),
-            name => format!("target {} is not declared", quoted(name)),
+            "" => text!("an empty cell, while there are several targets"),
+            name => text!("target {name} is not declared", name = quoted(name)),
         };
         self.complain(&wrong, &found, &expected);
         (0..cells.index.len())
@@ -339,8 +343,8 @@ impl Column<'_> {
         let rows = 0..cells.index.len();
         let known = |row: &usize| matches!(of(*row), "" | "fit" | HELD_OUT | EXCLUDED | BOTH);
         let wrong: Vec<usize> = rows.clone().filter(|row| !known(row)).collect();
-        let found = |row: usize| quoted(of(row));
-        self.complain(&wrong, &found, "fit, held-out or excluded");
+        let found = |row: usize| Text::verbatim(quoted(of(row)));
+        self.complain(&wrong, &found, &text!("fit, held-out or excluded"));
         let marks = |name: &str| -> Vec<bool> {
             let is = |row| of(row) == name || of(row) == BOTH;
             rows.clone().map(is).collect()

@@ -5,6 +5,7 @@
 //! given to everything in this library. A [`Session`] that was filled in field by field goes through
 //! [`Session::checked`].
 
+use crate::text::Text;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -153,7 +154,7 @@ fn complete(session: &mut Session) {
     }
 }
 
-fn error(field: &str, found: String, expected: String) -> Diagnostic {
+fn error(field: &str, found: Text, expected: Text) -> Diagnostic {
     Diagnostic::error(Place::default().in_field(field), found, expected)
 }
 
@@ -163,8 +164,8 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
     let rows = samples.x_mm.len();
     let mut findings = Vec::new();
     if joints == 0 {
-        let expected = "at least one joint".to_owned();
-        findings.push(error("robot.joints", "no joints".to_owned(), expected));
+        let expected = text!("at least one joint");
+        findings.push(error("robot.joints", text!("no joints"), expected));
     }
     for (field, count) in [
         ("samples.q", samples.q.len()),
@@ -173,8 +174,12 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
         ("samples.speed", samples.speed.len()),
     ] {
         if count != joints {
-            let expected = format!("{joints}, one for each joint");
-            findings.push(error(field, format!("{count} columns"), expected));
+            let expected = text!("{joints}, one for each joint", joints = joints);
+            findings.push(error(
+                field,
+                text!("{count} columns", count = count),
+                expected,
+            ));
         }
     }
     for (field, count) in [
@@ -185,14 +190,22 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
         ),
     ] {
         if count > joints {
-            let expected = format!("at most {joints}, one for each joint");
-            findings.push(error(field, format!("{count} columns"), expected));
+            let expected = text!("at most {joints}, one for each joint", joints = joints);
+            findings.push(error(
+                field,
+                text!("{count} columns", count = count),
+                expected,
+            ));
         }
     }
     for (field, length) in lengths(samples) {
         if length != rows {
-            let expected = format!("{rows}, as many as points (x_mm)");
-            findings.push(error(field, format!("{length} values"), expected));
+            let expected = text!("{rows}, as many as points (x_mm)", rows = rows);
+            findings.push(error(
+                field,
+                text!("{length} values", length = length),
+                expected,
+            ));
         }
     }
     let (targets, references) = (&session.targets, &session.instrument.references);
@@ -233,8 +246,8 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
         ),
     ] {
         if wrong {
-            let found = "an index of nothing that is declared".to_owned();
-            findings.push(error(field, found, "indices that count from 0".to_owned()));
+            let found = text!("an index of nothing that is declared");
+            findings.push(error(field, found, text!("indices that count from 0")));
         }
     }
     findings
@@ -327,8 +340,12 @@ fn out_of_range(session: &Session) -> Vec<Diagnostic> {
         let values = session.samples.numbers(quantity).unwrap_or_default();
         if let Some(row) = values.iter().position(|value| value.abs() > range.largest) {
             let field = quantity.heading(Some(quantity.written_in(joints)));
-            let found = format!("sample {}: {}", row + 1, short(values[row]));
-            findings.push(error(&field, found, range.expected.to_owned()));
+            let found = text!(
+                "sample {row}: {row_2}",
+                row = row + 1,
+                row_2 = short(values[row])
+            );
+            findings.push(error(&field, found, range.expected.into()));
         }
     }
     for target in &session.targets {
@@ -337,8 +354,8 @@ fn out_of_range(session: &Session) -> Vec<Diagnostic> {
             .iter()
             .all(|x| x.abs() <= crate::units::LARGEST_LENGTH_MM)
         {
-            let found = "a position that is not finite or too large".to_owned();
-            let expected = "three lengths of at most 10 000 000 mm".to_owned();
+            let found = text!("a position that is not finite or too large");
+            let expected = text!("three lengths of at most 10 000 000 mm");
             findings.push(error(&format!("targets.{}", target.name), found, expected));
         }
     }
@@ -397,8 +414,12 @@ impl SessionBuilder {
         for (sample, row) in rows.iter().enumerate() {
             let row = row.as_ref();
             if row.len() != joints {
-                let found = format!("sample {}: {} values", sample + 1, row.len());
-                let expected = format!("{joints}, one for each joint");
+                let found = text!(
+                    "sample {sample}: {row} values",
+                    sample = sample + 1,
+                    row = row.len()
+                );
+                let expected = text!("{joints}, one for each joint", joints = joints);
                 self.wrong.push(error(field, found, expected));
                 return vec![vec![f64::NAN; self.rows]; joints];
             }
@@ -411,9 +432,12 @@ impl SessionBuilder {
 
     fn count(&mut self, field: &str, count: usize, of: &str) {
         if count != self.rows {
-            let expected = format!("{}, as many as samples", self.rows);
-            self.wrong
-                .push(error(field, format!("{count} {of}"), expected));
+            let expected = text!("{rows}, as many as samples", rows = self.rows);
+            self.wrong.push(error(
+                field,
+                text!("{count} {of}", count = count, of = of),
+                expected,
+            ));
         }
     }
 
@@ -471,8 +495,8 @@ impl SessionBuilder {
         let columns = self.by_joint("directions", self.session.robot.joints.len(), directions);
         let fits = |v: &f64| v.is_nan() || *v == 0.0 || v.abs() == 1.0;
         if !columns.iter().flatten().all(fits) {
-            let found = "a direction other than 1, -1 and 0".to_owned();
-            let expected = "1, -1 or 0 (unknown)".to_owned();
+            let found = text!("a direction other than 1, -1 and 0");
+            let expected = text!("1, -1 or 0 (unknown)");
             self.wrong.push(error("directions", found, expected));
         }
         self.session.samples.dir = columns.into_iter().map(Some).collect();
@@ -517,10 +541,10 @@ impl SessionBuilder {
             .iter()
             .any(|target| target.name == name)
         {
-            let expected = "a name of its own for each target".to_owned();
+            let expected = text!("a name of its own for each target");
             self.wrong.push(error(
                 "target",
-                format!("two targets called {name}"),
+                text!("two targets called {name}", name = name),
                 expected,
             ));
         }
@@ -567,9 +591,12 @@ impl SessionBuilder {
     pub fn sigma_mm(mut self, sigma_mm: f64) -> Self {
         self.session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
         if !(1e-15..=1e7).contains(&sigma_mm) {
-            let expected = "a length above 0 mm".to_owned();
-            self.wrong
-                .push(error("sigma_mm", sigma_mm.to_string(), expected));
+            let expected = text!("a length above 0 mm");
+            self.wrong.push(error(
+                "sigma_mm",
+                Text::verbatim(sigma_mm.to_string()),
+                expected,
+            ));
         }
         self
     }
@@ -586,9 +613,12 @@ impl SessionBuilder {
     pub fn tolerance_mm(mut self, tolerance_mm: f64) -> Self {
         self.session.tolerance_mm = Some(tolerance_mm);
         if !(tolerance_mm > 0.0 && tolerance_mm <= 1e7) {
-            let expected = "a length above 0 mm".to_owned();
-            self.wrong
-                .push(error("tolerance_mm", tolerance_mm.to_string(), expected));
+            let expected = text!("a length above 0 mm");
+            self.wrong.push(error(
+                "tolerance_mm",
+                Text::verbatim(tolerance_mm.to_string()),
+                expected,
+            ));
         }
         self
     }
@@ -597,8 +627,12 @@ impl SessionBuilder {
     #[must_use]
     pub fn region(mut self, name: &str, from_rad: f64, to_rad: f64) -> Self {
         if !(from_rad < to_rad && from_rad.abs() <= 2e4 && to_rad.abs() <= 2e4) {
-            let found = format!("a region from {from_rad} to {to_rad} rad");
-            let expected = "a region from the smaller to the larger value".to_owned();
+            let found = text!(
+                "a region from {from_rad} to {to_rad} rad",
+                from_rad = from_rad,
+                to_rad = to_rad
+            );
+            let expected = text!("a region from the smaller to the larger value");
             self.wrong.push(error("region", found, expected));
         }
         self.session.regions.push(Region {
@@ -635,8 +669,8 @@ impl SessionBuilder {
                     .iter()
                     .find(|name| !places.contains_key(name.as_str()));
                 let unknown = unknown.cloned().unwrap_or_default();
-                let found = format!("target '{unknown}' is not declared");
-                let expected = "the name of a target".to_owned();
+                let found = text!("target '{unknown}' is not declared", unknown = unknown);
+                let expected = text!("the name of a target");
                 self.wrong.push(error("seen_target", found, expected));
             }
             self.session.samples.target = index;

@@ -7,6 +7,7 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::kinematics::{Joint, JointKind};
+use crate::text::{Template, Text};
 use crate::units::{
     LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S, rad_from_deg,
 };
@@ -137,7 +138,7 @@ impl Declared {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ValueRange {
     pub(crate) largest: f64,
-    pub(crate) expected: &'static str,
+    pub(crate) expected: Template,
 }
 
 impl Quantity {
@@ -164,27 +165,29 @@ impl Quantity {
         let (largest, expected) = match self {
             Self::Commanded(_) | Self::ReadBack(_) if angle => (
                 rad_from_deg(LARGEST_JOINT_VALUE),
-                "a joint value of at most 1 000 000°",
+                phrase!("a joint value of at most 1 000 000°"),
             ),
-            Self::Commanded(_) | Self::ReadBack(_) => {
-                (LARGEST_JOINT_VALUE, "a joint value of at most 1 000 000 mm")
-            }
-            Self::X | Self::Y | Self::Z | Self::Distance => {
-                (LARGEST_LENGTH_MM, "a length of at most 10 000 000 mm")
-            }
+            Self::Commanded(_) | Self::ReadBack(_) => (
+                LARGEST_JOINT_VALUE,
+                phrase!("a joint value of at most 1 000 000 mm"),
+            ),
+            Self::X | Self::Y | Self::Z | Self::Distance => (
+                LARGEST_LENGTH_MM,
+                phrase!("a length of at most 10 000 000 mm"),
+            ),
             Self::Azimuth | Self::Elevation => (
                 rad_from_deg(LARGEST_JOINT_VALUE),
-                "an angle of at most 1 000 000°",
+                phrase!("an angle of at most 1 000 000°"),
             ),
-            Self::Load => (LARGEST_MASS_KG, "a load of at most 1 000 000 kg"),
+            Self::Load => (LARGEST_MASS_KG, phrase!("a load of at most 1 000 000 kg")),
             Self::Temperature | Self::JointTemperature(_) => {
-                (1e6, "a temperature of at most 1 000 000 °C")
+                (1e6, phrase!("a temperature of at most 1 000 000 °C"))
             }
-            Self::Time => (LARGEST_TIME_S, "a time in s"),
-            Self::Orientation(_) => (1e6, "a component of a unit quaternion"),
-            Self::Speed(_) => (1e9, "a speed that a joint can have"),
-            Self::Torque(_) => (1e9, "a torque that a joint can have"),
-            _ => (f64::MAX, "a number"),
+            Self::Time => (LARGEST_TIME_S, phrase!("a time in s")),
+            Self::Orientation(_) => (1e6, phrase!("a component of a unit quaternion")),
+            Self::Speed(_) => (1e9, phrase!("a speed that a joint can have")),
+            Self::Torque(_) => (1e9, phrase!("a torque that a joint can have")),
+            _ => (f64::MAX, phrase!("a number")),
         };
         ValueRange { largest, expected }
     }
@@ -400,12 +403,12 @@ impl Layout {
                     if let Some((_, first)) = seen.iter().find(|(other, _)| other == quantity) {
                         findings.push(Diagnostic::error(
                             place(index),
-                            format!(
-                                "the same quantity as column {}, {}",
-                                first + 1,
-                                quoted(&names[*first])
+                            text!(
+                                "the same quantity as column {first}, {first_2}",
+                                first = first + 1,
+                                first_2 = quoted(&names[*first])
                             ),
-                            "one column for each quantity: remove one of the two",
+                            text!("one column for each quantity: remove one of the two"),
                         ));
                     }
                     seen.push((*quantity, index));
@@ -431,11 +434,16 @@ impl Layout {
 pub(crate) const REMARKS: [&str; 2] = ["name", "group"];
 
 fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
-    let found = format!("column {} is not known: kept and ignored", quoted(name));
+    let found = text!(
+        "column {name} is not known: kept and ignored",
+        name = quoted(name)
+    );
     match hint {
-        Some(hint) => {
-            Diagnostic::warning(place, found, format!("{hint}, if that is what is meant"))
-        }
+        Some(hint) => Diagnostic::warning(
+            place,
+            found,
+            text!("{hint}, if that is what is meant", hint = hint),
+        ),
         None => Diagnostic::note(place, found),
     }
 }
@@ -456,13 +464,16 @@ pub(crate) fn check_joint(
         (None, _) => {
             findings.push(Diagnostic::error(
                 place,
-                format!("joint {number} does not exist"),
-                format!("a joint of the robot, from 1 to {}", kinds.len()),
+                text!("joint {number} does not exist", number = number),
+                text!(
+                    "a joint of the robot, from 1 to {kinds}",
+                    kinds = kinds.len()
+                ),
             ));
             return;
         }
-        (Some(JointKind::Revolute), Unit::Length(_)) => "_deg or _rad",
-        (Some(JointKind::Prismatic), Unit::Angle(_)) => "_mm, _m, _um or _in",
+        (Some(JointKind::Revolute), Unit::Length(_)) => text!("_deg or _rad"),
+        (Some(JointKind::Prismatic), Unit::Angle(_)) => text!("_mm, _m, _um or _in"),
         _ => return,
     };
     let (kind, wrong) = match unit {
@@ -471,7 +482,12 @@ pub(crate) fn check_joint(
     };
     findings.push(Diagnostic::error(
         place,
-        format!("{wrong} for joint {number}, which is {kind}"),
+        text!(
+            "{wrong} for joint {number}, which is {kind}",
+            wrong = wrong,
+            number = number,
+            kind = kind
+        ),
         expected,
     ));
 }
@@ -482,7 +498,7 @@ fn require_columns(
     table: &Place,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut missing = |found: String, expected: String| {
+    let mut missing = |found: Text, expected: Text| {
         findings.push(Diagnostic::error(table.clone(), found, expected));
     };
     for (joint, own) in joints.unwrap_or_default().iter().enumerate() {
@@ -491,16 +507,19 @@ fn require_columns(
             let number = joint + 1;
             let unit = own.kind.unit();
             missing(
-                format!("no column for the commanded value of joint {number}"),
-                format!("q{number}_{unit}"),
+                text!(
+                    "no column for the commanded value of joint {number}",
+                    number = number
+                ),
+                text!("q{number}_{unit}", number = number, unit = unit),
             );
         }
     }
     let direction = [Quantity::Azimuth, Quantity::Elevation].map(has);
     if direction[0] != direction[1] {
         missing(
-            "one of the two columns of a measured direction".to_owned(),
-            "both azimuth_deg and elevation_deg or none".to_owned(),
+            text!("one of the two columns of a measured direction"),
+            text!("both azimuth_deg and elevation_deg or none"),
         );
     }
     // Any kind of measurement will do; a session that has none is told of points.
@@ -517,8 +536,8 @@ fn require_columns(
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
         if !has(quantity) && !has_other {
             missing(
-                format!("no column for the measured {name}"),
-                format!("{name}_mm"),
+                text!("no column for the measured {name}", name = name),
+                text!("{name}_mm", name = name),
             );
         }
     }
@@ -527,8 +546,11 @@ fn require_columns(
         .count();
     if orientation != 0 && orientation != 4 {
         missing(
-            format!("{orientation} of the 4 columns of the measured orientation"),
-            "all of qw, qx, qy, qz or none".to_owned(),
+            text!(
+                "{orientation} of the 4 columns of the measured orientation",
+                orientation = orientation
+            ),
+            text!("all of qw, qx, qy, qz or none"),
         );
     }
 }

@@ -3,6 +3,7 @@
 //! A session is often somebody else's file. It may point to its samples in its own folder or
 //! below, and only a regular file is opened (see [`guard`](crate::guard)).
 
+use crate::text::{Template, Text};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -36,8 +37,8 @@ pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, R
     let mut bytes = Vec::with_capacity(expected);
     loop {
         let read = (&mut file).take(AT_ONCE).read_to_end(&mut bytes);
-        let read = read
-            .map_err(|error| refused((unreadable(&error), "a file that can be read".to_owned())))?;
+        let read =
+            read.map_err(|error| refused((unreadable(&error), text!("a file that can be read"))))?;
         part.counted(bytes.len(), expected)?;
         if read == 0 {
             return Ok(bytes);
@@ -47,21 +48,21 @@ pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, R
 
 /// The path of the samples that a session in `folder` calls `name`.
 pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
-    guard::below(folder, name, "the session's folder")
+    guard::below(folder, name, phrase!("the session's folder"))
 }
 
 /// A JSON document as text.
 pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
-    const EXPECTED: &str = "a JSON document in UTF-8";
-    let refused = |place: Place, found: &str| {
+    const EXPECTED: Template = phrase!("a JSON document in UTF-8");
+    let refused = |place: Place, found: Text| {
         Err(Rejected::because(Diagnostic::error(place, found, EXPECTED)))
     };
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.trim_ascii().is_empty() {
-        return refused(file.clone(), "an empty file");
+        return refused(file.clone(), text!("an empty file"));
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return refused(file.clone().at_line(1), "a file in UTF-16");
+        return refused(file.clone().at_line(1), text!("a file in UTF-16"));
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text),
@@ -71,7 +72,7 @@ pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Reje
             let start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
             let place = file.clone().at_line(line);
             let place = place.at_column((before.len() - start) as u64 + 1);
-            refused(place, "bytes that are not UTF-8")
+            refused(place, text!("bytes that are not UTF-8"))
         }
     }
 }

@@ -84,7 +84,7 @@ impl Growing {
             Rejected::because(Diagnostic::error(place.clone(), found, expected))
         };
         let failed =
-            |error: io::Error| refused((unreadable(&error), "a file that can be read".to_owned()));
+            |error: io::Error| refused((unreadable(&error), text!("a file that can be read")));
         let (mut file, length) = files::open_regular(&self.path).map_err(refused)?;
         let grown = self.read_to > 0 && self.is_the_same(&mut file, length).map_err(failed)?;
         let mut next = if grown {
@@ -161,8 +161,11 @@ impl Growing {
         let nobody = Progress::new(&unwatched);
         let table = csv::read(input, None, &file, joints, &mut findings, nobody.whole());
         let table = table.map_err(|error| {
-            let error =
-                Diagnostic::error(file.clone(), unreadable(&error), "a file that can be read");
+            let error = Diagnostic::error(
+                file.clone(),
+                unreadable(&error),
+                text!("a file that can be read"),
+            );
             Rejected::because(error)
         })?;
         let further = if grown { self.lines - 1 } else { 0 };

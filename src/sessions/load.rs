@@ -247,12 +247,16 @@ fn samples_file(
             return samples_from(bytes, None, &file, place, wanted, findings);
         }
         Beside::Nothing => Err((
-            format!("samples in a file: {name}"),
-            "samples inside the document, as it was read without a folder".to_owned(),
+            text!("samples in a file: {name}", name = name),
+            text!("samples inside the document, as it was read without a folder"),
         )),
         Beside::Folder(folder) => files::beside(folder, name).and_then(|path| {
-            let (file, length) = files::open_regular(&path)
-                .map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
+            let (file, length) = files::open_regular(&path).map_err(|(found, expected)| {
+                (
+                    text!("{found}: {name}", found = found, name = name),
+                    expected,
+                )
+            })?;
             Ok((path, file, length))
         }),
     };
@@ -286,7 +290,7 @@ fn samples_from(
         findings.push(others_samples(&found, own, file, named_at));
     }
     let table = table.unwrap_or_else(|error: io::Error| {
-        let expected = "a file that can be read to its end";
+        let expected = text!("a file that can be read to its end");
         findings.push(Diagnostic::error(
             file.clone(),
             unreadable(&error),
@@ -302,14 +306,17 @@ fn others_samples(found: &str, own: &str, file: &Place, named_at: &Place) -> Dia
     // The place names the folder.
     let csv = file.file.as_deref().and_then(Path::file_name);
     let csv = csv.map_or_else(String::new, |csv| csv.to_string_lossy().into_owned());
-    let found = format!(
-        "the samples in {csv} are not those that this session was saved with: their sha256 is {}…, \
-         the session's {}…",
-        &found[..12],
-        &own[..12]
+    let found = text!(
+        "the samples in {csv} are not those that this session was saved with: their sha256 is {found}…, \
+         the session's {own}…",
+        csv = csv,
+        found = &found[..12],
+        own = &own[..12]
     );
-    let expected = "the samples file that was written with the session; if it was edited on purpose, \
-                    save the session anew or take \"sha256\" out of it";
+    let expected = text!(
+        "the samples file that was written with the session; if it was edited on purpose, \
+                    save the session anew or take \"sha256\" out of it"
+    );
     Diagnostic::warning(named_at.clone(), found, expected)
 }
 

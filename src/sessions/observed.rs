@@ -1,6 +1,7 @@
 //! Columns of measurements other than points, from cells to indices and inner units, and which
 //! rows lack what they need: a distance needs its anchor, a direction both of its angles.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 use crate::diagnostic::Diagnostic;
@@ -29,16 +30,16 @@ pub(crate) fn indices(
     let wrong = (0..cells.index.len())
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
-        0 => format!("{what} of the session, which declares none"),
-        _ => format!(
-            "{} of the session: {}",
-            what,
-            first_of(declared.iter().copied())
+        0 => text!("{what} of the session, which declares none", what = what),
+        _ => text!(
+            "{what} of the session: {declared}",
+            what = what,
+            declared = first_of(declared.iter().copied())
         ),
     };
     for row in wrong.take(MOST_COMPLAINTS) {
         let name = quoted(&cells.list[of(row)]);
-        let found = format!("{name} is not declared");
+        let found = text!("{name} is not declared", name = name);
         findings.push(Diagnostic::error(locate(index, row), found, &expected));
     }
     // What was refused must not be missed besides.
@@ -64,12 +65,12 @@ pub(crate) fn complete(
     locate: Locate<'_>,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut complain = |quantity: Quantity, rows: &[usize], found: &str, expected: String| {
+    let mut complain = |quantity: Quantity, rows: &[usize], found: Text, expected: Text| {
         let is = |h: &Heading| matches!(h, Heading::Known(q, _) if *q == quantity);
         let column = headings.iter().position(is).unwrap_or(0);
         for row in rows.iter().take(MOST_COMPLAINTS) {
             let place = locate(column, *row);
-            findings.push(Diagnostic::error(place, found, &expected));
+            findings.push(Diagnostic::error(place, &found, &expected));
         }
     };
     if let Some(distance) = &observed.distance_mm {
@@ -82,19 +83,22 @@ pub(crate) fn complete(
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
         let names = first_of(references.named(Quantity::Anchor).1.into_iter());
-        let expected = format!("one of the anchors of the session in the column anchor: {names}");
+        let expected = text!(
+            "one of the anchors of the session in the column anchor: {names}",
+            names = names
+        );
         complain(
             Quantity::Distance,
             &lacking,
-            "a distance without its anchor",
+            text!("a distance without its anchor"),
             expected,
         );
         let negative: Vec<usize> = (0..rows).filter(|i| distance[*i] < 0.0).collect();
-        let expected = "a distance of 0 mm or more".to_owned();
+        let expected = text!("a distance of 0 mm or more");
         complain(
             Quantity::Distance,
             &negative,
-            "a negative distance",
+            text!("a negative distance"),
             expected,
         );
     }
@@ -103,16 +107,21 @@ pub(crate) fn complete(
         let half: Vec<usize> = (0..rows)
             .filter(|i| azimuth[*i].is_nan() != elevation[*i].is_nan())
             .collect();
-        let expected = "both angles of a direction, or neither".to_owned();
-        complain(Quantity::Azimuth, &half, "one angle of two", expected);
+        let expected = text!("both angles of a direction, or neither");
+        complain(
+            Quantity::Azimuth,
+            &half,
+            text!("one angle of two"),
+            expected,
+        );
         let steep: Vec<usize> = (0..rows)
             .filter(|i| elevation[*i].abs() > std::f64::consts::FRAC_PI_2 + 1e-9)
             .collect();
-        let expected = "an elevation from -90° to 90°".to_owned();
+        let expected = text!("an elevation from -90° to 90°");
         complain(
             Quantity::Elevation,
             &steep,
-            "an elevation beyond the zenith",
+            text!("an elevation beyond the zenith"),
             expected,
         );
         let station = observed.station.get_or_insert_with(|| vec![None; rows]);
@@ -124,14 +133,15 @@ pub(crate) fn complete(
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
             let names = first_of(references.named(Quantity::Station).1.into_iter());
-            let expected = format!(
+            let expected = text!(
                 "one of the stations of the session in the column station: {names}; or the key \
-                 pointing, where the tool itself points"
+                 pointing, where the tool itself points",
+                names = names
             );
             complain(
                 Quantity::Azimuth,
                 &lacking,
-                "a direction without its station",
+                text!("a direction without its station"),
                 expected,
             );
         }

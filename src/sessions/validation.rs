@@ -4,6 +4,7 @@
 //! warnings, because a strange session is still a session. Blunders of setting up (a joint's sign,
 //! a wrong unit) need a fit and are not looked for here.
 
+use crate::text::{Template, Text};
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -28,10 +29,10 @@ pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
     limits(session, file, &mut findings);
     conditions(&session.samples, file, &mut findings);
     if let Some(model) = &session.compensated_by {
-        let found = format!(
-            "measured with the table of model {} active: it shows what is left, and nothing \
+        let found = text!(
+            "measured with the table of model {model} active: it shows what is left, and nothing \
              compensates it a second time",
-            quoted(model)
+            model = quoted(model)
         );
         let place = file.clone().in_field("compensated_by");
         findings.push(Diagnostic::note(place, found));
@@ -48,16 +49,16 @@ pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>)
             .position(|other| other.name == joint.name);
         if let Some(earlier) = earlier {
             let place = file.clone().in_field(format!("robot.joints[{index}].name"));
-            let found = format!(
-                "joint {} is called {} like joint {}",
-                index + 1,
-                quoted(&joint.name),
-                earlier + 1
+            let found = text!(
+                "joint {index} is called {joint} like joint {earlier}",
+                index = index + 1,
+                joint = quoted(&joint.name),
+                earlier = earlier + 1
             );
             findings.push(Diagnostic::warning(
                 place,
                 found,
-                "a name of its own for each joint",
+                text!("a name of its own for each joint"),
             ));
         }
     }
@@ -79,8 +80,12 @@ fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
-                format!("{count} {what}"),
-                format!("at most {most} {what} in one session"),
+                text!("{count} {what}", count = count, what = what),
+                text!(
+                    "at most {most} {what} in one session",
+                    most = most,
+                    what = what
+                ),
             ));
         }
     }
@@ -89,8 +94,11 @@ fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     if targets > most && session.robot.joints.len() > 1 {
         findings.push(Diagnostic::error(
             file.clone().in_field("targets"),
-            format!("{targets} targets of a robot with several joints"),
-            format!("at most {most} targets in one session"),
+            text!(
+                "{targets} targets of a robot with several joints",
+                targets = targets
+            ),
+            text!("at most {most} targets in one session", most = most),
         ));
     }
 }
@@ -130,22 +138,30 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
         let (earlier, later) = (named(&all[earlier]), named(&all[later]));
         findings.push(Diagnostic::warning(
             place(),
-            format!("regions {earlier} and {later} overlap"),
-            "regions that touch at most; the one listed first owns what both claim",
+            text!(
+                "regions {earlier} and {later} overlap",
+                earlier = earlier,
+                later = later
+            ),
+            text!("regions that touch at most; the one listed first owns what both claim"),
         ));
     }
     let mut names = BTreeSet::new();
     for region in all.iter().filter(|region| !names.insert(&region.name)) {
         findings.push(Diagnostic::warning(
             place(),
-            format!("two regions are called {}", quoted(&region.name)),
-            "a name of its own for each region",
+            text!(
+                "two regions are called {region}",
+                region = quoted(&region.name)
+            ),
+            text!("a name of its own for each region"),
         ));
     }
     let joints = &session.robot.joints;
     let one_revolute = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
     if !session.regions.is_empty() && !one_revolute {
-        let found = "regions are for a robot with a single revolute joint: they will not be used";
+        let found =
+            text!("regions are for a robot with a single revolute joint: they will not be used");
         findings.push(Diagnostic::note(place(), found));
     }
 }
@@ -164,7 +180,8 @@ fn instrument(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     silent.dedup();
     for key in silent {
         let place = file.clone().in_field(format!("instrument.{key}"));
-        let found = "the noise of the instrument is not given: it is estimated from the samples";
+        let found =
+            text!("the noise of the instrument is not given: it is estimated from the samples");
         findings.push(Diagnostic::note(place, found));
     }
 }
@@ -174,7 +191,7 @@ fn kinds(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     if let Some(counts) = session.kinds_in_words() {
         findings.push(Diagnostic::note(
             file.clone(),
-            format!("measured: {counts}"),
+            text!("measured: {counts}", counts = counts),
         ));
     }
 }
@@ -183,12 +200,12 @@ fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     let Some(used) = &session.samples.target else {
         if session.targets.len() > 1 {
             let place = file.clone().in_field("targets");
-            let found = format!(
-                "{} targets but no column target: every sample is taken to show {}",
-                session.targets.len(),
-                quoted(&session.targets[0].name)
+            let found = text!(
+                "{targets} targets but no column target: every sample is taken to show {targets_2}",
+                targets = session.targets.len(),
+                targets_2 = quoted(&session.targets[0].name)
             );
-            findings.push(Diagnostic::warning(place, found, "a column target"));
+            findings.push(Diagnostic::warning(place, found, text!("a column target")));
         }
         return;
     };
@@ -205,7 +222,10 @@ fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
         .filter(|(_, seen)| !**seen)
     {
         let place = file.clone().in_field(format!("targets.{}", target.name));
-        findings.push(Diagnostic::note(place, "no sample shows this target"));
+        findings.push(Diagnostic::note(
+            place,
+            text!("no sample shows this target"),
+        ));
     }
 }
 
@@ -213,53 +233,58 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     let count = samples.len();
     let incomplete = samples.incomplete();
     if incomplete.len() == count {
-        let found = "no sample has its commanded values and anything measured";
+        let found = text!("no sample has its commanded values and anything measured");
         findings.push(Diagnostic::error(
             file.clone(),
             found,
-            "at least one complete sample",
+            text!("at least one complete sample"),
         ));
     } else if !incomplete.is_empty() {
-        let found = format!(
-            "{} of {count} samples lack a commanded value or everything measured and cannot be \
-             used: {}",
-            incomplete.len(),
-            which(samples, &incomplete)
+        let found = text!(
+            "{incomplete} of {count} samples lack a commanded value or everything measured and cannot be \
+             used: {incomplete_2}",
+            incomplete = incomplete.len(),
+            count = count,
+            incomplete_2 = which(samples, &incomplete)
         );
-        findings.push(Diagnostic::warning(file.clone(), found, "").about(&incomplete));
+        findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&incomplete));
     }
     let excluded = samples.excluded_by_hand();
     if !excluded.is_empty() {
-        let found = format!(
-            "{} of {count} samples are excluded by hand and count in no figure: {}",
-            excluded.len(),
-            which(samples, &excluded)
+        let found = text!(
+            "{excluded} of {count} samples are excluded by hand and count in no figure: {excluded_2}",
+            excluded = excluded.len(),
+            count = count,
+            excluded_2 = which(samples, &excluded)
         );
-        findings
-            .push(Diagnostic::warning(file.clone().in_field("use"), found, "").about(&excluded));
+        findings.push(
+            Diagnostic::warning(file.clone().in_field("use"), found, Text::default())
+                .about(&excluded),
+        );
     }
     let partly = samples.partly_measured();
     if !partly.is_empty() {
-        let found = format!(
-            "{} of {count} samples lack single coordinates; the others of them are fitted: {}",
-            partly.len(),
-            which(samples, &partly)
+        let found = text!(
+            "{partly} of {count} samples lack single coordinates; the others of them are fitted: {partly_2}",
+            partly = partly.len(),
+            count = count,
+            partly_2 = which(samples, &partly)
         );
         findings.push(Diagnostic::note(file.clone(), found).about(&partly));
     }
     if samples.z_mm.is_none() {
-        let found = "no column for the measured z: the session is planar";
+        let found = text!("no column for the measured z: the session is planar");
         findings.push(Diagnostic::note(file.clone(), found));
     }
     let held_out = |i: usize| samples.held_out.as_ref().is_some_and(|h| h[i]);
     if (samples.held_out.is_some() || samples.excluded.is_some())
         && (0..count).all(|i| held_out(i) || samples.is_excluded(i))
     {
-        let found = "every sample is held out or excluded: nothing is left to fit";
+        let found = text!("every sample is held out or excluded: nothing is left to fit");
         findings.push(Diagnostic::warning(
             file.clone().in_field("use"),
             found,
-            "some samples marked fit",
+            text!("some samples marked fit"),
         ));
     }
     if let Some([w, x, y, z]) = &samples.orientation_wxyz {
@@ -269,13 +294,13 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
             .filter(|&i| (norm(i) - 1.0).abs() > 0.01)
             .collect();
         if !off.is_empty() {
-            let found = format!(
-                "{} measured orientations are not of unit length: {}",
-                off.len(),
-                which(samples, &off)
+            let found = text!(
+                "{off} measured orientations are not of unit length: {off_2}",
+                off = off.len(),
+                off_2 = which(samples, &off)
             );
             let place = file.clone().in_field("qw, qx, qy, qz");
-            findings.push(Diagnostic::warning(place, found, "unit quaternions").about(&off));
+            findings.push(Diagnostic::warning(place, found, text!("unit quaternions")).about(&off));
         }
     }
 }
@@ -295,14 +320,14 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
             .filter(|&i| q[i] < limits.from - slack || q[i] > limits.to + slack)
             .collect();
         if !beyond.is_empty() {
-            let found = format!(
-                "{} samples are beyond the limits of joint {}: {}",
-                beyond.len(),
-                index + 1,
-                which(&session.samples, &beyond)
+            let found = text!(
+                "{beyond} samples are beyond the limits of joint {index}: {beyond_2}",
+                beyond = beyond.len(),
+                index = index + 1,
+                beyond_2 = which(&session.samples, &beyond)
             );
             findings.push(
-                Diagnostic::warning(file.clone(), found, "commands within the limits")
+                Diagnostic::warning(file.clone(), found, text!("commands within the limits"))
                     .about(&beyond),
             );
         }
@@ -310,15 +335,24 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
 }
 
 fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let mut warn = |field: &str, wrong: Vec<usize>, what: &str, expected: &str| {
+    let mut warn = |field: &str, wrong: Vec<usize>, what: &str, expected: Template| {
         if !wrong.is_empty() {
-            let found = format!("{what}: {}", which(samples, &wrong));
+            let found = text!(
+                "{what}: {wrong}",
+                what = what,
+                wrong = which(samples, &wrong)
+            );
             let place = file.clone().in_field(field);
             findings.push(Diagnostic::warning(place, found, expected).about(&wrong));
         }
     };
     let negative_load = rows_where(samples.load_kg.as_deref(), |kg| kg < 0.0);
-    warn("load_kg", negative_load, "negative loads", "0 kg or more");
+    warn(
+        "load_kg",
+        negative_load,
+        "negative loads",
+        phrase!("0 kg or more"),
+    );
     let too_cold = rows_where(samples.temperature_c.as_deref(), |celsius| {
         celsius < -273.15
     });
@@ -326,14 +360,14 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
         "temperature_c",
         too_cold,
         "temperatures below absolute zero",
-        "°C",
+        phrase!("°C"),
     );
     if let Some(time_s) = &samples.time_s {
         let back = backwards(time_s);
         if !back.is_empty() {
-            let found = format!(
-                "the time does not increase at {}; file order is taken as measuring order",
-                which(samples, &back)
+            let found = text!(
+                "the time does not increase at {back}; file order is taken as measuring order",
+                back = which(samples, &back)
             );
             let place = file.clone().in_field("time_s");
             findings.push(Diagnostic::note(place, found).about(&back));
@@ -342,20 +376,20 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     if let Some(setups) = &samples.setups
         && setups.names.len() > 1
     {
-        let found = format!(
-            "{} setups: each has a measuring frame of its own",
-            setups.names.len()
+        let found = text!(
+            "{names} setups: each has a measuring frame of its own",
+            names = setups.names.len()
         );
         findings.push(Diagnostic::note(file.clone().in_field("setup"), found));
     }
     let lost = samples.lost_reflector();
     if !lost.is_empty() {
-        let found = format!(
-            "the instrument lost the reflector (0, 0, 0) in {} samples: {}",
-            lost.len(),
-            which(samples, &lost)
+        let found = text!(
+            "the instrument lost the reflector (0, 0, 0) in {lost} samples: {lost_2}",
+            lost = lost.len(),
+            lost_2 = which(samples, &lost)
         );
-        let warning = Diagnostic::warning(file.clone(), found, "they are left out");
+        let warning = Diagnostic::warning(file.clone(), found, text!("they are left out"));
         findings.push(warning.about(&lost));
     }
 }

@@ -202,9 +202,13 @@ fn brought(
         return Ok(());
     }
     let name = crate::effects::places::name(references, Place { kind, index });
-    let found = format!("'{name}' is not reached from stop {}", sample + 1);
+    let found = text!(
+        "'{name}' is not reached from stop {sample}",
+        name = name,
+        sample = sample + 1
+    );
     let place = FilePlace::default().in_field("measure");
-    let expected = "places within reach, and poses near them";
+    let expected = text!("places within reach, and poses near them");
     Err(Rejected::because(Diagnostic::error(place, found, expected)).into())
 }
 

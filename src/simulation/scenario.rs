@@ -1,5 +1,6 @@
 //! What a scenario is, in inner units (mm, rad, s, kg, °C).
 
+use crate::text::{Template, Text};
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -232,8 +233,12 @@ impl Scenario {
             if let Some(reason) = self.why_idle(term) {
                 problems.push(Diagnostic::warning(
                     field(format!("effects[{k}]")),
-                    format!("{} does nothing here: {reason}", term.effect.about().id),
-                    "a condition under which it shows",
+                    text!(
+                        "{id} does nothing here: {reason}",
+                        id = term.effect.about().id,
+                        reason = reason
+                    ),
+                    text!("a condition under which it shows"),
                 ));
             }
         }
@@ -242,7 +247,7 @@ impl Scenario {
 
     fn check_poses(&self, problems: &mut Vec<Diagnostic>) {
         let joints = self.robot.joints.len();
-        let mut wrong = |at: &str, found: String, expected: &str| {
+        let mut wrong = |at: &str, found: Text, expected: Template| {
             problems.push(Diagnostic::error(field(at), found, expected));
         };
         let outside = |joint: usize, q: f64| {
@@ -250,70 +255,78 @@ impl Scenario {
             // Conversion may have moved a value that is on a limit.
             limits.filter(|l| q < l.from - 1e-9 || q > l.to + 1e-9)
         };
-        let inside = "values within the joint's limits";
+        let inside = phrase!("values within the joint's limits");
         match &self.poses {
             Poses::Sweep(sweep) => {
                 if sweep.joint >= joints {
-                    let found = format!("joint {}", sweep.joint + 1);
-                    wrong("poses.sweep.joint", found, "a joint of the robot");
+                    let found = text!("joint {joint}", joint = sweep.joint + 1);
+                    wrong("poses.sweep.joint", found, phrase!("a joint of the robot"));
                     return;
                 }
                 let usable = sweep.from.is_finite() && sweep.to.is_finite();
                 if !usable || !sweep.step.is_finite() || sweep.step == 0.0 || sweep.repeats == 0 {
-                    let found = "a sweep without a step, a range or repeats".to_owned();
+                    let found = text!("a sweep without a step, a range or repeats");
                     wrong(
                         "poses.sweep",
                         found,
-                        "finite ends, a step that is not 0, repeats from 1 on",
+                        phrase!("finite ends, a step that is not 0, repeats from 1 on"),
                     );
                     return;
                 }
                 for (key, q) in [("from_deg", sweep.from), ("to_deg", sweep.to)] {
                     if outside(sweep.joint, q).is_some() {
-                        let found = "a stop beyond the joint's limits".to_owned();
+                        let found = text!("a stop beyond the joint's limits");
                         wrong(&format!("poses.sweep.{key}"), found, inside);
                     }
                 }
             }
             Poses::List(stops) => {
                 if stops.is_empty() {
-                    wrong("poses.list", "no pose".to_owned(), "at least one");
+                    wrong("poses.list", text!("no pose"), phrase!("at least one"));
                 }
                 for (k, stop) in stops.iter().enumerate() {
                     let at = format!("poses.list[{k}]");
                     let fits = |column: &Vec<f64>| column.len() == joints;
                     if !fits(&stop.q) || !stop.dir.as_ref().is_none_or(fits) {
-                        let found = "another number of values".to_owned();
-                        wrong(&at, found, "one value for each joint");
+                        let found = text!("another number of values");
+                        wrong(&at, found, phrase!("one value for each joint"));
                     } else if (0..joints)
                         .any(|j| !stop.q[j].is_finite() || outside(j, stop.q[j]).is_some())
                     {
-                        let found = "a stop beyond a joint's limits".to_owned();
+                        let found = text!("a stop beyond a joint's limits");
                         wrong(&at, found, inside);
                     }
                 }
             }
             Poses::Random(count) => {
                 if *count == 0 {
-                    wrong("poses.random.count", "0".to_owned(), "at least 1");
+                    wrong(
+                        "poses.random.count",
+                        Text::verbatim("0"),
+                        phrase!("at least 1"),
+                    );
                 }
                 if self.robot.joints.iter().any(|j| j.limits.is_none()) {
-                    let found = "a joint without limits".to_owned();
-                    wrong("poses.random", found, "limits for every joint");
+                    let found = text!("a joint without limits");
+                    wrong("poses.random", found, phrase!("limits for every joint"));
                 }
             }
         }
         let samples = self.poses.stops() * self.targets.len() as f64;
         if !(1.0..=MOST_SAMPLES).contains(&samples) {
-            let found = format!("{samples} samples");
-            wrong("poses", found, "between 1 and 20 000 000 samples");
+            let found = text!("{samples} samples", samples = samples);
+            wrong("poses", found, phrase!("between 1 and 20 000 000 samples"));
         }
     }
 
     fn check_numbers(&self, problems: &mut Vec<Diagnostic>) {
-        let mut wrong = |at: &str, fine: bool, expected: &str| {
+        let mut wrong = |at: &str, fine: bool, expected: Template| {
             if !fine {
-                problems.push(Diagnostic::error(field(at), "an unusable value", expected));
+                problems.push(Diagnostic::error(
+                    field(at),
+                    text!("an unusable value"),
+                    expected,
+                ));
             }
         };
         let positive = |v: f64| v.is_finite() && v > 0.0;
@@ -322,18 +335,18 @@ impl Scenario {
         wrong(
             "conditions.speed_deg_s",
             c.speeds.iter().all(not_negative),
-            "speeds from 0 on",
+            phrase!("speeds from 0 on"),
         );
         wrong(
             "conditions.load_kg",
             c.loads_kg.iter().all(not_negative),
-            "loads from 0 kg on",
+            phrase!("loads from 0 kg on"),
         );
         let time = c.seconds_per_pose;
         wrong(
             "conditions.seconds_per_pose",
             time.is_none_or(positive),
-            "a time above 0 s",
+            phrase!("a time above 0 s"),
         );
         let of_joints = c.joint_temperatures.iter().flatten();
         let temperatures = c
@@ -351,52 +364,60 @@ impl Scenario {
                     time_constant_s,
                 } => {
                     let finite = from_c.is_finite() && to_c.is_finite();
-                    let expected = "finite temperatures and a time constant above 0 s";
+                    let expected = phrase!("finite temperatures and a time constant above 0 s");
                     wrong(field, finite && positive(*time_constant_s), expected);
                     warm_up = true;
                 }
                 Temperature::Values(values) => {
                     let finite = values.iter().all(|v| v.is_finite());
-                    wrong(field, finite, "finite temperatures");
+                    wrong(field, finite, phrase!("finite temperatures"));
                 }
             }
         }
         wrong(
             "conditions.seconds_per_pose",
             !warm_up || time.is_some(),
-            "a time from pose to pose, as the machine warms up",
+            phrase!("a time from pose to pose, as the machine warms up"),
         );
         let noise = self.noise.is_none_or(|n| not_negative(&n.sigma_mm));
-        wrong("noise.sigma_mm", noise, "a length from 0 mm on");
+        wrong("noise.sigma_mm", noise, phrase!("a length from 0 mm on"));
         let outliers = self
             .outliers
             .is_none_or(|o| (0.0..=1.0).contains(&o.share) && not_negative(&o.mm));
         wrong(
             "outliers",
             outliers,
-            "a share from 0 to 1 and a length from 0 mm on",
+            phrase!("a share from 0 to 1 and a length from 0 mm on"),
         );
         wrong(
             "noise.resolution_mm",
             self.resolution_mm.is_none_or(positive),
-            "a length above 0 mm",
+            phrase!("a length above 0 mm"),
         );
-        wrong("targets", !self.targets.is_empty(), "at least one target");
+        wrong(
+            "targets",
+            !self.targets.is_empty(),
+            phrase!("at least one target"),
+        );
         self.check_measures(problems);
     }
 
     /// Every way to measure has what it refers to, and that is somewhere.
     fn check_measures(&self, problems: &mut Vec<Diagnostic>) {
         let all = &self.instrument.references;
-        let mut wrong = |at: &str, fine: bool, expected: &str| {
+        let mut wrong = |at: &str, fine: bool, expected: Template| {
             if !fine {
-                problems.push(Diagnostic::error(field(at), "not where it is", expected));
+                problems.push(Diagnostic::error(
+                    field(at),
+                    text!("not where it is"),
+                    expected,
+                ));
             }
         };
         wrong(
             "measure",
             !self.measure.is_empty(),
-            "at least one way to measure",
+            phrase!("at least one way to measure"),
         );
         for measure in &self.measure {
             match measure {
@@ -408,7 +429,7 @@ impl Scenario {
                             .anchors
                             .iter()
                             .all(|a| a.position_mm.is_some() && a.offset_mm.is_some()),
-                    "anchors with position_mm and offset_mm; \"unknown\" hides them",
+                    phrase!("anchors with position_mm and offset_mm; \"unknown\" hides them"),
                 ),
                 Measure::Bearing => wrong(
                     "stations",
@@ -418,23 +439,25 @@ impl Scenario {
                             .stations
                             .iter()
                             .all(|s| s.position_mm.is_some() && s.attitude.is_some()),
-                    "stations with position_mm and quaternion_wxyz that are not those of pointing; \
-                     \"unknown\" hides them",
+                    phrase!(
+                        "stations with position_mm and quaternion_wxyz that are not those of pointing; \
+                     \"unknown\" hides them"
+                    ),
                 ),
                 Measure::Pointing => wrong(
                     "pointing",
                     all.pointing.is_some() && all.stations.iter().all(|s| s.attitude.is_some()),
-                    "the axis that points, and stations with quaternion_wxyz or none",
+                    phrase!("the axis that points, and stations with quaternion_wxyz or none"),
                 ),
                 Measure::Socket => wrong(
                     "sockets",
                     !all.sockets.is_empty() && all.sockets.iter().all(|s| s.position_mm.is_some()),
-                    "sockets with position_mm; \"unknown\" hides them",
+                    phrase!("sockets with position_mm; \"unknown\" hides them"),
                 ),
                 Measure::Touch => wrong(
                     "planes",
                     !all.planes.is_empty() && all.planes.iter().all(|p| p.known.is_some()),
-                    "planes with normal and distance_mm; \"unknown\" hides them",
+                    phrase!("planes with normal and distance_mm; \"unknown\" hides them"),
                 ),
             }
         }

@@ -1,29 +1,42 @@
-//! What a person reads, and the languages it is spoken in.
+//! What a person reads: sentences as values, and the languages they are spoken in.
 //!
 //! The English sentence stands where it is said, and is the key of the catalogues of the other languages
 //! (`assets/languages/*.po`, as in gettext): English has no table, and what a catalogue lacks is spoken in English.
-//! Two macros are all that writes a sentence:
+//! Three macros are all that writes a sentence:
 //!
 //! | | gives | for |
 //! | --- | --- | --- |
-//! | `say!` | the sentence in the language of this thread | what is shown at once |
-//! | `phrase!` | a [`Template`] | a constant: a name in a table, a label of an action |
+//! | [`text!`] | a [`Text`]: the sentence with its arguments, not spoken yet | what the core finds and keeps |
+//! | [`say!`] | the sentence in the language of this thread | what is shown at once |
+//! | [`phrase!`] | a [`Template`] | a constant: a name in a table, a label of an action |
 //!
-//! Arguments have names (`say!("joint {joint} turns", joint = 3)`) that are checked while compiling, as languages
-//! have orders of their own. The same English of two meanings is told apart by a context (`say!(in "table", "from")`),
+//! Arguments have names (`text!("joint {joint} turns", joint = 3)`) that are checked while compiling, as languages
+//! have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),
 //! and what is counted has a form for one (`say!(one "{count} sample", "{count} samples", count = n)`).
 //!
 //! Every template is listed where the tests are built, and a test fails for one that a catalogue lacks.
 
+/// A sentence as a value; see the module.
+macro_rules! text {
+    (in $context:literal, $english:literal $(, $name:ident = $value:expr)* $(,)?) => {
+        $crate::text::Text::of(
+            template!($context, $english, ""; $($name)*),
+            vec![$((stringify!($name), $crate::text::Argument::from($value))),*],
+        )
+    };
+    (one $one:literal, $many:literal, $($name:ident = $value:expr),+ $(,)?) => {
+        $crate::text::Text::of(
+            template!("", $one, $many; $($name)*),
+            vec![$((stringify!($name), $crate::text::Argument::from($value))),+],
+        )
+    };
+    ($english:literal $(, $name:ident = $value:expr)* $(,)?) => {
+        text!(in "", $english $(, $name = $value)*)
+    };
+}
+
 /// A sentence in the language of this thread: text that lives as long as the program, or, with arguments, a
 /// `String`.
-#[cfg_attr(
-    not(feature = "gui"),
-    allow(
-        unused_macros,
-        reason = "so far only the window speaks other languages"
-    )
-)]
 macro_rules! say {
     (in $context:literal, $english:literal $(,)?) => {
         $crate::text::spoken(template!($context, $english, "";))
@@ -79,17 +92,18 @@ macro_rules! template {
 mod catalogue;
 mod english;
 mod language;
+mod sentence;
 mod speech;
 
 pub use english::Template;
 pub use language::Language;
+pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
+pub(crate) use speech::{choose, current, filled, known, known_in, spoken, within};
 #[cfg(feature = "gui")]
-pub(crate) use speech::{
-    choose, current, filled, known, known_in, letters, spoken, stretch, within,
-};
+pub(crate) use speech::{letters, stretch};
 
 /// Every template of the program.
 #[cfg(test)]

@@ -573,7 +573,8 @@ fn the_program_imports_into_a_session_that_it_can_read() {
     let loaded = load(&out).expect("it can be read");
     // What the program wrote itself is no news to it.
     for finding in &loaded.findings {
-        let is_own = finding.found.contains("'name'") || finding.found.contains("'group'");
+        let is_own = finding.found.to_string().contains("'name'")
+            || finding.found.to_string().contains("'group'");
         assert!(!is_own, "{finding}");
     }
     let loaded = loaded.session;

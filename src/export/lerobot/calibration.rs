@@ -47,7 +47,7 @@ pub(super) fn read_calibration(bytes: &[u8], name: &str) -> Result<Vec<Motor>, R
 }
 
 fn motors(fields: &mut Fields<'_>, root: &Node) -> Option<Vec<Motor>> {
-    let expected = "a motor calibration of LeRobot: an object with one motor for each name";
+    let expected = phrase!("a motor calibration of LeRobot: an object with one motor for each name");
     let members = fields.object(root, &Path::Root, expected)?;
     if members.is_empty() {
         fields.mismatch(root, &Path::Root, expected);
@@ -60,10 +60,10 @@ fn motors(fields: &mut Fields<'_>, root: &Node) -> Option<Vec<Motor>> {
 fn motor(fields: &mut Fields<'_>, member: &Member) -> Option<Motor> {
     let path = &Path::Root.key(&member.key);
     let node = &member.node;
-    let members = fields.object(node, path, "an object with id, homing_offset, …")?;
+    let members = fields.object(node, path, text!("an object with id, homing_offset, …"))?;
     fields.unknown_keys(members, path, &KEYS);
     let numbers = KEYS.map(|key| {
-        let expected = "a whole number";
+        let expected = phrase!("a whole number");
         let node = fields.required(members, node.at, path, key, expected)?;
         let number = whole(node);
         if number.is_none() {
@@ -81,8 +81,8 @@ fn motor(fields: &mut Fields<'_>, member: &Member) -> Option<Motor> {
         range_max: range_max?,
     };
     if motor.range_min >= motor.range_max {
-        let found = format!("a range from {} to {}", motor.range_min, motor.range_max);
-        let expected = "a range from the smaller to the larger value";
+        let found = text!("a range from {range_min} to {range_max}", range_min = motor.range_min, range_max = motor.range_max);
+        let expected = phrase!("a range from the smaller to the larger value");
         fields.error(node.at, path, found, expected);
         return None;
     }

@@ -3,8 +3,8 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
-use crate::gui::language::names::title_of;
-use crate::gui::language::of_core;
+use crate::language::names::title_of;
+use crate::language::of_core;
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};

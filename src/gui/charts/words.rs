@@ -1,7 +1,7 @@
 //! What the core writes into a chart, in the language of the window.
 
 use crate::effects::{CATALOGUE, Effect};
-use crate::gui::language::{known_words, names};
+use crate::language::{known_words, names};
 use crate::present::chart::{Chart, Item, Ticks, in_a_sentence};
 use crate::text::within;
 

@@ -80,11 +80,14 @@ pub(crate) fn seen_again(
             Err(because) => *because,
         },
         Ok(_) => {
-            let found = "it describes another robot than when the session was saved";
+            let found = text!("it describes another robot than when the session was saved");
             Diagnostic::note(Place::file(&chain.file), found)
         }
     };
-    let found = format!("{}; the robot is drawn from its axes", because.found);
+    let found = text!(
+        "{found}; the robot is drawn from its axes",
+        found = because.found
+    );
     findings.push(Diagnostic::note(because.place, found));
     None
 }
@@ -127,8 +130,8 @@ impl Chain {
 
     fn placed(&self, visuals: &[Visual]) -> Result<Appearance, Box<Diagnostic>> {
         if let Some(one) = visuals.get(MOST_MESHES) {
-            let found = format!("{} meshes", visuals.len());
-            let expected = format!("at most {MOST_MESHES} of a robot");
+            let found = text!("{visuals} meshes", visuals = visuals.len());
+            let expected = text!("at most {most} of a robot", most = MOST_MESHES);
             let finding = Diagnostic::warning(one.place.clone(), found, expected);
             return Err(Box::new(finding));
         }
@@ -138,8 +141,11 @@ impl Chain {
             let triangles = self.read(visual)?;
             count += triangles.len();
             if count > MOST_TRIANGLES {
-                let found = format!("meshes of more than {MOST_TRIANGLES} triangles");
-                let expected = "fewer in all meshes of a robot";
+                let found = text!(
+                    "meshes of more than {most} triangles",
+                    most = MOST_TRIANGLES
+                );
+                let expected = text!("fewer in all meshes of a robot");
                 let finding = Diagnostic::warning(visual.place.clone(), found, expected);
                 return Err(Box::new(finding));
             }
@@ -161,7 +167,7 @@ impl Chain {
     }
 
     fn read(&self, visual: &Visual) -> Result<Vec<Triangle>, Box<Diagnostic>> {
-        let warn = |place: Place, (found, expected): (String, String)| {
+        let warn = |place: Place, (found, expected): Refusal| {
             Box::new(Diagnostic::warning(place, found, expected))
         };
         let path = self.path_of(&visual.file);
@@ -173,7 +179,7 @@ impl Chain {
                 Some(line) => place.clone().at_line(line),
                 None => place.clone(),
             };
-            warn(place, (flaw.found, flaw.expected.to_owned()))
+            warn(place, (flaw.found, flaw.expected))
         })
     }
 
@@ -198,28 +204,28 @@ impl Chain {
             }
         });
         let Some(found) = found.filter(|_| plain && package != ".") else {
-            let expected = "a folder with the name of the package above the URDF file";
-            return Err((format!("no package {package}"), expected.to_owned()));
+            let expected = text!("a folder with the name of the package above the URDF file");
+            return Err((text!("no package {package}", package = package), expected));
         };
         files::beside(&found, rest).map_err(of_a_mesh)
     }
 }
 
 fn of_a_mesh((found, _): Refusal) -> Refusal {
-    let expected = "a mesh in the URDF's own folder or below it, or in that of its package";
-    (found, expected.to_owned())
+    let expected = text!("a mesh in the URDF's own folder or below it, or in that of its package");
+    (found, expected)
 }
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, Refusal> {
     let (file, length) = files::open_regular(path)?;
     if length > MOST_BYTES {
-        let expected = format!("a mesh of at most {} MiB", MOST_BYTES >> 20);
-        return Err((format!("{length} bytes"), expected));
+        let expected = text!("a mesh of at most {value} MiB", value = MOST_BYTES >> 20);
+        return Err((text!("{length} bytes", length = length), expected));
     }
     let mut bytes = Vec::new();
     file.take(MOST_BYTES)
         .read_to_end(&mut bytes)
-        .map_err(|error| (unreadable(&error), "a file that can be read".to_owned()))?;
+        .map_err(|error| (unreadable(&error), text!("a file that can be read")))?;
     Ok(bytes)
 }
 

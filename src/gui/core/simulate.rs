@@ -12,6 +12,7 @@ use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
     Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature,
 };
+use crate::text::Text;
 use crate::units::rad_from_deg;
 
 /// More samples than this are for the terminal.
@@ -121,7 +122,7 @@ impl Form {
             .filter(|effect| (effect.exists_on)(0, JointKind::Revolute));
         let all = turning.map(|effect| effect.about());
         all.filter(|about| about.role == Role::Candidate)
-            .map(|about| (about.id, crate::gui::language::names::title(about.id)))
+            .map(|about| (about.id, crate::language::names::title(about.id)))
     }
 
     /// What is wrong with the numbers; `None` where they can be simulated.
@@ -232,21 +233,23 @@ impl Form {
     pub(crate) fn session(
         &self,
         watch: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<(Session, Vec<Term>), Vec<String>> {
+    ) -> Result<(Session, Vec<Term>), Vec<Text>> {
         if let Some(problem) = self.problem() {
-            return Err(vec![problem]);
+            return Err(vec![Text::verbatim(problem)]);
         }
         if let Some(robot) = self.robot {
             return self.session_of(robot, watch);
         }
-        let scenario = self.scenario().map_err(|problem| vec![problem])?;
+        let scenario = self
+            .scenario()
+            .map_err(|problem| vec![Text::verbatim(problem)])?;
         match crate::pipeline::simulate(&scenario, self.seed, watch) {
             Ok((session, truth)) => Ok((session, truth.effects)),
             Err(SimulateError::Rejected(rejected)) => {
                 let problems = rejected.diagnostics.iter();
                 Err(problems.map(|d| d.found.clone()).collect())
             }
-            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+            Err(stopped @ SimulateError::Stopped) => Err(vec![Text::verbatim(stopped.to_string())]),
         }
     }
 

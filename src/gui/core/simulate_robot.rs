@@ -9,6 +9,8 @@ use crate::simulation::{
     HiddenEffect, LoadedScenario, SimulateError, SimulationRequest, parse_scenario,
 };
 
+use crate::text::Text;
+
 use super::simulate::{Form, field};
 
 /// Poses where nothing else is filled in.
@@ -84,8 +86,8 @@ impl Form {
         &self,
         robot: &LibraryRobot,
         watch: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<(Session, Vec<Term>), Vec<String>> {
-        let found = |rejected: &crate::diagnostic::Rejected| -> Vec<String> {
+    ) -> Result<(Session, Vec<Term>), Vec<Text>> {
+        let found = |rejected: &crate::diagnostic::Rejected| -> Vec<Text> {
             let problems = rejected.diagnostics.iter();
             problems.map(|d| d.found.clone()).collect()
         };
@@ -95,7 +97,7 @@ impl Form {
         match crate::pipeline::simulate(&scenario, self.seed, watch) {
             Ok((session, truth)) => Ok((session, truth.effects)),
             Err(SimulateError::Rejected(rejected)) => Err(found(&rejected)),
-            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+            Err(stopped @ SimulateError::Stopped) => Err(vec![Text::verbatim(stopped.to_string())]),
         }
     }
 }

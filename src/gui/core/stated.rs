@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::report::{Details, Logo};
+use crate::text::spoken;
 
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Stated {
@@ -26,8 +27,8 @@ impl Stated {
             read.map_err(|found| {
                 say!(
                     "Logo {found}; expected {expected}",
-                    found = found,
-                    expected = Logo::EXPECTED
+                    found = found.spoken(),
+                    expected = spoken(Logo::EXPECTED)
                 )
             })
         });

@@ -1,7 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use crate::gui::language::of_core;
+use crate::language::{of_core, spoken};
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
@@ -189,7 +189,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
             say!(
                 "{name} is left as it is: {left}",
                 name = name,
-                left = of_core(&left.says)
+                left = spoken(&left.says)
             ),
         ))
     });
@@ -197,13 +197,13 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
     let at_run_time = at_run_time.map(|(l, c, says)| {
         (
             (*l, *c),
-            say!("not corrected: {says}", says = of_core(says)),
+            say!("not corrected: {says}", says = spoken(says)),
         )
     });
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
     let remarks: Vec<_> = remarks
-        .map(|(l, c, says)| ((*l, *c), of_core(says).into_owned()))
+        .map(|(l, c, says)| ((*l, *c), spoken(says)))
         .collect();
     if warnings.is_empty() && remarks.is_empty() && answer.notes.is_empty() {
         return;

@@ -4,7 +4,7 @@ use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
-use crate::gui::language::known_words;
+use crate::language::known_words;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;

@@ -3,8 +3,8 @@
 
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
-use crate::gui::language::known_words;
-use crate::gui::language::names::{title_on, with_parameter};
+use crate::language::known_words;
+use crate::language::names::{title_on, with_parameter};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;

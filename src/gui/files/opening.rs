@@ -18,8 +18,8 @@ use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::Foreign;
 use crate::gui::jobs::Watch;
-use crate::gui::language::finding;
 use crate::gui::view::Message;
+use crate::language::{finding, spoken};
 
 use super::advice::cancelled;
 
@@ -140,7 +140,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
         }
         Err(problems) => Err(Message::wrong(
             say!("The simulation needs other numbers").to_owned(),
-            problems,
+            problems.iter().map(spoken).collect(),
         )),
     }
 }

@@ -84,9 +84,9 @@ impl Foreign {
         // The reader of sessions says why a file cannot be read.
         let length = std::fs::metadata(path).ok()?.len();
         if length > LONGEST {
-            let found = format!("{} MB", length / 1_000_000);
+            let found = text!("{length} MB", length = length / 1_000_000);
             let expected =
-                say!("a table of at most 1000 MB: export fewer points, or cut it into parts");
+                text!("a table of at most 1000 MB: export fewer points, or cut it into parts");
             let place = Place::file(path);
             let refused = Rejected::because(Diagnostic::error(place, found, expected));
             return Some(Err(refused.into()));

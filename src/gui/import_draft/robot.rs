@@ -1,5 +1,6 @@
 //! Whose robot was measured: the open session's, an example's, one in a file, or one that is typed.
 
+use crate::text::Text;
 use std::path::Path;
 
 use nalgebra::{Point3, Vector3};
@@ -151,7 +152,11 @@ impl RobotFrom {
             Self::File { path, .. } => Some(from_file(Path::new(path.trim()))),
             Self::Typed(typed) => Some(typed.robot().map_err(|because| {
                 let place = Place::default();
-                Rejected::because(Diagnostic::error(place, because, ""))
+                Rejected::because(Diagnostic::error(
+                    place,
+                    Text::verbatim(because),
+                    Text::default(),
+                ))
             })),
         }
     }

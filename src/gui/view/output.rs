@@ -1,7 +1,7 @@
 //! What can be exported.
 
 use crate::gui::core::document::plain;
-use crate::gui::language::known_words;
+use crate::language::known_words;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {

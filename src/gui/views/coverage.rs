@@ -1,7 +1,7 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use crate::text::{Template, spoken};
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
@@ -212,7 +212,7 @@ fn strip(ui: &mut Ui, known: &Known) {
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    let name = |id: &str| crate::gui::language::names::title(id).to_owned();
+    let name = |id: &str| crate::language::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         title(ui, say!("Testable effects"));
         widgets::fact_of(

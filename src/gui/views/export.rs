@@ -1,6 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::gui::language::{names, of_core};
+use crate::language::{names, of_core};
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 

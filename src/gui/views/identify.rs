@@ -1,6 +1,6 @@
 //! Step 3: how the robot is identified.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use crate::text::spoken;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
@@ -110,7 +110,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let mut on = document.effects.contains(id);
         let response = ui.add(Checkbox::new(
             &mut on,
-            crate::gui::language::names::title(about.id),
+            crate::language::names::title(about.id),
         ));
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
@@ -135,7 +135,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .id_salt("not testable")
         .show(ui, |ui| {
             for one in &subject.not_testable {
-                ui.label(crate::gui::language::names::title(one.effect));
+                ui.label(crate::language::names::title(one.effect));
                 widgets::hint(ui, of_core(&one.because));
             }
         });

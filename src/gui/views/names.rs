@@ -4,11 +4,11 @@ use egui::{RichText, Ui};
 
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
 use crate::gui::charts::effect;
-use crate::gui::language::names::{combination, parameter, title_of, title_on, usual_size};
-use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::language::names::{combination, parameter, title_of, title_on, usual_size};
+use crate::language::of_core;
 use crate::present::names;
 use crate::text::within;
 

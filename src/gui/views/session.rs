@@ -1,6 +1,6 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
-use crate::gui::language;
+use crate::language;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};

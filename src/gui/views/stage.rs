@@ -3,12 +3,12 @@
 
 use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea, Ui};
 
-use crate::gui::language::of_core;
 use crate::gui::preferences::Preferences;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Part;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{widgets, workspace};
+use crate::language::of_core;
 
 use super::{chart, disk};
 

@@ -1,6 +1,6 @@
 //! Accuracy and repeatability as the standards state them, before and after.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{Made, as_text};

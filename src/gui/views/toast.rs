@@ -3,10 +3,10 @@
 use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, Ui};
 use egui::{WidgetInfo, vec2};
 
-use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Message;
 use crate::gui::workbench::{Command, Workbench};
+use crate::language::of_core;
 
 /// So long it stands unless the pointer is on it, seconds.
 const STANDS_S: f64 = 12.0;

@@ -1,6 +1,6 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};

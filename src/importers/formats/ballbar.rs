@@ -71,13 +71,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let is_distance = |role: &Role| role.quantity() == Some(Quantity::Distance);
     let Some(at) = roles.iter().position(is_distance) else {
         let says = match names {
-            [] => "no header, and no column that is said to be the distance".to_owned(),
+            [] => text!("no header, and no column that is said to be the distance"),
             names => {
                 let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-                format!(
-                    "no column is the distance for certain among {}",
-                    names.join(", ")
-                )
+                text!("no column is the distance for certain among {names}", names = names.join(", "))
             }
         };
         case.ask(About::Columns, says, &[]);
@@ -93,9 +90,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
             *value += length_mm;
         }
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
-        case.note(format!(
-            "{length_mm} mm were added to every reading, as was said"
-        ));
+        case.note(text!("{length_mm} mm were added to every reading, as was said", length_mm = length_mm));
     }
     Some(columns)
 }
@@ -110,13 +105,13 @@ fn nominal_length(case: &mut Case<'_>, is_deviation: bool) -> Option<f64> {
                 .ok()
                 .filter(|value: &f64| value.is_finite());
             if value.is_none() {
-                let found = format!("--{NOMINAL_LENGTH}: {}", quoted(said));
-                case.refuse(found, "a length in mm, such as 300.0015");
+                let found = text!("--{nominal_length}: {said}", nominal_length = NOMINAL_LENGTH, said = quoted(said));
+                case.refuse(found, text!("a length in mm, such as 300.0015"));
             }
             value
         }
         None if is_deviation => {
-            let says = "the readings are deviations from a length that nothing says";
+            let says = text!("the readings are deviations from a length that nothing says");
             case.ask(About::Own(NOMINAL_LENGTH), says, &[]);
             None
         }

@@ -14,6 +14,7 @@
 //! With the camera on the tool and the board standing still the inverse is: the pose of the camera in
 //! the frame of the board. Which of the two it is nobody can see in the numbers: `--camera` says it.
 
+use crate::text::Text;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use crate::importers::columns::{Column, Columns};
@@ -73,8 +74,8 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     });
     let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
-        let found = "no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz";
-        case.refuse(found, "image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z");
+        let found = text!("no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz");
+        case.refuse(found, text!("image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z"));
         return None;
     }
     let roles = parts.iter().map(|part| match part {
@@ -93,7 +94,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         }
     }
     let Some(camera) = case.reading.options.get(CAMERA).cloned() else {
-        let says = "the poses turn the board's coordinates into the camera's, and nothing says which of the two moves";
+        let says = text!("the poses turn the board's coordinates into the camera's, and nothing says which of the two moves");
         case.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
         return None;
     };
@@ -179,11 +180,8 @@ fn into_tool_poses(
         })
         .collect();
     if unseen > 0 {
-        let found = format!(
-            "the board was not seen in {unseen} of {} images",
-            poses.len()
-        );
-        case.warn(found, "");
+        let found = text!("the board was not seen in {unseen} of {poses} images", unseen = unseen, poses = poses.len());
+        case.warn(found, Text::default());
     }
     let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
         let values = poses.iter().map(|pose| pose.as_ref().map_or(f64::NAN, of));
@@ -215,9 +213,7 @@ fn say_frame(case: &mut Case<'_>, columns: &mut Columns, is_on_tool: bool) {
     } else {
         ("the board on the tool", "camera")
     };
-    case.note(format!(
-        "poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t"
-    ));
+    case.note(text!("poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t", of = of, frame = frame));
     if columns.find(Quantity::Setup).is_none() {
         let mut names = Names::default();
         for _ in 0..columns.rows() {

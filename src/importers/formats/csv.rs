@@ -87,7 +87,7 @@ fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>
         }
         (None, _) => {
             if case.reading.columns.is_empty() {
-                let says = format!("{} columns and no header", grid.width);
+                let says = text!("{width} columns and no header", width = grid.width);
                 case.ask(About::Columns, says, &[]);
             }
             vec![Role::Left; grid.width]
@@ -122,12 +122,9 @@ fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Ro
         .filter(|((_, proposed), role)| proposed != role)
         .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
         .collect();
-    let says = format!(
-        "columns that may be what was measured: {}",
-        changed.join(", ")
-    );
+    let says = text!("columns that may be what was measured: {changed}", changed = changed.join(", "));
     if case.reading.confirmed {
-        case.note(format!("{says}; taken so, as was confirmed"));
+        case.note(text!("{says}; taken so, as was confirmed", says = says));
         return;
     }
     let words: Vec<String> = proposed.iter().map(ToString::to_string).collect();
@@ -146,18 +143,12 @@ fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
             .chain((0..joints).map(joint))
             .collect(),
         _ => {
-            let says = format!(
-                "{} columns and no header, for a robot of {joints} joints",
-                grid.width
-            );
+            let says = text!("{width} columns and no header, for a robot of {joints} joints", width = grid.width, joints = joints);
             case.ask(About::Columns, says, &[]);
             return vec![Role::Left; grid.width];
         }
     };
     let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
-    case.note(format!(
-        "no header: the columns are taken as {}",
-        words.join(", ")
-    ));
+    case.note(text!("no header: the columns are taken as {words}", words = words.join(", ")));
     roles
 }

@@ -5,6 +5,7 @@
 //! `Frame,Time (Seconds),X,Y,Z,W,X,Y,Z,…`. Quaternions are x, y, z, w; an empty cell is an
 //! occlusion; y points upwards unless the export was told otherwise.
 
+use crate::text::Text;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
@@ -72,8 +73,8 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         .is_some_and(|space| !space.eq_ignore_ascii_case("global"))
     {
         case.warn(
-            "coordinates that are not in the global space",
-            "an export in the coordinate space Global",
+            text!("coordinates that are not in the global space"),
+            text!("an export in the coordinate space Global"),
         );
     }
     let (Some(unit), Some(chosen)) = (unit, chosen) else {
@@ -81,7 +82,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     };
     let frames = frames(case, rows, &chosen, with_orientation);
     if case.found.rows == 0 && !case.is_open() {
-        case.refuse("no frame", "at least one");
+        case.refuse(text!("no frame"), text!("at least one"));
     }
     let columns = frames.into_columns(&chosen, unit);
     case.found.columns = columns
@@ -105,8 +106,8 @@ fn key_line(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<Vec<(String, Str
             let found = row.cells.first().map_or("", |cell| cell.as_ref());
             case.found.findings.push(Diagnostic::error(
                 place,
-                quoted(found),
-                "Format Version, with which the CSV files of Motive start (export with header information)",
+                Text::verbatim(quoted(found)),
+                text!("Format Version, with which the CSV files of Motive start (export with header information)"),
             ));
             return None;
         }
@@ -144,8 +145,8 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
         (Some(unit), given) => {
             case.found.unit = format!("{}, from the first line", named.unwrap_or_default());
             if given.is_some_and(|given| given.unit() != unit) {
-                let found = format!("the first line names another unit: {}", case.found.unit);
-                case.warn(found, "the same unit as the file, which is believed");
+                let found = text!("the first line names another unit: {unit}", unit = &case.found.unit);
+                case.warn(found, text!("the same unit as the file, which is believed"));
             }
             Some(unit)
         }
@@ -156,7 +157,7 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
         (None, None) => {
             case.ask(
                 About::Unit,
-                "the first line has no Length Units",
+                text!("the first line has no Length Units"),
                 &["mm", "m", "in"],
             );
             None
@@ -168,11 +169,8 @@ fn rotation_is_quaternion(case: &mut Case<'_>, keys: &[(String, String)]) -> boo
     let rotation = value_of(keys, "rotation type").unwrap_or("Quaternion");
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
-        let found = format!(
-            "rotations as {}: the orientation is left out",
-            quoted(rotation)
-        );
-        case.warn(found, "an export with the rotation type Quaternion");
+        let found = text!("rotations as {rotation}: the orientation is left out", rotation = quoted(rotation));
+        case.warn(found, text!("an export with the rotation type Quaternion"));
     }
     is
 }
@@ -193,8 +191,8 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
             }
             Ok(_) => {
                 case.refuse(
-                    "no line that starts with Frame",
-                    "Frame,Time (Seconds),X,Y,Z,…",
+                    text!("no line that starts with Frame"),
+                    text!("Frame,Time (Seconds),X,Y,Z,…"),
                 );
                 return None;
             }
@@ -202,7 +200,7 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
     };
     let axes: Vec<String> = row.cells.iter().map(|cell| cell.to_lowercase()).collect();
     if axes.len() > 64 * MOST_COLUMNS {
-        case.refuse(format!("{} columns", axes.len()), "fewer");
+        case.refuse(text!("{axes} columns", axes = axes.len()), text!("fewer"));
         return None;
     }
     // Newer exports name the lines; in older ones they are type, name, ID in this order.
@@ -214,7 +212,7 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
         })
     };
     let Some(what) = lines.len().checked_sub(1) else {
-        case.refuse("no lines above Frame", "lines of types, names and IDs");
+        case.refuse(text!("no lines above Frame"), text!("lines of types, names and IDs"));
         return None;
     };
     let names_line = labelled("name").or_else(|| (what >= 2).then_some(1));
@@ -278,8 +276,8 @@ fn choose(case: &mut Case<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
             if let Some(thing) = body.or_else(|| called.next()) {
                 chosen.push(thing.clone());
             } else {
-                let found = format!("nothing called {}", quoted(name));
-                let expected = format!("one of {}", listed(&names));
+                let found = text!("nothing called {name}", name = quoted(name));
+                let expected = text!("one of {names}", names = listed(&names));
                 case.refuse(found, expected);
             }
         }
@@ -290,11 +288,11 @@ fn choose(case: &mut Case<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            case.refuse("no column of positions", "Position above X, Y and Z");
+            case.refuse(text!("no column of positions"), text!("Position above X, Y and Z"));
             None
         }
         _ => {
-            let says = format!("several things are tracked: {}", listed(&names));
+            let says = text!("several things are tracked: {names}", names = listed(&names));
             let answers: Vec<&str> = names.iter().take(SHOWN).copied().collect();
             case.ask(About::Name, says, &answers);
             None
@@ -371,7 +369,7 @@ fn frames(
             }
             number(cell, role, Decimal::Point).unwrap_or_else(|expected| {
                 let place = place.clone().at_line(line).at_column(column as u64 + 1);
-                complaints.add(|| Diagnostic::error(place, quoted(cell), expected));
+                complaints.add(|| Diagnostic::error(place, Text::verbatim(quoted(cell)), expected));
                 f64::NAN
             })
         };
@@ -402,13 +400,8 @@ fn frames(
     case.found.rows = frames.frame.len();
     complaints.into(&case.place.clone(), &mut case.found.findings);
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
-        let found = format!(
-            "{} was occluded in {count} of {} frames, first in line {}: these have no position",
-            quoted(&thing.name),
-            frames.frame.len() / chosen.len(),
-            first_occluded.unwrap_or(0)
-        );
-        case.warn(found, "");
+        let found = text!("{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position", thing = quoted(&thing.name), count = count, chosen = frames.frame.len() / chosen.len(), unwrap_or = first_occluded.unwrap_or(0));
+        case.warn(found, Text::default());
     }
     frames
 }

@@ -17,6 +17,7 @@
 //!
 //! Sources: the headers that the 3.5 m telescope at Apache Point and the SDSS telescopes write for it.
 
+use crate::text::Text;
 use nalgebra::Vector3;
 
 use crate::diagnostic::Diagnostic;
@@ -109,25 +110,22 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         .any(|option| option == "ALTAZ" || option == "AZALT")
     {
         case.refuse(
-            format!("a run with the options {}", options.join(", ")),
-            "an altazimuth run (: ALTAZ) in degrees; an equatorial one states catalogue places, which have to be reduced to \
-             azimuth and elevation as seen first: import those with --as csv (q1_deg, q2_deg, azimuth_deg, elevation_deg)",
+            text!("a run with the options {options}", options = options.join(", ")),
+            text!("an altazimuth run (: ALTAZ) in degrees; an equatorial one states catalogue places, which have to be reduced to \
+             azimuth and elevation as seen first: import those with --as csv (q1_deg, q2_deg, azimuth_deg, elevation_deg)"),
         );
         return None;
     }
     if !matches!(case.reading.joints.len(), 0 | 2) {
-        let found = format!(
-            "a pointing run for a robot of {} joints",
-            case.reading.joints.len()
-        );
-        case.refuse(found, "a mount of two joints: azimuth and elevation");
+        let found = text!("a pointing run for a robot of {joints} joints", joints = case.reading.joints.len());
+        case.refuse(found, text!("a mount of two joints: azimuth and elevation"));
         return None;
     }
     let latitude = lines.next();
     let Some(latitude) = latitude.and_then(|(line, _)| numbers(line)) else {
         case.refuse(
-            "no line of run parameters",
-            "latitude in degrees, minutes and seconds behind the options",
+            text!("no line of run parameters"),
+            text!("latitude in degrees, minutes and seconds behind the options"),
         );
         return None;
     };
@@ -147,7 +145,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
             }
             _ => complaints.add(|| {
                 let place = case.place.clone().at_line(number);
-                Diagnostic::error(place, quoted(line), "azimuth and elevation of the star, azimuth and elevation of the mount, in degrees, and perhaps the rotator")
+                Diagnostic::error(place, Text::verbatim(quoted(line)), text!("azimuth and elevation of the star, azimuth and elevation of the mount, in degrees, and perhaps the rotator"))
             }),
         }
     }
@@ -155,13 +153,11 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     complaints.into(&place, &mut case.found.findings);
     case.found.rows = values[0].len();
     if case.found.rows == 0 && !case.is_open() {
-        case.refuse("no row that can be read", "at least one star");
+        case.refuse(text!("no row that can be read"), text!("at least one star"));
     }
     if let [degrees, rest @ ..] = &latitude[..] {
         let minutes = rest.first().copied().unwrap_or(0.0);
-        case.note(format!(
-            "{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run"
-        ));
+        case.note(text!("{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run", caption = caption, degrees = degrees, minutes = minutes));
     }
     Some(columns(case, values, rows))
 }

@@ -34,14 +34,14 @@ fn suits(trial: &Trial) -> bool {
 fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width != 8 {
-        let found = format!("{} columns", grid.width);
-        case.refuse(found, "8: timestamp tx ty tz qx qy qz qw");
+        let found = text!("{width} columns", width = grid.width);
+        case.refuse(found, text!("8: timestamp tx ty tz qx qy qz qw"));
         return None;
     }
     let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
     if unit != LengthUnit::Metres {
-        let found = format!("lengths are taken in {}, as was said", unit.symbol());
-        case.warn(found, "m, which the format has");
+        let found = text!("lengths are taken in {symbol}, as was said", symbol = unit.symbol());
+        case.warn(found, text!("m, which the format has"));
     }
     let position = |quantity| fixed(quantity, unit.unit());
     let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);

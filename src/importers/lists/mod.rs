@@ -10,6 +10,7 @@
 
 mod tree;
 
+use crate::text::Text;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -21,7 +22,7 @@ use tree::Node;
 pub(crate) struct Listed {
     pub(crate) text: String,
     /// What was made of it, for a note.
-    pub(crate) says: String,
+    pub(crate) says: Text,
 }
 
 /// One row: where it begins, what it is called, its headings if it brings them, its cells.
@@ -34,7 +35,7 @@ struct Row {
 }
 
 /// The rows of a text of lists; the text itself where it is none.
-pub(crate) fn as_rows<'a>(text: Cow<'a, str>, says: &mut Option<String>) -> Cow<'a, str> {
+pub(crate) fn as_rows<'a>(text: Cow<'a, str>, says: &mut Option<Text>) -> Cow<'a, str> {
     match read(&text) {
         Some(listed) => {
             *says = Some(listed.says);
@@ -365,9 +366,10 @@ fn written(rows: &[Row]) -> Listed {
         .map_or(0, |row| row.cells.len() + usize::from(named));
     Listed {
         text,
-        says: format!(
-            "lists, read as a table of {} rows and {width} columns",
-            rows.len()
+        says: text!(
+            "lists, read as a table of {rows} rows and {columns} columns",
+            rows = rows.len(),
+            columns = width
         ),
     }
 }

@@ -18,8 +18,11 @@ fn within_budget(document: &Document, element: usize, levels: usize) -> Result<(
     if levels <= MOST_LEVELS {
         return Ok(());
     }
-    let found = format!("more than {MOST_LEVELS} levels of default classes");
-    let expected = format!("at most {MOST_LEVELS}");
+    let found = text!(
+        "more than {most} levels of default classes",
+        most = MOST_LEVELS
+    );
+    let expected = text!("at most {most}", most = MOST_LEVELS);
     Err(document.refuse(element, found, expected))
 }
 
@@ -58,8 +61,12 @@ impl Defaults {
             within_budget(document, element, own.len())?;
             all.index(document, element)?;
             if all.classes.insert(name.to_owned(), own.clone()).is_some() {
-                let found = format!("two default classes called '{name}'");
-                return Err(document.refuse(element, found, "a name of its own for each class"));
+                let found = text!("two default classes called '{name}'", name = name);
+                return Err(document.refuse(
+                    element,
+                    found,
+                    text!("a name of its own for each class"),
+                ));
             }
             open.extend(
                 document

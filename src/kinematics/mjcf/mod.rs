@@ -41,8 +41,8 @@ const MM_PER_M: f64 = 1e3;
 /// joint. Each names the file, the line and the column.
 pub fn robot_from_mjcf(text: &str, file: &Path, base: &str, tip: &str) -> Result<Robot, Rejected> {
     let alone = |name: &str| {
-        let found = format!("the included file '{name}'");
-        Err((found, "a document that needs no other file".to_owned()))
+        let found = text!("the included file '{name}'", name = name);
+        Err((found, text!("a document that needs no other file")))
     };
     let mut document = Document::parse(text, file)?;
     tree(&mut document, file, &alone)?.robot(base, tip)
@@ -56,8 +56,8 @@ pub(super) fn tree(
 ) -> Result<Tree, Rejected> {
     let root = ROOT;
     if document.name(root) != "mujoco" {
-        let found = format!("<{}>", document.name(root));
-        return Err(document.refuse(root, found, "<mujoco>, as an MJCF file begins"));
+        let found = text!("<{root}>", root = document.name(root));
+        return Err(document.refuse(root, found, text!("<mujoco>, as an MJCF file begins")));
     }
     document.follow_includes(include)?;
     let mut reader = Reader {
@@ -91,7 +91,7 @@ pub(super) fn tree(
             .unwrap_or_default()
             .to_owned(),
         bodies,
-        called: "body or site",
+        called: phrase!("body or site"),
     })
 }
 
@@ -116,7 +116,7 @@ impl Compiler {
                 all.limited_by_range = value;
             }
             if document.attribute(compiler, "coordinate") == Some("global") {
-                let expected = "local coordinates, as today's models have them";
+                let expected = text!("local coordinates, as today's models have them");
                 return Err(document.refuse_value(compiler, "coordinate", expected));
             }
             let total_kg = document.number(compiler, "settotalmass")?;
@@ -135,7 +135,7 @@ fn truth(document: &Document, element: usize, name: &str) -> Result<Option<bool>
         None | Some("auto") => Ok(None),
         Some("true") => Ok(Some(true)),
         Some("false") => Ok(Some(false)),
-        Some(_) => Err(document.refuse_value(element, name, "true or false")),
+        Some(_) => Err(document.refuse_value(element, name, text!("true or false"))),
     }
 }
 
@@ -248,8 +248,12 @@ impl Reader<'_> {
         let mut levels = vec![element];
         if let Some(name) = own.or(class) {
             let of_class = self.defaults.of(kind, name).ok_or_else(|| {
-                let found = format!("a default class '{name}' that is not in the file");
-                self.document.refuse(element, found, "the name of a class")
+                let found = text!(
+                    "a default class '{name}' that is not in the file",
+                    name = name
+                );
+                self.document
+                    .refuse(element, found, text!("the name of a class"))
             })?;
             levels.extend(of_class);
         } else {
@@ -292,8 +296,8 @@ impl Reader<'_> {
             (level, kind.unwrap_or_default())
         });
         let other = |kind: &str| {
-            let expected = "hinge or slide joints between base and tip".to_owned();
-            Motion::Other(format!("a {kind} joint"), expected)
+            let expected = text!("hinge or slide joints between base and tip");
+            Motion::Other(text!("a {kind} joint", kind = kind), expected)
         };
         let motion = match kind {
             _ if free => other("free"),
@@ -301,7 +305,7 @@ impl Reader<'_> {
             Some((_, "slide")) => Motion::Moves(JointKind::Prismatic),
             Some((_, kind @ ("ball" | "free"))) => other(kind),
             Some((level, _)) => {
-                let expected = "hinge, slide, ball or free";
+                let expected = text!("hinge, slide, ball or free");
                 return Err(self.document.refuse_value(level, "type", expected));
             }
         };
@@ -381,8 +385,8 @@ fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
     }
     for joint in bodies.iter_mut().flat_map(|body| &mut body.joints) {
         if let Some(of) = followed.get(joint.name.as_str()) {
-            let expected = "joints with values of their own".to_owned();
-            joint.motion = Motion::Other(format!("a joint that follows {of}"), expected);
+            let expected = text!("joints with values of their own");
+            joint.motion = Motion::Other(text!("a joint that follows {of}", of = of), expected);
         }
     }
 }

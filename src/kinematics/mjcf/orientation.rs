@@ -42,7 +42,7 @@ impl Angles {
             Some("radian") => self.radians = true,
             Some("degree") => self.radians = false,
             Some(_) => {
-                return Err(document.refuse_value(compiler, "angle", "degree or radian"));
+                return Err(document.refuse_value(compiler, "angle", text!("degree or radian")));
             }
         }
         if let Some(text) = document.attribute(compiler, "eulerseq") {
@@ -53,7 +53,7 @@ impl Angles {
             let turns: Option<Vec<(usize, bool)>> = text.chars().map(axis).collect();
             let turns = turns.and_then(|turns| <[(usize, bool); 3]>::try_from(turns).ok());
             self.sequence = turns.ok_or_else(|| {
-                let expected = "three of x, y, z, X, Y, Z";
+                let expected = text!("three of x, y, z, X, Y, Z");
                 document.refuse_value(compiler, "eulerseq", expected)
             })?;
         }
@@ -86,8 +86,8 @@ impl Angles {
                 [] => {}
                 [name] => return self.one(document, element, name),
                 [first, second, ..] => {
-                    let found = format!("both {first} and {second}");
-                    return Err(document.refuse(element, found, "one orientation"));
+                    let found = text!("both {first} and {second}", first = first, second = second);
+                    return Err(document.refuse(element, found, text!("one orientation")));
                 }
             }
         }
@@ -100,14 +100,15 @@ impl Angles {
         element: usize,
         name: &str,
     ) -> Result<UnitQuaternion<f64>, Rejected> {
-        let no_direction = || document.refuse_value(element, name, "directions of non-zero length");
+        let no_direction =
+            || document.refuse_value(element, name, text!("directions of non-zero length"));
         let unit = |v: Vector3<f64>| Unit::try_new(v, SHORTEST).ok_or_else(no_direction);
         match name {
             "quat" => {
                 let [w, x, y, z] = document.numbers(element, name)?.unwrap_or_default();
                 let quaternion = Quaternion::new(w, x, y, z);
                 UnitQuaternion::try_new(quaternion, SHORTEST).ok_or_else(|| {
-                    document.refuse_value(element, name, "a quaternion of non-zero length")
+                    document.refuse_value(element, name, text!("a quaternion of non-zero length"))
                 })
             }
             "axisangle" => {

@@ -3,6 +3,7 @@
 //! Its numbers are those that the program computes with (rad, mm), so that it is read back to the
 //! last bit; `parameters` repeats the range for people, and has to agree where it is given.
 
+use crate::text::{Template, Text};
 use std::sync::Arc;
 
 use super::exact::{DISAGREES, agrees};
@@ -20,7 +21,7 @@ const KEYS: [[&str; 3]; 2] = [
     ["motion_inner", "radial_mm", "axial_mm"],
     ["sigma_motion_inner", "sigma_radial_mm", "sigma_axial_mm"],
 ];
-const CURVE: &str = "an object with from_inner, to_inner, knots and values";
+const CURVE: Template = phrase!("an object with from_inner, to_inner, knots and values");
 
 /// What a curve is made from: values and standard deviations by direction, rad or mm; a direction
 /// without values is left out.
@@ -53,7 +54,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
     o.required(
         "knots",
         &mut own.knots.count,
-        &count("a whole number of knots"),
+        &count(phrase!("a whole number of knots")),
     );
     for (keys, lists) in KEYS.iter().zip(&mut own.lists) {
         for (key, list) in keys.iter().zip(lists) {
@@ -69,11 +70,14 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
         return;
     };
     let (key, expected) = match error {
-        CurveError::Range { .. } => ("to_inner", "a number above from_inner".to_owned()),
-        CurveError::Period(_) => ("period_inner", "a number above 0".to_owned()),
-        CurveError::Count(_) => ("knots", "a whole number from 2 on".to_owned()),
+        CurveError::Range { .. } => ("to_inner", text!("a number above from_inner")),
+        CurveError::Period(_) => ("period_inner", text!("a number above 0")),
+        CurveError::Count(_) => ("knots", text!("a whole number from 2 on")),
         CurveError::NotANumber => {
-            return o.error(error.to_string(), "numbers; a sigma is not negative");
+            return o.error(
+                Text::verbatim(error.to_string()),
+                text!("numbers; a sigma is not negative"),
+            );
         }
         CurveError::Lengths { expected, .. } => {
             let length = |list: usize, d: usize| own.lists[list][d].len();
@@ -81,19 +85,22 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
                 let there = length(0, *d) > 0 || length(1, *d) > 0;
                 there && length(*list, *d) != expected
             });
-            let expected = format!("an array of {expected} numbers, one a knot");
+            let expected = text!(
+                "an array of {expected} numbers, one a knot",
+                expected = expected
+            );
             let Some((list, d)) = wrong else {
-                return o.error(error.to_string(), expected);
+                return o.error(Text::verbatim(error.to_string()), expected);
             };
             (KEYS[list][d], expected)
         }
     };
-    o.error_in(key, error.to_string(), expected);
+    o.error_in(key, Text::verbatim(error.to_string()), expected);
 }
 
 /// Finite numbers.
 pub(super) const LIST: Kind<Vec<f64>> = Kind {
-    expected: "an array of numbers",
+    expected: phrase!("an array of numbers"),
     read: |at| match &at.node.value {
         Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),
         _ => at.wrong(),
@@ -128,8 +135,13 @@ pub(super) fn unexplained(
 ) -> Option<Term> {
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     if joint == 0 || joint > joints {
-        let expected = format!("a joint from 1 to {joints}");
-        fields.error(node.at, &path.key("joint"), joint.to_string(), expected);
+        let expected = text!("a joint from 1 to {joints}", joints = joints);
+        fields.error(
+            node.at,
+            &path.key("joint"),
+            Text::verbatim(joint.to_string()),
+            expected,
+        );
         return None;
     }
     let node = fields.required(members, node.at, path, "curve", CURVE)?;
@@ -137,7 +149,7 @@ pub(super) fn unexplained(
         fields,
         node,
         path: &path.key("curve"),
-        expected: CURVE,
+        expected: CURVE.into(),
     };
     let blank = Points {
         knots: Knots {
@@ -160,7 +172,7 @@ pub(super) fn unexplained(
 
 /// Whether the range for people is that of the curve.
 fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots) -> Option<()> {
-    let expected = "an object with the range of the curve";
+    let expected = text!("an object with the range of the curve");
     let members = fields.object(node, path, expected)?;
     let known = [
         ("from_deg", "from_mm", Some(knots.from)),
@@ -177,7 +189,12 @@ fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots
             };
             let value = fields.number(node, &path.key(key))?;
             if !exact.is_some_and(|exact| agrees(exact, inner(value))) {
-                fields.error(node.at, &path.key(key), value.to_string(), DISAGREES);
+                fields.error(
+                    node.at,
+                    &path.key(key),
+                    Text::verbatim(value.to_string()),
+                    DISAGREES,
+                );
                 good = None;
             }
         }

@@ -1,5 +1,6 @@
 //! The numbers that the program computes with, and whether they are those that people read.
 
+use crate::text::{Template, Text};
 use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
 use crate::document::Value;
@@ -13,8 +14,8 @@ use crate::sessions::validation;
 
 /// Exact and readable numbers may differ by this part through conversion, not by more.
 const AGREES: f64 = 1e-9;
-pub(super) const DISAGREES: &str =
-    "the value that the readable keys give: edit both, or remove the exact one";
+pub(super) const DISAGREES: Template =
+    phrase!("the value that the readable keys give: edit both, or remove the exact one");
 
 /// Whether an exact number is the readable one up to conversion.
 pub(super) fn agrees(exact: f64, readable: f64) -> bool {
@@ -26,7 +27,7 @@ pub(super) fn exact(o: &mut Object<'_, '_>, key: &'static str, own: &mut f64) {
     let readable = *own;
     o.required(key, own, &NUMBER);
     if o.is_read() && !agrees(*own, readable) {
-        o.error_in(key, own.to_string(), DISAGREES);
+        o.error_in(key, Text::verbatim(own.to_string()), DISAGREES);
     }
 }
 
@@ -36,7 +37,7 @@ fn exact_each<const N: usize>(at: &mut At<'_, '_>, readable: [f64; N]) -> Option
     if exact.iter().zip(&readable).all(|(a, b)| agrees(*a, *b)) {
         return Some(exact);
     }
-    at.error(format!("{exact:?}"), DISAGREES)
+    at.error(text!("{exact}", exact = format!("{exact:?}")), DISAGREES)
 }
 
 /// A robot that a model can be of.
@@ -49,38 +50,40 @@ pub(super) fn robot_of(at: &mut At<'_, '_>) -> Option<Robot> {
 
 /// What of a robot the session's form may round or normalise.
 pub(super) fn exact_robot(o: &mut Object<'_, '_>, robot: &mut Robot) {
-    if o.needs("joints", "an array") {
-        let expected = format!("an array of {} objects", robot.joints.len());
+    if o.needs("joints", phrase!("an array")) {
+        let expected = text!("an array of {joints} objects", joints = robot.joints.len());
         let own = robot.joints.clone();
-        let element = "an object with axis and limits_inner";
+        let element = text!("an object with axis and limits_inner");
         let read = |at: &mut At<'_, '_>| at.each(own, element, |own, at| at.fill(own, exact_joint));
         let write = |all: &Vec<Joint>| {
             let one = |own: &Joint| written(own.clone(), exact_joint);
             Some(all.iter().map(one).collect())
         };
-        o.with("joints", &mut robot.joints, &expected, read, write);
+        o.with("joints", &mut robot.joints, expected, read, write);
     }
     let key = "tool_quaternion_wxyz";
-    if o.needs(key, "4 numbers") {
+    if o.needs(key, phrase!("4 numbers")) {
         let turn = &mut robot.base_from_tool.rotation;
         let readable = [turn.w, turn.i, turn.j, turn.k];
         let read = |at: &mut At<'_, '_>| {
             let [w, x, y, z] = exact_each(at, readable)?;
             Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))
         };
-        o.with(key, turn, "4 numbers", read, |turn| Some(wxyz(turn)));
+        o.with(key, turn, phrase!("4 numbers"), read, |turn| {
+            Some(wxyz(turn))
+        });
     }
 }
 
 fn exact_joint(o: &mut Object<'_, '_>, own: &mut Joint) {
-    if o.needs("axis", "3 numbers") {
+    if o.needs("axis", phrase!("3 numbers")) {
         let direction = &mut own.axis.direction;
         let readable = direction.into_inner().into();
         let read = |at: &mut At<'_, '_>| {
             let exact = exact_each(at, readable)?;
             Some(Unit::new_unchecked(exact.into()))
         };
-        o.with("axis", direction, "3 numbers", read, |d| {
+        o.with("axis", direction, phrase!("3 numbers"), read, |d| {
             Some(components(d))
         });
     }
@@ -93,13 +96,17 @@ fn exact_joint(o: &mut Object<'_, '_>, own: &mut Joint) {
         _ => false,
     };
     if o.has_read_well() && !same {
-        o.error_in("limits_inner", format!("{limits:?}"), DISAGREES);
+        o.error_in(
+            "limits_inner",
+            text!("{limits}", limits = format!("{limits:?}")),
+            DISAGREES,
+        );
     }
     own.limits = limits.map(|[from, to]| Range { from, to });
 }
 
 const TWO: Kind<[f64; 2]> = Kind {
-    expected: "2 numbers",
+    expected: phrase!("2 numbers"),
     read: |at| at.numbers(),
     write: |two| (*two).into(),
 };
@@ -113,10 +120,14 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
         term.setting = readable;
     }
     if setting_quantity(setting).is_some() && !agrees(term.setting, readable) {
-        o.error_in("setting", term.setting.to_string(), DISAGREES);
+        o.error_in(
+            "setting",
+            Text::verbatim(term.setting.to_string()),
+            DISAGREES,
+        );
     }
     let readable = term.coefficients.clone();
-    let expected = format!("an array of {} numbers", readable.len());
+    let expected = text!("an array of {readable} numbers", readable = readable.len());
     let read = |at: &mut At<'_, '_>| {
         let exact = match &at.node.value {
             Value::Numbers(all) if all.len() == readable.len() => all,
@@ -131,14 +142,14 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
         if exact.iter().zip(&readable).all(near) {
             return Some(exact.clone());
         }
-        at.error(format!("{exact:?}"), DISAGREES)
+        at.error(text!("{exact}", exact = format!("{exact:?}")), DISAGREES)
     };
     let write = |all: &Vec<f64>| Some(all.as_slice().into());
     if o.needs("coefficients", &expected) {
         o.with(
             "coefficients",
             &mut term.coefficients,
-            &expected,
+            expected,
             read,
             write,
         );

@@ -97,8 +97,8 @@ fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
 }
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
-    let expected = "a model: an object with the key \"format\"";
-    fields.of_format(root, FORMAT, expected)?;
+    let expected = text!("a model: an object with the key \"format\"");
+    fields.of_format(root, FORMAT, &expected)?;
     let blank = Calibration {
         session: String::new(),
         model: Model::nominal(blank()),
@@ -120,7 +120,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         fields,
         node: root,
         path: &Path::Root,
-        expected,
+        expected: expected.into(),
     };
     at.object(blank, calibration)
 }
@@ -149,7 +149,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.end_if_wrong();
     o.know("robot_exact");
     if o.is_given("robot_exact") {
-        let expected = "an object with joints and tool_quaternion_wxyz";
+        let expected = text!("an object with joints and tool_quaternion_wxyz");
         o.part("robot_exact", &mut robot, expected, exact_robot);
     }
     o.end_if_wrong();
@@ -163,32 +163,38 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.usual("targets", &mut own.targets, &targets);
     let mut terms = own.model.terms().to_vec();
     let joints = robot.joints.len();
-    if o.needs("effects", "an array") {
+    if o.needs("effects", phrase!("an array")) {
         let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, &robot));
         let write = |all: &Vec<Term>| {
             let all = all.iter().map(|own| term_written(own, &robot));
             Some(all.collect())
         };
-        o.with("effects", &mut terms, "an array of objects", read, write);
+        o.with(
+            "effects",
+            &mut terms,
+            phrase!("an array of objects"),
+            read,
+            write,
+        );
     }
     o.end_if_wrong();
     if o.is_read() {
         own.model = Model::new(robot, terms);
     }
     covariance(o, own);
-    if o.needs("regions", "an array") {
+    if o.needs("regions", phrase!("an array")) {
         o.field("regions", &mut own.regions, &REGIONS);
     }
     let kinds = own.model.robot.joints.iter().map(|joint| joint.kind);
     if !own.regions.is_empty() && !kinds.eq([JointKind::Revolute]) {
-        let found = "regions of another robot than one with a single turning joint";
-        o.error_in("regions", found, "no regions for this robot");
+        let found = text!("regions of another robot than one with a single turning joint");
+        o.error_in("regions", found, text!("no regions for this robot"));
     }
-    if o.needs("measured", "an array") {
+    if o.needs("measured", phrase!("an array")) {
         o.field("measured", &mut own.measured, &RANGES);
         if o.has_read_well() && own.measured.len() != joints {
-            let found = format!("{} ranges", own.measured.len());
-            let expected = format!("one range for each of {joints} joints");
+            let found = text!("{measured} ranges", measured = own.measured.len());
+            let expected = text!("one range for each of {joints} joints", joints = joints);
             o.error_in("measured", found, expected);
         }
     }
@@ -199,17 +205,20 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.optional("set_aside", &mut own.set_aside, &SAMPLES);
     o.know("conditions");
     if o.is_given("conditions") {
-        let expected = "an object with load_kg and temperature_c";
+        let expected = text!("an object with load_kg and temperature_c");
         o.part("conditions", &mut own.conditions, expected, conditions);
     }
-    if o.needs("history", "an array") {
+    if o.needs("history", phrase!("an array")) {
         o.field("history", &mut own.history, &STEPS);
     }
 }
 
 fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
     let size = own.model.coefficient_count();
-    let expected = format!("{size} arrays of {size} numbers, one for each coefficient");
+    let expected = text!(
+        "{size} arrays of {size} numbers, one for each coefficient",
+        size = size
+    );
     let read = |at: &mut At<'_, '_>| {
         // A number that could not be written is null there and NaN here.
         let row = |row: &Node| match &row.value {
@@ -234,17 +243,17 @@ fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
         });
         Some(rows.into())
     };
-    o.with("covariance", &mut own.covariance, &expected, read, write);
+    o.with("covariance", &mut own.covariance, expected, read, write);
 }
 
 const REGIONS: Kind<Vec<RegionalCorrection>> = Kind {
-    expected: "an array of objects",
+    expected: phrase!("an array of objects"),
     read: |at| at.list(&REGION),
     write: |all| all.iter().map(REGION.write).collect(),
 };
 
 const REGION: Kind<RegionalCorrection> = Kind {
-    expected: "an object that describes a region",
+    expected: phrase!("an object that describes a region"),
     read: |at| at.object(RegionalCorrection::default(), region),
     write: |own| written(own.clone(), region),
 };
@@ -253,11 +262,15 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
     o.required("name", &mut own.name, &TEXT);
     o.required("from_deg", &mut own.from_rad, &DEGREES);
     o.required("to_deg", &mut own.to_rad, &DEGREES);
-    o.required("samples", &mut own.samples, &count("a number of samples"));
+    o.required(
+        "samples",
+        &mut own.samples,
+        &count(phrase!("a number of samples")),
+    );
     o.part(
         "correction",
         own,
-        "an object with theta_rad and l1_mm",
+        phrase!("an object with theta_rad and l1_mm"),
         |o, own| {
             o.required("theta_rad", &mut own.theta_rad, &NUMBER);
             o.required("l1_mm", &mut own.l1_mm, &NUMBER);
@@ -269,7 +282,7 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
         o.part(
             "exact",
             own,
-            "an object with from_rad and to_rad",
+            phrase!("an object with from_rad and to_rad"),
             |o, own| {
                 exact(o, "from_rad", &mut own.from_rad);
                 exact(o, "to_rad", &mut own.to_rad);
@@ -278,25 +291,35 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
     }
     let (from, to) = (own.from_rad, own.to_rad);
     if o.has_read_well() && from >= to {
-        let expected = "a region from the smaller to the larger value";
-        o.error(format!("a region from {from} to {to} rad"), expected);
+        let expected = text!("a region from the smaller to the larger value");
+        o.error(
+            text!("a region from {from} to {to} rad", from = from, to = to),
+            expected,
+        );
     }
 }
 
 const RANGES: Kind<Vec<Range>> = Kind {
-    expected: "an array of objects",
+    expected: phrase!("an array of objects"),
     read: |at| at.list(&RANGE),
     write: |all| all.iter().map(RANGE.write).collect(),
 };
 
 /// Least and largest, kg.
 const LOADS: Kind<[f64; 2]> = Kind {
-    expected: "two numbers, the least load and the largest",
+    expected: phrase!("two numbers, the least load and the largest"),
     read: |at| {
         let [least, most] = at.numbers::<2>()?;
         if least > most || least < 0.0 {
-            let found = format!("loads from {least} to {most} kg");
-            return at.error(found, "the least load and the largest, none below zero");
+            let found = text!(
+                "loads from {least} to {most} kg",
+                least = least,
+                most = most
+            );
+            return at.error(
+                found,
+                text!("the least load and the largest, none below zero"),
+            );
         }
         Some([least, most])
     },
@@ -305,7 +328,7 @@ const LOADS: Kind<[f64; 2]> = Kind {
 
 /// rad or mm.
 const RANGE: Kind<Range> = Kind {
-    expected: "an object with from_inner and to_inner",
+    expected: phrase!("an object with from_inner and to_inner"),
     read: |at| at.object(Range::default(), range),
     write: |own| written(*own, range),
 };
@@ -315,14 +338,17 @@ fn range(o: &mut Object<'_, '_>, own: &mut Range) {
     o.required("to_inner", &mut own.to, &NUMBER);
     let (from, to) = (own.from, own.to);
     if o.has_read_well() && from > to {
-        let expected = "a range from the smaller to the larger value";
-        o.error(format!("a range from {from} to {to}"), expected);
+        let expected = text!("a range from the smaller to the larger value");
+        o.error(
+            text!("a range from {from} to {to}", from = from, to = to),
+            expected,
+        );
     }
 }
 
 /// Samples, counted from 1 in the file.
 const SAMPLES: Kind<Vec<usize>> = Kind {
-    expected: "an array of numbers of samples, counted from 1",
+    expected: phrase!("an array of numbers of samples, counted from 1"),
     read: |at| {
         let all = match &at.node.value {
             Value::Numbers(all) => all.clone(),
@@ -354,7 +380,7 @@ fn conditions(o: &mut Object<'_, '_>, own: &mut Conditions) {
 
 /// From the smaller to the larger value.
 const FROM_TO: Kind<Range> = Kind {
-    expected: "2 numbers, the smaller first",
+    expected: phrase!("2 numbers, the smaller first"),
     read: |at| match at.numbers::<2>()? {
         [from, to] if from <= to => Some(Range { from, to }),
         _ => at.wrong(),
@@ -363,13 +389,13 @@ const FROM_TO: Kind<Range> = Kind {
 };
 
 const STEPS: Kind<Vec<GapStep>> = Kind {
-    expected: "an array of objects",
+    expected: phrase!("an array of objects"),
     read: |at| at.list(&STEP),
     write: |all| all.iter().map(STEP.write).collect(),
 };
 
 const STEP: Kind<GapStep> = Kind {
-    expected: "an object with what and gap_mm",
+    expected: phrase!("an object with what and gap_mm"),
     read: |at| {
         let blank = GapStep {
             what: String::new(),

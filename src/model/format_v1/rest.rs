@@ -1,6 +1,7 @@
 //! What predicts without a name, on disk: the numbers that the program computes with (rad, mm), so that
 //! they are read back to the last bit.
 
+use crate::text::{Template, Text};
 use std::sync::Arc;
 
 use super::curve::LIST;
@@ -9,7 +10,7 @@ use crate::document::{Member, Value};
 use crate::effects::unnamed::{Along, Rest, Wave};
 use crate::effects::{REST, Term};
 
-const OBJECT: &str = "an object with ranges_inner and what is added in each direction";
+const OBJECT: Template = phrase!("an object with ranges_inner and what is added in each direction");
 /// Keys of each direction: moments, conditions, orders of the waves (one for each joint, wave after
 /// wave), their sines and their cosines.
 const KEYS: [[&str; 5]; 3] = [
@@ -126,8 +127,13 @@ pub(super) fn unnamed(
 ) -> Option<Term> {
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     if joint == 0 || joint > joints {
-        let expected = format!("a joint from 1 to {joints}");
-        fields.error(node.at, &path.key("joint"), joint.to_string(), expected);
+        let expected = text!("a joint from 1 to {joints}", joints = joints);
+        fields.error(
+            node.at,
+            &path.key("joint"),
+            Text::verbatim(joint.to_string()),
+            expected,
+        );
         return None;
     }
     let node = fields.required(members, node.at, path, "rest", OBJECT)?;
@@ -135,18 +141,18 @@ pub(super) fn unnamed(
         fields,
         node,
         path: &path.key("rest"),
-        expected: OBJECT,
+        expected: OBJECT.into(),
     };
     let lists = at.object(Lists::default(), declare)?;
     let rest = lists.rest(joints);
     let Some(rest) = rest else {
         return at.error(
-            "lists of different lengths".to_owned(),
-            "five conditions, one order for each joint and wave, as many sines as cosines",
+            text!("lists of different lengths"),
+            text!("five conditions, one order for each joint and wave, as many sines as cosines"),
         );
     };
     if let Err(error) = rest.check(joints) {
-        return at.error(error.to_string(), OBJECT);
+        return at.error(Text::verbatim(error.to_string()), OBJECT);
     }
     Some(Term {
         rest: Some(Arc::new(rest)),

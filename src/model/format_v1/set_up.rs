@@ -5,15 +5,16 @@ use crate::document::object::{At, Kind, written};
 use crate::document::{Member, Value};
 use crate::model::SetUp;
 use crate::sessions::Mend;
+use crate::text::Template;
 
 use super::of_samples::{numbers_of, of_numbers};
 
-const EXPECTED: &str = "an object with the key correction: scale-joint, scale-joints, exchange-joints, \
-                        couple-joint, take-read-back, turn-home, scale-lengths, reorder or free-frame, or a \
-                        correction of samples with its values";
+const EXPECTED: Template = phrase!(
+    "an object with the key correction: scale-joint, scale-joints, exchange-joints, couple-joint, take-read-back, turn-home, scale-lengths, reorder or free-frame, or a correction of samples with its values"
+);
 
 pub(super) const SET_UP: Kind<SetUp> = Kind {
-    expected: "an array of objects",
+    expected: phrase!("an array of objects"),
     read: |at| at.list_by(correction).map(SetUp::new),
     write: |set_up| {
         let all = set_up.of_samples().iter().chain(set_up.corrections());
@@ -21,7 +22,7 @@ pub(super) const SET_UP: Kind<SetUp> = Kind {
     },
 };
 
-const JOINT: Kind<usize> = count("a joint, counted from 1");
+const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
 
 /// Everything that any of them may have.
 struct Parts {
@@ -35,7 +36,7 @@ struct Parts {
 }
 
 fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
-    at.expected = EXPECTED;
+    at.expected = EXPECTED.into();
     let blank = Parts {
         correction: String::new(),
         joint: 1,
@@ -103,7 +104,7 @@ fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
 }
 
 const VALUES: Kind<Vec<f64>> = Kind {
-    expected: "an array of numbers",
+    expected: phrase!("an array of numbers"),
     read: |at| match &at.node.value {
         Value::Numbers(values) if values.iter().all(|value| value.is_finite()) => {
             Some(values.clone())
@@ -115,7 +116,7 @@ const VALUES: Kind<Vec<f64>> = Kind {
 };
 
 const THREE: Kind<[f64; 3]> = Kind {
-    expected: "the places of x, y and z among 1, 2, 3",
+    expected: phrase!("the places of x, y and z among 1, 2, 3"),
     read: |at| at.numbers(),
     write: |three| (*three).into(),
 };

@@ -10,14 +10,15 @@ use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::term::names_on;
 use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
 use crate::kinematics::{JointKind, Robot};
+use crate::text::Text;
 
-const JOINT: Kind<usize> = count("a joint, counted from 1");
+const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
 
 /// Reads an effect of a robot.
 pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
     let joints = robot.joints.len();
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    let members = fields.object(node, path, "an object with effect and parameters")?;
+    let members = fields.object(node, path, text!("an object with effect and parameters"))?;
     let id = fields.required_text(members, node.at, path, "effect")?;
     let last = match id.as_str() {
         UNEXPLAINED => "curve",
@@ -35,8 +36,8 @@ pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
     ];
     fields.unknown_keys(members, path, &known);
     if find(&id).is_none() {
-        let found = format!("no effect is called '{id}'");
-        let expected = "a name that `truepose effects` lists";
+        let found = text!("no effect is called '{id}'", id = id);
+        let expected = text!("a name that `truepose effects` lists");
         fields.error(node.at, &path.key("effect"), found, expected);
         return None;
     }
@@ -60,15 +61,15 @@ pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
         Ok(term) => term,
         Err(error) => {
             let at = given.map_or(node.at, |given| given.at);
-            let expected = "parameters as `truepose effects` lists them";
-            fields.error(at, path, error.to_string(), expected);
+            let expected = text!("parameters as `truepose effects` lists them");
+            fields.error(at, path, Text::verbatim(error.to_string()), expected);
             return None;
         }
     };
     if let Some((name, expected)) = of_another_kind(&readable, robot, &named) {
         let at = given.map_or(node.at, |given| given.at);
         let path = path.key("parameters");
-        fields.error(at, &path.key(name), quoted(name), expected);
+        fields.error(at, &path.key(name), Text::verbatim(quoted(name)), expected);
         return None;
     }
     let mut term = readable;
@@ -77,7 +78,7 @@ pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
             fields,
             node,
             path: &path.key("exact"),
-            expected: "an object with setting and coefficients",
+            expected: phrase!("an object with setting and coefficients").into(),
         };
         at.fill(&mut term, exact_term).then_some(())?;
     }
@@ -96,29 +97,38 @@ fn of_another_kind<'n>(
     term: &Term,
     robot: &Robot,
     given: &[(&'n str, f64)],
-) -> Option<(&'n str, String)> {
+) -> Option<(&'n str, Text)> {
     let kind = robot.joints.get(term.joint)?.kind;
     let (other, says) = match kind {
-        JointKind::Revolute => (JointKind::Prismatic, "turns"),
-        JointKind::Prismatic => (JointKind::Revolute, "slides"),
+        JointKind::Revolute => (JointKind::Prismatic, phrase!(in "joint", "turns")),
+        JointKind::Prismatic => (JointKind::Revolute, phrase!(in "joint", "slides")),
     };
     let own = names_on(term.effect, kind);
     let others = names_on(term.effect, other);
     let is_others = |name: &str| others.contains(&name) && !own.contains(&name);
     let (name, _) = given.iter().find(|(name, _)| is_others(name))?;
-    let expected = format!("{}: joint {} {says}", own.join(", "), term.joint + 1);
+    let expected = text!(
+        "{parameters}: joint {joint} {turns}",
+        parameters = own.join(", "),
+        joint = term.joint + 1,
+        turns = says
+    );
     Some((name, expected))
 }
 
 fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {
-    let members = fields.object(node, path, "an object with a number for each parameter")?;
+    let members = fields.object(
+        node,
+        path,
+        text!("an object with a number for each parameter"),
+    )?;
     let all: Vec<Option<(String, f64)>> = members
         .iter()
         .map(|member| {
             let path = &path.key(&member.key);
             let value = fields.number(&member.node, path)?;
             if member.key.starts_with("amplitude") && value < 0.0 {
-                fields.mismatch(&member.node, path, "an amplitude of 0 or more");
+                fields.mismatch(&member.node, path, text!("an amplitude of 0 or more"));
                 return None;
             }
             Some((member.key.clone(), value))

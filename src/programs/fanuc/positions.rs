@@ -51,11 +51,15 @@ impl Positions<'_, '_, '_> {
     fn position(&mut self, k: usize) -> Result<usize, Problem> {
         let at = self.words.at(k);
         if self.words.bytes(k) != b"P" {
-            return Err(self.words.problem(k, "P[…]{ … };"));
+            return Err(self
+                .words
+                .problem(k, crate::text::Text::verbatim("P[…]{ … };")));
         }
-        self.expect(k + 1, b'[', "[")?;
-        let number: u64 = (self.words.spelled(k + 2).parse())
-            .map_err(|_| self.words.problem(k + 2, "the number of the position"))?;
+        self.expect(k + 1, b'[')?;
+        let number: u64 = (self.words.spelled(k + 2).parse()).map_err(|_| {
+            self.words
+                .problem(k + 2, text!("the number of the position"))
+        })?;
         let mut k = k + 3;
         let mut name = format!("P[{number}]");
         if self.words.is_sign(k, b':') {
@@ -67,13 +71,13 @@ impl Positions<'_, '_, '_> {
             }
             k = self.words.until(k + 1, b"]");
         }
-        self.expect(k, b']', "]")?;
-        self.expect(k + 1, b'{', "{")?;
+        self.expect(k, b']')?;
+        self.expect(k + 1, b'{')?;
         if self.by_number.contains_key(&number) {
             return Err(Problem::new(
                 at,
-                format!("{name} a second time"),
-                "every position once",
+                text!("{name} a second time", name = name),
+                text!("every position once"),
             ));
         }
         let (target, end) = self.groups(k + 2, &name, at)?;
@@ -82,14 +86,15 @@ impl Positions<'_, '_, '_> {
             self.by_number
                 .insert(number, self.program.targets.len() - 1);
         }
-        self.expect(end, b'}', "} at the end of the position")?;
+        self.expect(end, b'}')?;
         Ok(end + 1 + usize::from(self.words.is_sign(end + 1, b';')))
     }
 
-    fn expect(&self, k: usize, sign: u8, expected: &str) -> Result<(), Problem> {
+    fn expect(&self, k: usize, sign: u8) -> Result<(), Problem> {
         if self.words.is_sign(k, sign) {
             return Ok(());
         }
+        let expected = crate::text::Text::verbatim(char::from(sign));
         Err(self.words.problem(k, expected))
     }
 
@@ -124,9 +129,12 @@ impl Positions<'_, '_, '_> {
                 .program
                 .notes
                 .iter()
-                .any(|n| n.says.contains("of group"))
+                .any(|n| n.says.to_string().contains("of group"))
             {
-                let says = format!("positions of group {number} are left as they are");
+                let says = text!(
+                    "positions of group {number} are left as they are",
+                    number = number
+                );
                 self.program.notes.push(Remark { at: begins, says });
             }
         }
@@ -168,12 +176,15 @@ impl Positions<'_, '_, '_> {
                     k += 1;
                 }
             } else {
-                self.expect(k, b'=', "= or :")?;
+                self.expect(k, b'=')?;
                 let (value, end) = self.value(k + 1)?;
                 k = end;
                 if group.values.insert(key.clone(), value).is_some() {
-                    let found = format!("{} a second time", key.to_uppercase());
-                    return Err(Problem::new(at, found, "every value once"));
+                    let found = text!(
+                        "{to_uppercase} a second time",
+                        to_uppercase = key.to_uppercase()
+                    );
+                    return Err(Problem::new(at, found, text!("every value once")));
                 }
             }
             if self.words.is_sign(k, b',') {
@@ -183,7 +194,7 @@ impl Positions<'_, '_, '_> {
             // Between the lines of a group the comma may be missing.
             let ends = self.words.is_sign(k, b'}') || self.words.kind(k) == Some(Kind::Name);
             if !ends {
-                return Err(self.words.problem(k, ", or }"));
+                return Err(self.words.problem(k, text!(", or }")));
             }
         }
         Ok((group, k))
@@ -200,14 +211,14 @@ impl Positions<'_, '_, '_> {
             let read = self
                 .words
                 .number(k)
-                .unwrap_or_else(|| Err(self.words.problem(k, "a number")));
+                .unwrap_or_else(|| Err(self.words.problem(k, text!("a number"))));
             let (number, end) = read?;
             (Some(number), end)
         };
         let unit = match self.words.name(end).as_deref() {
             Some("deg") => "deg",
             Some("mm") => "mm",
-            _ => return Err(self.words.problem(end, "deg or mm")),
+            _ => return Err(self.words.problem(end, text!("deg or mm"))),
         };
         let value = value.map_or(Value::Nothing, |number| Value::Number(number, unit));
         Ok((value, end + 1))
@@ -221,19 +232,36 @@ impl Positions<'_, '_, '_> {
         begins: usize,
     ) -> Result<Option<Target>, Problem> {
         if group.values.values().any(|v| matches!(v, Value::Nothing)) {
-            let says = format!("{name} was never taught");
+            let says = text!("{name} was never taught", name = name);
             self.program.at_run_time.push(Remark { at, says });
             return Ok(None);
         }
         let number = |key: &str, unit: &str| match group.values.get(key) {
             Some(Value::Number(number, found)) if *found == unit => Ok(number.clone()),
             Some(Value::Number(number, found)) => {
-                let found = format!("{} in {found} in {name}", key.to_uppercase());
-                Err(Problem::new(number.range.start, found, unit.to_owned()))
+                let found = text!(
+                    "{to_uppercase} in {found} in {name}",
+                    to_uppercase = key.to_uppercase(),
+                    found = found,
+                    name = name
+                );
+                Err(Problem::new(
+                    number.range.start,
+                    found,
+                    crate::text::Text::verbatim(unit),
+                ))
             }
             _ => {
-                let found = format!("{name} without {}", key.to_uppercase());
-                Err(Problem::new(begins, found, "J1 to J6 or X, Y, Z, W, P, R"))
+                let found = text!(
+                    "{name} without {to_uppercase}",
+                    name = name,
+                    to_uppercase = key.to_uppercase()
+                );
+                Err(Problem::new(
+                    begins,
+                    found,
+                    text!("J1 to J6 or X, Y, Z, W, P, R"),
+                ))
             }
         };
         let of_axis = |slot: Slot| {
@@ -254,11 +282,15 @@ impl Positions<'_, '_, '_> {
                     Value::Number(number, _) => number.range.start,
                     Value::Nothing => begins,
                 };
-                let found = format!("{} in {name}", key.to_uppercase());
+                let found = text!(
+                    "{to_uppercase} in {name}",
+                    to_uppercase = key.to_uppercase(),
+                    name = name
+                );
                 return Err(Problem::new(
                     at,
                     found,
-                    "J1 to J9, E1 to E3 or X, Y, Z, W, P, R",
+                    text!("J1 to J9, E1 to E3 or X, Y, Z, W, P, R"),
                 ));
             }
         }
@@ -291,11 +323,11 @@ impl Positions<'_, '_, '_> {
     /// `'N U T, 0, 0, 0'`
     fn configuration(&self, range: Range<usize>, target: &mut Target) -> Result<(), Problem> {
         let problem = || {
-            let found = self.words.text.shown(range.clone());
+            let found = crate::text::Text::verbatim(self.words.text.shown(range.clone()));
             Problem::new(
                 range.start,
                 found,
-                "a configuration such as 'N U T, 0, 0, 0'",
+                text!("a configuration such as 'N U T, 0, 0, 0'"),
             )
         };
         let inside = range.start + 1..range.end - 1;

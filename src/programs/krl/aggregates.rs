@@ -70,8 +70,16 @@ impl Aggregate {
                     Component::Bits(_, range, _) => range.start,
                     Component::RunTime => self.at,
                 };
-                let found = format!("component {} in {name}", key.to_uppercase());
-                let expected = format!("a component of {what}: {}", keys.join(", ").to_uppercase());
+                let found = text!(
+                    "component {to_uppercase} in {name}",
+                    to_uppercase = key.to_uppercase(),
+                    name = name
+                );
+                let expected = text!(
+                    "a component of {what}: {to_uppercase}",
+                    what = what,
+                    to_uppercase = keys.join(", ").to_uppercase()
+                );
                 return Err(Problem::new(at, found, expected));
             }
         }
@@ -91,11 +99,16 @@ impl Aggregate {
             Some(Component::Number(number)) => {
                 let value = number.value;
                 if !(0.0..=255.0).contains(&value) || value.fract() != 0.0 {
-                    let found = format!("{} {value} in {name}", key.to_uppercase());
+                    let found = text!(
+                        "{to_uppercase} {value} in {name}",
+                        to_uppercase = key.to_uppercase(),
+                        value = value,
+                        name = name
+                    );
                     return Err(Problem::new(
                         number.range.start,
                         found,
-                        "a whole number from 0 to 255",
+                        text!("a whole number from 0 to 255"),
                     ));
                 }
                 #[allow(
@@ -141,7 +154,7 @@ pub(super) fn aggregate(words: &Words, k: usize) -> Result<(Aggregate, usize), P
     }
     loop {
         let Some(key) = words.name(k) else {
-            return Err(words.problem(k, "the name of a component"));
+            return Err(words.problem(k, text!("the name of a component")));
         };
         let key_at = words.at(k);
         let (component, end) = component(words, k + 1)?;
@@ -150,13 +163,16 @@ pub(super) fn aggregate(words: &Words, k: usize) -> Result<(Aggregate, usize), P
             .insert(key.clone(), component)
             .is_some()
         {
-            let found = format!("{} a second time", key.to_uppercase());
-            return Err(Problem::new(key_at, found, "every component once"));
+            let found = text!(
+                "{to_uppercase} a second time",
+                to_uppercase = key.to_uppercase()
+            );
+            return Err(Problem::new(key_at, found, text!("every component once")));
         }
         match words.kind(end) {
             Some(Kind::Sign(b',')) => k = end + 1,
             Some(Kind::Sign(b'}')) => return Ok((aggregate, end + 1)),
-            _ => return Err(words.problem(end, ", or }")),
+            _ => return Err(words.problem(end, text!(", or }"))),
         }
     }
 }
@@ -165,7 +181,7 @@ fn component(words: &Words, k: usize) -> Result<(Component, usize), Problem> {
     if words.kind(k) == Some(Kind::Bits) {
         return bits(words, k);
     }
-    Ok(match words.value(k, b",}", "a value")? {
+    Ok(match words.value(k, b",}", phrase!("a value"))? {
         (Value::Number(number), end) => (Component::Number(number), end),
         (Value::RunTime(_), end) => (Component::RunTime, end),
     })
@@ -187,8 +203,12 @@ fn bits(words: &Words, k: usize) -> Result<(Component, usize), Problem> {
             Ok((Component::Bits(value, range, binary), k + 1))
         }
         _ => {
-            let expected = "a binary number such as 'B010'";
-            Err(Problem::new(words.at(k), spelled, expected))
+            let expected = text!("a binary number such as 'B010'");
+            Err(Problem::new(
+                words.at(k),
+                crate::text::Text::verbatim(spelled),
+                expected,
+            ))
         }
     }
 }

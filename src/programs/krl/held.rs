@@ -218,7 +218,10 @@ fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Progra
         let read = read.filter(|(read, _)| is_frame(read));
         read.map(|(read, _)| pose_of(&read, &spelled))
     } else {
-        Some(Err(format!("{spelled} is worked out at run time")))
+        Some(Err(text!(
+            "{spelled} is worked out at run time",
+            spelled = &spelled
+        )))
     };
     if let Some(pose) = pose {
         declare(&mut program.frames, &spelled, line.at(k), pose.clone());
@@ -226,9 +229,9 @@ fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Progra
     }
 }
 
-fn pose_of(aggregate: &Aggregate, spelled: &str) -> Result<Pose, String> {
+fn pose_of(aggregate: &Aggregate, spelled: &str) -> Result<Pose, crate::text::Text> {
     let pose = aggregate.pose();
-    pose.ok_or_else(|| format!("{spelled} is not written out in numbers"))
+    pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = spelled))
 }
 
 /// The numbers of base and tool by the names, in small letters, that are declared with them.

@@ -44,7 +44,11 @@ impl Lists<'_, '_, '_> {
     pub(super) fn list(&self, k: usize, depth: usize) -> Result<(Tree, usize), Problem> {
         let at = self.words.at(k);
         if depth > DEEPEST {
-            return Err(Problem::new(at, "brackets in brackets", "at most 16 deep"));
+            return Err(Problem::new(
+                at,
+                text!("brackets in brackets"),
+                text!("at most 16 deep"),
+            ));
         }
         let mut elements = Vec::new();
         let mut k = k + 1;
@@ -55,7 +59,7 @@ impl Lists<'_, '_, '_> {
             let (element, end) = if self.words.is_sign(k, b'[') {
                 self.list(k, depth + 1)?
             } else {
-                match self.words.value(k, b",];", "a number")? {
+                match self.words.value(k, b",];", phrase!("a number"))? {
                     (Value::Number(number), end) => (Tree::Number(number), end),
                     (Value::RunTime(k), end) => (Tree::Other(k), end),
                 }
@@ -65,16 +69,25 @@ impl Lists<'_, '_, '_> {
                 Some(Kind::Sign(b',')) => k = end + 1,
                 Some(Kind::Sign(b']')) => return Ok((Tree::List(elements, at), end + 1)),
                 None | Some(Kind::Sign(b';')) => {
-                    let found = format!("{} in a list", self.words.found(end));
-                    return Err(Problem::new(self.words.at(end), found, "] at its end"));
+                    let found = text!("{end} in a list", end = self.words.found(end));
+                    return Err(Problem::new(
+                        self.words.at(end),
+                        found,
+                        text!("] at its end"),
+                    ));
                 }
-                Some(_) => return Err(self.words.problem(end, ", or ]")),
+                Some(_) => return Err(self.words.problem(end, text!(", or ]"))),
             }
         }
     }
 
     /// The pose of a tool on the flange, or of a work object in the base; in words why there is none.
-    pub(super) fn held(&self, tree: &Tree, spelled: &str, tool: bool) -> Result<Pose, String> {
+    pub(super) fn held(
+        &self,
+        tree: &Tree,
+        spelled: &str,
+        tool: bool,
+    ) -> Result<Pose, crate::text::Text> {
         let is = |tree: &Tree, value: &str| match tree {
             Tree::Other(k) => self.words.name(*k).as_deref() == Some(value),
             _ => false,
@@ -82,21 +95,25 @@ impl Lists<'_, '_, '_> {
         match tree.list() {
             Some([hold, frame, ..]) if tool => {
                 if !is(hold, "true") {
-                    return Err(format!("{spelled} does not sit on the robot"));
+                    return Err(text!(
+                        "{spelled} does not sit on the robot",
+                        spelled = spelled
+                    ));
                 }
                 pose_of(frame)
             }
             Some([hold, fixed, _, user, object]) if !tool => {
                 if !is(hold, "false") || !is(fixed, "true") {
-                    return Err(format!(
-                        "{spelled} is moved by the robot or by another unit"
+                    return Err(text!(
+                        "{spelled} is moved by the robot or by another unit",
+                        spelled = spelled
                     ));
                 }
                 pose_of(user).zip(pose_of(object)).map(|(u, o)| u * o)
             }
             _ => None,
         }
-        .ok_or_else(|| format!("{spelled} is not written out in numbers"))
+        .ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = spelled))
     }
 
     /// A target of a list; `None` where a part of it is worked out at run time. `pose`: what it has
@@ -113,13 +130,18 @@ impl Lists<'_, '_, '_> {
         let (sizes, expected): (&[usize], _) = if pose.unwrap_or(parts.len() == 4) {
             (
                 &[3, 4, 4, 6],
-                "a robtarget: [[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax_a … eax_f]]",
+                text!(
+                    "a robtarget: [[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax_a … eax_f]]"
+                ),
             )
         } else {
-            (&[6, 6], "a jointtarget: [[rax_1 … rax_6], [eax_a … eax_f]]")
+            (
+                &[6, 6],
+                text!("a jointtarget: [[rax_1 … rax_6], [eax_a … eax_f]]"),
+            )
         };
         if parts.len() != sizes.len() {
-            let found = format!("{} parts in {name}", parts.len());
+            let found = text!("{parts} parts in {name}", parts = parts.len(), name = name);
             return Err(Problem::new(*at, found, expected));
         }
         let mut numbers: Vec<Vec<Number>> = Vec::new();
@@ -127,22 +149,34 @@ impl Lists<'_, '_, '_> {
             let (elements, at) = match part {
                 Tree::List(elements, at) => (elements, *at),
                 Tree::Number(number) => {
-                    let found = format!("a number in {name}");
+                    let found = text!("a number in {name}", name = name);
                     return Err(Problem::new(number.range.start, found, expected));
                 }
                 Tree::Other(_) => return Ok(None),
             };
             if elements.len() != *size {
-                let found = format!("{} numbers in {name}", elements.len());
-                return Err(Problem::new(at, found, format!("{size}, as in {expected}")));
+                let found = text!(
+                    "{elements} numbers in {name}",
+                    elements = elements.len(),
+                    name = name
+                );
+                return Err(Problem::new(
+                    at,
+                    found,
+                    text!("{size}, as in {expected}", size = size, expected = expected),
+                ));
             }
             let mut own = Vec::new();
             for element in elements {
                 match element {
                     Tree::Number(number) => own.push(number.clone()),
                     Tree::List(_, at) => {
-                        let expected = format!("a number, as in {expected}");
-                        return Err(Problem::new(*at, format!("a list in {name}"), expected));
+                        let expected = text!("a number, as in {expected}", expected = expected);
+                        return Err(Problem::new(
+                            *at,
+                            text!("a list in {name}", name = name),
+                            expected,
+                        ));
                     }
                     Tree::Other(_) => return Ok(None),
                 }
@@ -162,7 +196,11 @@ impl Lists<'_, '_, '_> {
 
     fn robtarget(&self, parts: &[Vec<Number>], name: &str, at: usize) -> Result<Target, Problem> {
         let [position, turn, configuration, external] = parts else {
-            return Err(Problem::new(at, "a part is missing", "a robtarget"));
+            return Err(Problem::new(
+                at,
+                text!("a part is missing"),
+                text!("a robtarget"),
+            ));
         };
         let whole = |number: &Number| {
             #[allow(clippy::cast_possible_truncation, reason = "compared with itself")]
@@ -170,8 +208,16 @@ impl Lists<'_, '_, '_> {
             if whole as f64 == number.value && whole.abs() < 1000 {
                 Ok(whole)
             } else {
-                let found = format!("{} in the configuration of {name}", number.value);
-                Err(Problem::new(number.range.start, found, "a whole number"))
+                let found = text!(
+                    "{value} in the configuration of {name}",
+                    value = number.value,
+                    name = name
+                );
+                Err(Problem::new(
+                    number.range.start,
+                    found,
+                    text!("a whole number"),
+                ))
             }
         };
         let frame = Frame {
@@ -181,8 +227,12 @@ impl Lists<'_, '_, '_> {
             orientation: Orientation::Quaternion,
         };
         if frame.goal().is_none() {
-            let found = format!("a quaternion of no length in {name}");
-            return Err(Problem::new(turn[0].range.start, found, "an orientation"));
+            let found = text!("a quaternion of no length in {name}", name = name);
+            return Err(Problem::new(
+                turn[0].range.start,
+                found,
+                text!("an orientation"),
+            ));
         }
         let mut target = Target::new(name, at, Shape::Pose(frame));
         for (number, axis) in configuration.iter().zip([0, 3, 5]) {
@@ -248,8 +298,8 @@ fn external_axis<'n>(number: &'n Number, name: &str) -> Result<&'n Number, Probl
     if number.value.abs() < NOT_THERE {
         return Ok(number);
     }
-    let found = format!("{name} leaves an external axis out");
-    let expected = "its value: the model has that axis";
+    let found = text!("{name} leaves an external axis out", name = name);
+    let expected = text!("its value: the model has that axis");
     Err(Problem::new(number.range.start, found, expected))
 }
 

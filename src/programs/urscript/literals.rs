@@ -35,7 +35,7 @@ pub(super) fn literal(words: &Words, k: usize) -> Result<Option<(Literal, usize)
             run_time = true;
             k
         } else {
-            let (value, end) = words.value(k, b",)]", "a number")?;
+            let (value, end) = words.value(k, b",)]", phrase!("a number"))?;
             match value {
                 Value::Number(number) => numbers.push(number),
                 Value::RunTime(_) => run_time = true,
@@ -52,7 +52,7 @@ pub(super) fn literal(words: &Words, k: usize) -> Result<Option<(Literal, usize)
                 };
                 return Ok(Some((literal, end + 1)));
             }
-            _ => return Err(words.problem(end, ", or ]")),
+            _ => return Err(words.problem(end, text!(", or ]"))),
         }
     }
 }

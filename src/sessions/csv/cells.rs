@@ -1,5 +1,6 @@
 //! One cell, off the hot path: quotes, spaces, text, and everything that is wrong with it.
 
+use crate::text::{Template, Text};
 use std::borrow::Cow;
 
 use crate::document::number::{NotANumber, any_decimal, quoted};
@@ -103,25 +104,28 @@ impl<'a> Cell<'a> {
     }
 
     /// The cell as text, or what to say about it.
-    pub(crate) fn text(&self) -> Result<&str, (String, &'static str)> {
+    pub(crate) fn text(&self) -> Result<&str, (Text, Template)> {
         if self.unclosed {
-            return Err(("a quote that never closes".to_owned(), "a closing quote"));
+            return Err((
+                text!("a quote that never closes"),
+                phrase!("a closing quote"),
+            ));
         }
         if self.after_quote {
-            let found = "something after the closing quote".to_owned();
-            return Err((found, "a comma or the end of the line"));
+            let found = text!("something after the closing quote");
+            return Err((found, phrase!("a comma or the end of the line")));
         }
         if self.content.contains(&0) {
-            return Err(("a NUL byte".to_owned(), "text; this is a binary file"));
+            return Err((text!("a NUL byte"), phrase!("text; this is a binary file")));
         }
         match std::str::from_utf8(&self.content) {
             Ok(text) => Ok(text),
             Err(_) => Err((
-                format!(
-                    "bytes that are not UTF-8: {}",
-                    quoted(&String::from_utf8_lossy(&self.content))
+                text!(
+                    "bytes that are not UTF-8: {content}",
+                    content = quoted(&String::from_utf8_lossy(&self.content))
                 ),
-                "UTF-8 text; another encoding is read by `truepose import`",
+                phrase!("UTF-8 text; another encoding is read by `truepose import`"),
             )),
         }
     }
@@ -171,15 +175,19 @@ impl<'a> Cell<'a> {
                     values.push(f64::NAN);
                     let expected = match problem {
                         NotANumber::NotFinite => {
-                            "a finite number; a missing value is an empty cell"
+                            text!("a finite number; a missing value is an empty cell")
                         }
-                        NotANumber::Overflow => "a number that a double can hold (below 1.8e308)",
+                        NotANumber::Overflow => {
+                            text!("a number that a double can hold (below 1.8e308)")
+                        }
                         NotANumber::DecimalComma => {
-                            "a decimal point; decimal commas are read by `truepose import --decimal ,`"
+                            text!(
+                                "a decimal point; decimal commas are read by `truepose import --decimal ,`"
+                            )
                         }
-                        NotANumber::Garbage => "a number",
+                        NotANumber::Garbage => text!("a number"),
                     };
-                    complaints.about_cell(line, index, quoted(plain), expected);
+                    complaints.about_cell(line, index, Text::verbatim(quoted(plain)), expected);
                 }
             },
         }

@@ -1,5 +1,6 @@
 //! The first line, and what a file looks like that is no session CSV at all.
 
+use crate::text::{Template, Text};
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -32,8 +33,8 @@ pub(crate) fn read<R: Read>(
     let Some(lines) = blocks.next_rows()? else {
         findings.push(Diagnostic::error(
             file.clone(),
-            "no line end",
-            "a line of headings",
+            text!("no line end"),
+            text!("a line of headings"),
         ));
         return Ok(None);
     };
@@ -45,8 +46,8 @@ pub(crate) fn read<R: Read>(
             Ok(_) if names.len() == MOST_COLUMNS => {
                 findings.push(Diagnostic::error(
                     file.clone().at_line(1),
-                    format!("more than {MOST_COLUMNS} columns"),
-                    "the columns of a session",
+                    text!("more than {most} columns", most = MOST_COLUMNS),
+                    text!("the columns of a session"),
                 ));
                 return Ok(None);
             }
@@ -55,8 +56,8 @@ pub(crate) fn read<R: Read>(
                 let place = file.clone().at_line(1).at_column(names.len() as u64 + 1);
                 findings.push(Diagnostic::error(
                     place,
-                    quoted(text),
-                    "a heading on one line",
+                    Text::verbatim(quoted(text)),
+                    text!("a heading on one line"),
                 ));
                 return Ok(None);
             }
@@ -77,26 +78,26 @@ pub(crate) fn read<R: Read>(
 
 /// Recognises what is no text by its first bytes.
 fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
-    const IMPORT: &str = "UTF-8 text; `truepose import FILE --as csv` reads UTF-16";
-    let error = |found: &str, expected: &str| {
+    const IMPORT: Template = phrase!("UTF-8 text; `truepose import FILE --as csv` reads UTF-16");
+    let error = |found: Text, expected: Template| {
         Some(Diagnostic::error(file.clone().at_line(1), found, expected))
     };
     if start.trim_ascii().is_empty() {
         return error(
-            "an empty file",
-            "a line of headings and one line per sample",
+            text!("an empty file"),
+            phrase!("a line of headings and one line per sample"),
         );
     }
     if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-        return error("a file in UTF-16", IMPORT);
+        return error(text!("a file in UTF-16"), IMPORT);
     }
     let nul = memchr::memchr(0, start)?;
     if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {
-        return error("a file in UTF-16 without a byte order mark", IMPORT);
+        return error(text!("a file in UTF-16 without a byte order mark"), IMPORT);
     }
     error(
-        "a binary file (it holds NUL bytes)",
-        "a CSV file: headings and one line per sample",
+        text!("a binary file (it holds NUL bytes)"),
+        phrase!("a CSV file: headings and one line per sample"),
     )
 }
 
@@ -108,9 +109,15 @@ fn wrong_dialect(names: &[String], file: &Place, findings: &mut Vec<Diagnostic>)
             if only.contains(separator) {
                 findings.push(Diagnostic::error(
                     place,
-                    format!("headings separated by {called}: {}", quoted(only)),
-                    "commas (and decimal points); `truepose import FILE --as csv` reads other \
-                     separators and decimal commas",
+                    text!(
+                        "headings separated by {called}: {only}",
+                        called = called,
+                        only = quoted(only)
+                    ),
+                    text!(
+                        "commas (and decimal points); `truepose import FILE --as csv` reads other \
+                     separators and decimal commas"
+                    ),
                 ));
                 return false;
             }
@@ -119,9 +126,14 @@ fn wrong_dialect(names: &[String], file: &Place, findings: &mut Vec<Diagnostic>)
     if names.iter().all(|name| any_decimal(name).is_ok()) {
         findings.push(Diagnostic::error(
             place,
-            format!("numbers in the first line: {}", quoted(&names.join(","))),
-            "headings such as q1_deg,x_mm,y_mm,z_mm; `truepose import FILE --as tracker` reads \
-             files without headings",
+            text!(
+                "numbers in the first line: {names}",
+                names = quoted(&names.join(","))
+            ),
+            text!(
+                "headings such as q1_deg,x_mm,y_mm,z_mm; `truepose import FILE --as tracker` reads \
+             files without headings"
+            ),
         ));
         return false;
     }

@@ -18,6 +18,7 @@ mod header;
 mod lanes;
 mod stretch;
 
+use crate::text::Text;
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -85,8 +86,11 @@ pub(crate) fn read(
         let place = file.clone().at_line(line);
         findings.push(Diagnostic::error(
             place,
-            format!("a line of more than {} MiB", blocks::LONGEST_LINE >> 20),
-            "one sample per line",
+            text!(
+                "a line of more than {blocks} MiB",
+                blocks = blocks::LONGEST_LINE >> 20
+            ),
+            text!("one sample per line"),
         ));
     }
     let Rows {
@@ -259,7 +263,7 @@ impl<'a> Complaints<'a> {
     }
 
     #[cold]
-    fn add(&mut self, place: Place, found: impl Into<String>, expected: impl Into<String>) {
+    fn add(&mut self, place: Place, found: impl Into<Text>, expected: impl Into<Text>) {
         if self.list.len() < MOST_COMPLAINTS {
             self.list.push(Diagnostic::error(place, found, expected));
         } else {
@@ -272,8 +276,8 @@ impl<'a> Complaints<'a> {
         &mut self,
         line: u64,
         index: usize,
-        found: impl Into<String>,
-        expected: impl Into<String>,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) {
         let place = self.file.clone().at_line(line).at_column(index as u64 + 1);
         self.add(place.in_field(self.names[index].as_str()), found, expected);
@@ -284,8 +288,14 @@ impl<'a> Complaints<'a> {
         let place = self.file.clone().at_line(line).at_column(cells as u64);
         self.add(
             place,
-            format!("the line ends after {}", counted(cells, "cell")),
-            format!("{}, one for each heading", counted(headings, "cell")),
+            text!(
+                "the line ends after {cells}",
+                cells = counted(cells, "cell")
+            ),
+            text!(
+                "{headings}, one for each heading",
+                headings = counted(headings, "cell")
+            ),
         );
     }
 
@@ -298,11 +308,11 @@ impl<'a> Complaints<'a> {
             .at_column(headings as u64 + 1);
         self.add(
             place,
-            counted(cells, "cell"),
-            format!(
-                "{}, one for each heading; a file with decimal commas is read by \
+            Text::verbatim(counted(cells, "cell")),
+            text!(
+                "{headings}, one for each heading; a file with decimal commas is read by \
                  `truepose import --decimal ,`",
-                counted(headings, "cell")
+                headings = counted(headings, "cell")
             ),
         );
     }
@@ -312,8 +322,8 @@ impl<'a> Complaints<'a> {
         if self.more > 0 {
             findings.push(Diagnostic::error(
                 self.file.clone(),
-                format!("{} more problems of this kind", self.more),
-                "",
+                text!("{more} more problems of this kind", more = self.more),
+                Text::default(),
             ));
         }
     }

@@ -1,5 +1,6 @@
 //! The session document but its samples.
 
+use crate::text::{Template, Text};
 use nalgebra::Point3;
 
 use super::references::references;
@@ -66,8 +67,8 @@ fn head(o: &mut Object<'_, '_>, own: &mut Head) {
 
 /// Reads the document; `None` when it is no session at all.
 pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Option<SamplesAt>)> {
-    let expected = "a session: an object with the key \"format\"";
-    fields.of_format(&root, FORMAT, expected)?;
+    let expected = text!("a session: an object with the key \"format\"");
+    fields.of_format(&root, FORMAT, &expected)?;
     // Taken out of the tree: a million samples are not copied.
     let samples = match &mut root.value {
         Value::Object(members) => members
@@ -97,7 +98,7 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
         fields,
         node: &root,
         path: &Path::Root,
-        expected,
+        expected: expected.into(),
     };
     at.fill(&mut own, head);
     let samples = samples_at(fields, samples, root.at);
@@ -128,14 +129,16 @@ pub(crate) fn default_targets() -> Vec<Target> {
 }
 
 /// How far off a tool may be.
-pub(crate) const TOLERANCE_MM: Kind<f64> = positive("a length above 0 mm");
+pub(crate) const TOLERANCE_MM: Kind<f64> = positive(phrase!("a length above 0 mm"));
 
 /// Names of targets, and where they are in the tool frame.
 pub(crate) const TARGETS: Kind<Vec<Target>> = Kind {
-    expected: "an object with a position for each name",
+    expected: phrase!("an object with a position for each name"),
     read: |at| {
         let targets = at.named(|name, at| {
-            let position = point("an array of 3 numbers: the position in the tool frame, mm");
+            let position = point(phrase!(
+                "an array of 3 numbers: the position in the tool frame, mm"
+            ));
             let position = position.read(at.fields, at.node, at.path);
             Target {
                 name: name.to_owned(),
@@ -151,7 +154,7 @@ pub(crate) const TARGETS: Kind<Vec<Target>> = Kind {
     },
     write: |targets| {
         let one = |target: &Target| {
-            let position = (point("").write)(&target.position_mm);
+            let position = (point(phrase!("")).write)(&target.position_mm);
             Member::new(&target.name, position)
         };
         Value::Object(targets.iter().map(one).collect())
@@ -160,7 +163,7 @@ pub(crate) const TARGETS: Kind<Vec<Target>> = Kind {
 
 /// The measuring instrument.
 pub(crate) const INSTRUMENT: Kind<Instrument> = Kind {
-    expected: "an object with name and sigma_mm",
+    expected: phrase!("an object with name and sigma_mm"),
     read: |at| at.object(Instrument::default(), instrument),
     write: |own| written(own.clone(), instrument),
 };
@@ -170,7 +173,7 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
     o.optional("sigma_mm", &mut own.sigma_mm, &SIGMA);
     // Null says that they are not known, which is another thing than to say nothing.
     if o.is_read() || own.targets_sigma_mm != Some(TARGETS_SIGMA_MM) {
-        let kind = positive("a length above 0 mm, or null");
+        let kind = positive(phrase!("a length above 0 mm, or null"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
     tracker(o, &mut own.tracker);
@@ -192,10 +195,12 @@ fn tracker(o: &mut Object<'_, '_>, own: &mut Option<Tracker>) {
     o.optional(keys[1], &mut angle, &MICRO);
     if !given.is_empty() && given.len() < keys.len() {
         o.know(keys[2]);
-        let expected = "all of sigma_range_mm, sigma_angle_urad and position_mm, or none";
-        return o.error(format!("only {}", given.join(" and ")), expected);
+        let expected = text!("all of sigma_range_mm, sigma_angle_urad and position_mm, or none");
+        return o.error(text!("only {given}", given = given.join(" and ")), expected);
     }
-    let stands = point("an array of 3 numbers: where the tracker stands, mm");
+    let stands = point(phrase!(
+        "an array of 3 numbers: where the tracker stands, mm"
+    ));
     o.optional(keys[2], &mut position, &stands);
     if let (Some(sigma_range_mm), Some(sigma_angle), Some(position_mm)) = (range, angle, position) {
         *own = Some(Tracker {
@@ -207,7 +212,7 @@ fn tracker(o: &mut Object<'_, '_>, own: &mut Option<Tracker>) {
 }
 
 const SIGMA: Kind<Sigma> = Kind {
-    expected: "a positive number, or an array of 3 positive numbers",
+    expected: phrase!("a positive number, or an array of 3 positive numbers"),
     read: |at| {
         let usable = |value: &f64| value.is_finite() && *value > 0.0;
         match &at.node.value {
@@ -227,7 +232,7 @@ const SIGMA: Kind<Sigma> = Kind {
     },
 };
 
-const ABOVE_0: Kind<f64> = positive("a number above 0, or null");
+const ABOVE_0: Kind<f64> = positive(phrase!("a number above 0, or null"));
 
 /// Thousandths.
 const MILLI: Kind<f64> = Kind {
@@ -253,13 +258,13 @@ fn as_written(value: f64, outer: f64, inner: f64) -> f64 {
 
 /// Regions of the first joint.
 pub(crate) const REGIONS: Kind<Vec<Region>> = Kind {
-    expected: "an array of regions",
+    expected: phrase!("an array of regions"),
     read: |at| at.list(&REGION),
     write: |all| all.iter().map(REGION.write).collect(),
 };
 
 const REGION: Kind<Region> = Kind {
-    expected: "an object with name, from_deg and to_deg",
+    expected: phrase!("an object with name, from_deg and to_deg"),
     read: |at| at.object(Region::default(), region),
     write: |own| written(own.clone(), region),
 };
@@ -270,16 +275,19 @@ fn region(o: &mut Object<'_, '_>, own: &mut Region) {
     o.required("to_deg", &mut own.to_rad, &DEGREES);
     if o.has_read_well() && own.from_rad >= own.to_rad {
         let (from, to) = (degrees(own.from_rad), degrees(own.to_rad));
-        let expected = "a region from the smaller to the larger value";
-        o.error(format!("a region from {from} to {to}"), expected);
+        let expected = text!("a region from the smaller to the larger value");
+        o.error(
+            text!("a region from {from} to {to}", from = from, to = to),
+            expected,
+        );
     }
 }
 
 fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Option<SamplesAt> {
-    const EXPECTED: &str = "an object with \"file\" or with \"columns\"";
+    const EXPECTED: Template = phrase!("an object with \"file\" or with \"columns\"");
     let path = &Path::Root.key("samples");
     let Some(Member { node, .. }) = member else {
-        fields.error(at, &Path::Root, "no key 'samples'", EXPECTED);
+        fields.error(at, &Path::Root, text!("no key 'samples'"), EXPECTED);
         return None;
     };
     let node_at = node.at;
@@ -305,7 +313,12 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
             let text = fields.text(&node, &key)?;
             let digits = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
             if !digits {
-                fields.error(node.at, &key, quoted(&text), "64 hexadecimal digits");
+                fields.error(
+                    node.at,
+                    &key,
+                    Text::verbatim(quoted(&text)),
+                    text!("64 hexadecimal digits"),
+                );
                 return None;
             }
             Some(text.to_ascii_lowercase())
@@ -319,11 +332,16 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
         }
         (None, Some(columns)) => Some(SamplesAt::Inline(columns)),
         (None, None) => {
-            fields.error(node_at, path, "neither a file nor columns", EXPECTED);
+            fields.error(node_at, path, text!("neither a file nor columns"), EXPECTED);
             None
         }
         (Some(_), Some(_)) => {
-            fields.error(node_at, path, "both a file and columns", "one of the two");
+            fields.error(
+                node_at,
+                path,
+                text!("both a file and columns"),
+                text!("one of the two"),
+            );
             None
         }
     }

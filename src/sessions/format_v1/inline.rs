@@ -42,7 +42,11 @@ pub(crate) fn read(
     let path = &samples.key("columns");
     let at = node.at;
     let Value::Object(members) = node.value else {
-        fields.mismatch(&node, path, "an object with an array for each column");
+        fields.mismatch(
+            &node,
+            path,
+            text!("an object with an array for each column"),
+        );
         return None;
     };
     let names: Vec<String> = members
@@ -78,8 +82,12 @@ pub(crate) fn read(
         .zip(&columns)
         .fold(true, |same, (cells, (name, at))| {
             if cells.len() != rows {
-                let found = format!("{} values", cells.len());
-                let expected = format!("{rows} values, as in '{}'", columns[0].0);
+                let found = text!("{cells} values", cells = cells.len());
+                let expected = text!(
+                    "{rows} values, as in '{columns}'",
+                    rows = rows,
+                    columns = &columns[0].0
+                );
                 fields.error(*at, &path.key(name), found, expected);
             }
             same && cells.len() == rows
@@ -97,16 +105,16 @@ pub(crate) fn read(
 
 fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) -> Option<Cells> {
     let expected = match kind {
-        CellKind::Number => "an array of numbers (null where one is missing)",
-        CellKind::Name => "an array of texts (null where one is missing)",
-        CellKind::Text => "an array",
+        CellKind::Number => phrase!("an array of numbers (null where one is missing)"),
+        CellKind::Name => phrase!("an array of texts (null where one is missing)"),
+        CellKind::Text => phrase!("an array"),
     };
     match (kind, node.value) {
         (CellKind::Number, Value::Numbers(values)) => {
             if let Some(row) = values.iter().position(|value| value.is_infinite()) {
                 let place = fields.element_place(node.at, path, row);
-                let expected = "a number that a double can hold (below 1.8e308)";
-                let found = "a number that overflows";
+                let expected = text!("a number that a double can hold (below 1.8e308)");
+                let found = text!("a number that overflows");
                 fields
                     .findings
                     .push(Diagnostic::error(place, found, expected));
@@ -143,11 +151,14 @@ fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) 
                     .iter()
                     .position(|cell| cell.at == first.at)
                     .unwrap_or(0);
-                let more = match wrong.len() {
-                    1 => String::new(),
-                    count => format!(" (and {} more like it)", count - 1),
+                let found = match wrong.len() {
+                    1 => first.value.describe(),
+                    count => text!(
+                        "{found} (and {more} more like it)",
+                        found = first.value.describe(),
+                        more = count - 1
+                    ),
                 };
-                let found = format!("{}{more}", first.value.describe());
                 fields.error(first.at, &path.index(index), found, expected);
                 return None;
             }
@@ -178,6 +189,6 @@ fn plain_text(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
         Value::Text(text) => text.clone(),
-        other => other.describe(),
+        other => other.describe().to_string(),
     }
 }

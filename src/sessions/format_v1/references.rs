@@ -1,6 +1,7 @@
 //! `anchors`, `stations`, `planes`, `sockets`, `socket_distances_mm`, `pointing`: what measurements
 //! other than points refer to.
 
+use crate::text::Template;
 use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
 
 use crate::document::kinds::{NUMBER, components, point, wxyz};
@@ -19,7 +20,7 @@ pub(crate) fn references(o: &mut Object<'_, '_>, all: &mut References) {
     let (key, sockets) = ("socket_distances_mm", &all.sockets);
     o.know(key);
     if o.is_given(key) {
-        let expected = "an array of [\"S1\", \"S2\", 400.0]";
+        let expected = text!("an array of [\"S1\", \"S2\", 400.0]");
         let read = |at: &mut At<'_, '_>| Some(distances(at, sockets));
         let name = |index: usize| Value::from(&sockets[index].name);
         let write = |all: &Vec<SocketDistance>| {
@@ -43,7 +44,13 @@ pub(crate) fn references(o: &mut Object<'_, '_>, all: &mut References) {
             at.fill(&mut own, declare).then_some(Some(own))
         };
         let write = |own: &Option<Pointing>| own.clone().map(|own| written(own, declare));
-        o.with(key, &mut all.pointing, "an object with axis", read, write);
+        o.with(
+            key,
+            &mut all.pointing,
+            phrase!("an object with axis"),
+            read,
+            write,
+        );
     }
 }
 
@@ -53,7 +60,7 @@ struct Entry<T> {
     name: fn(&T) -> &String,
     /// What is not known is null.
     is_known: fn(&T) -> bool,
-    expected: &'static str,
+    expected: Template,
     declare: fn(&mut Object<'_, '_>, &mut T),
 }
 
@@ -68,7 +75,7 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
             let mut one = (entry.blank)(name.to_owned());
             let is_empty = matches!(&at.node.value, Value::Object(members) if members.is_empty());
             if at.node.value != Value::Null && !is_empty {
-                at.expected = entry.expected;
+                at.expected = entry.expected.into();
                 at.fill(&mut one, entry.declare);
             }
             one
@@ -85,41 +92,49 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
     o.with(
         key,
         all,
-        "an object with an entry for each name",
+        phrase!("an object with an entry for each name"),
         read,
         write,
     );
 }
 
 const POSITION: Kind<Option<Point3<f64>>> = Kind {
-    expected: "an array of 3 numbers: the position in the measuring frame, mm; or null",
+    expected: phrase!("an array of 3 numbers: the position in the measuring frame, mm; or null"),
     read: |at| at.numbers::<3>().map(|position| Some(position.into())),
-    write: |position| position.as_ref().map(point("").write).into(),
+    write: |position| position.as_ref().map(point(phrase!("")).write).into(),
 };
 
 /// Of any length but zero.
 const DIRECTION: Kind<Unit<Vector3<f64>>> = Kind {
-    expected: "an array of 3 numbers: a direction that is not zero",
+    expected: phrase!("an array of 3 numbers: a direction that is not zero"),
     read: |at| {
         let unit = Unit::try_new(Vector3::from(at.numbers::<3>()?), 1e-9);
-        unit.or_else(|| at.error("a direction of zero length", at.expected))
+        unit.or_else(|| {
+            let expected = at.expected.clone();
+            at.error(text!("a direction of zero length"), expected)
+        })
     },
     write: components,
 };
 
 const ATTITUDE: Kind<Option<UnitQuaternion<f64>>> = Kind {
-    expected: "an array of 4 numbers: w, x, y, z of a quaternion that is not zero; or null",
+    expected: phrase!(
+        "an array of 4 numbers: w, x, y, z of a quaternion that is not zero; or null"
+    ),
     read: |at| {
         let [w, x, y, z] = at.numbers::<4>()?;
         let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9);
-        let unit = unit.or_else(|| at.error("a quaternion of zero length", at.expected));
+        let unit = unit.or_else(|| {
+            let expected = at.expected.clone();
+            at.error(text!("a quaternion of zero length"), expected)
+        });
         unit.map(Some)
     },
     write: |attitude| attitude.as_ref().map(wxyz).into(),
 };
 
 const AZIMUTH: Kind<Azimuth> = Kind {
-    expected: "\"counterclockwise\" or \"clockwise\"",
+    expected: phrase!("\"counterclockwise\" or \"clockwise\""),
     read: |at| {
         let all = [Azimuth::Counterclockwise, Azimuth::Clockwise];
         at.one_of(&all, Azimuth::name)
@@ -135,7 +150,7 @@ const ANCHOR: Entry<Anchor> = Entry {
     },
     name: |anchor| &anchor.name,
     is_known: |_| true,
-    expected: "an object with position_mm, offset_mm, or null",
+    expected: phrase!("an object with position_mm, offset_mm, or null"),
     declare: |o, anchor| {
         o.usual("position_mm", &mut anchor.position_mm, &POSITION);
         o.usual_or_null("offset_mm", &mut anchor.offset_mm, &NUMBER);
@@ -151,7 +166,7 @@ const STATION: Entry<Station> = Entry {
     },
     name: |station| &station.name,
     is_known: |_| true,
-    expected: "an object with position_mm, quaternion_wxyz, azimuth, or null",
+    expected: phrase!("an object with position_mm, quaternion_wxyz, azimuth, or null"),
     declare: |o, station| {
         o.usual("position_mm", &mut station.position_mm, &POSITION);
         o.usual("quaternion_wxyz", &mut station.attitude, &ATTITUDE);
@@ -163,10 +178,10 @@ const PLANE: Entry<Plane> = Entry {
     blank: |name| Plane { name, known: None },
     name: |plane| &plane.name,
     is_known: |plane| plane.known.is_some(),
-    expected: "an object with normal, distance_mm, or null",
+    expected: phrase!("an object with normal, distance_mm, or null"),
     declare: |o, plane| {
         let (mut normal, mut distance) = plane.known.unwrap_or((Vector3::z_axis(), 0.0));
-        if o.needs("normal", "a direction across the plane") {
+        if o.needs("normal", phrase!("a direction across the plane")) {
             o.field("normal", &mut normal, &DIRECTION);
         }
         o.required("distance_mm", &mut distance, &NUMBER);
@@ -183,13 +198,15 @@ const SOCKET: Entry<Socket> = Entry {
     },
     name: |socket| &socket.name,
     is_known: |_| true,
-    expected: "an object with position_mm, or null",
+    expected: phrase!("an object with position_mm, or null"),
     declare: |o, socket| o.usual("position_mm", &mut socket.position_mm, &POSITION),
 };
 
 fn distances(at: &mut At<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
-    const EXPECTED: &str = "two different sockets of the session and their distance above 0 mm, \
-                            such as [\"S1\", \"S2\", 400.0]";
+    const EXPECTED: Template = phrase!(
+        "two different sockets of the session and their distance above 0 mm, \
+                            such as [\"S1\", \"S2\", 400.0]"
+    );
     let place = |node: &Node| match &node.value {
         Value::Text(name) => sockets.iter().position(|s| s.name == *name),
         _ => None,
@@ -222,7 +239,10 @@ fn distances(at: &mut At<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
 }
 
 fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
-    if o.needs("axis", "the direction in the tool frame that points") {
+    if o.needs(
+        "axis",
+        phrase!("the direction in the tool frame that points"),
+    ) {
         o.field("axis", &mut own.axis, &DIRECTION);
     }
     o.know("stations");
@@ -237,7 +257,7 @@ fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
                 _ => None,
             };
             if place.is_none() {
-                let expected = "a station of the session";
+                let expected = text!("a station of the session");
                 at.fields.mismatch(node, &at.path.index(index), expected);
             }
             all.extend(place);
@@ -248,6 +268,6 @@ fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
         let name = |index: &usize| &stations[*index].name;
         all.as_ref().map(|all| all.iter().map(name).collect())
     };
-    let expected = "an array of names of stations";
+    let expected = text!("an array of names of stations");
     o.with("stations", &mut own.stations, expected, read, write);
 }

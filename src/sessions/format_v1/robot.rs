@@ -3,6 +3,7 @@
 //! Whatever a robot was given as, it is written as joints and tool: that is what the program computes
 //! with.
 
+use crate::text::{Template, Text};
 use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
 
 use super::{robot_beside, robot_source, unit};
@@ -19,7 +20,7 @@ use crate::kinematics::{
 
 /// A robot. A file that it names is looked for beside the document.
 pub(crate) const ROBOT: Kind<Robot> = Kind {
-    expected: "an object that describes the robot",
+    expected: phrase!("an object that describes the robot"),
     read: |at| {
         ranges::check(at.fields, at.node, at.path);
         at.object(blank(), robot)
@@ -39,7 +40,7 @@ pub(crate) fn blank() -> Robot {
 }
 
 fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
-    const EXPECTED: &str = "one of joints (with tool), dh, urdf or mjcf";
+    const EXPECTED: Template = phrase!("one of joints (with tool), dh, urdf or mjcf");
     let mut name = own.name.clone();
     o.required("name", &mut name, &TEXT);
     let mut given = vec!["joints"];
@@ -50,12 +51,12 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
     match given[..] {
         ["joints"] => {
             o.required("joints", &mut own.joints, &JOINTS);
-            if o.needs("tool", "the pose of the tool at home") {
+            if o.needs("tool", phrase!("the pose of the tool at home")) {
                 o.field("tool", &mut own.base_from_tool, &POSE);
             }
         }
         // The robot of rows or of a file has a name of its own, or none.
-        ["dh"] => o.with("dh", own, "", robot_source::from_dh, |_| None),
+        ["dh"] => o.with("dh", own, phrase!(""), robot_source::from_dh, |_| None),
         ["urdf"] => {
             let read = |at: &mut At<'_, '_>| robot_source::from_file(at, DescriptionFormat::Urdf);
             o.with("urdf", own, robot_source::FILE, read, |_| None);
@@ -71,8 +72,8 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
                 o.know(key);
             }
             let found = match given[..] {
-                [] => "a robot without joints".to_owned(),
-                _ => given.join(" and "),
+                [] => text!("a robot without joints"),
+                _ => Text::verbatim(given.join(" and ")),
             };
             o.error(found, EXPECTED);
         }
@@ -93,8 +94,8 @@ const GRAVITY: Kind<Vector3<f64>> = Kind {
         let size = gravity.norm();
         if size != 0.0 && !(9.0..=10.5).contains(&size) {
             let place = at.fields.place(at.node.at, at.path);
-            let found = format!("gravity of {size} m/s²");
-            let warning = Diagnostic::warning(place, found, "about 9.81 m/s²");
+            let found = text!("gravity of {size} m/s²", size = size);
+            let warning = Diagnostic::warning(place, found, text!("about 9.81 m/s²"));
             at.fields.findings.push(warning);
         }
         Some(gravity)
@@ -103,11 +104,11 @@ const GRAVITY: Kind<Vector3<f64>> = Kind {
 };
 
 const JOINTS: Kind<Vec<Joint>> = Kind {
-    expected: "an array with an object for each joint",
+    expected: phrase!("an array with an object for each joint"),
     read: |at| match &at.node.value {
         Value::List(all) if all.len() > MOST_JOINTS => {
-            let expected = format!("at most {MOST_JOINTS} joints");
-            at.error(format!("{} joints", all.len()), expected)
+            let expected = text!("at most {most} joints", most = MOST_JOINTS);
+            at.error(text!("{all} joints", all = all.len()), expected)
         }
         _ => at.some(&JOINT),
     },
@@ -115,7 +116,7 @@ const JOINTS: Kind<Vec<Joint>> = Kind {
 };
 
 const JOINT: Kind<Joint> = Kind {
-    expected: "an object that describes a joint",
+    expected: phrase!("an object that describes a joint"),
     read: |at| {
         let blank = Joint {
             name: String::new(),
@@ -150,7 +151,10 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
             mass_kg: 0.0,
             centre_mm: Point3::origin(),
         });
-        if o.needs("mass_kg", "the mass of the link, as centre_mm is given") {
+        if o.needs(
+            "mass_kg",
+            phrase!("the mass of the link, as centre_mm is given"),
+        ) {
             o.field("mass_kg", &mut link.mass_kg, &MASS);
         }
         o.required("centre_mm", &mut link.centre_mm, &CENTRE);
@@ -160,7 +164,7 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
 }
 
 const FOLLOWS: Kind<Follows> = Kind {
-    expected: "an object with joint, ratio and offset",
+    expected: phrase!("an object with joint, ratio and offset"),
     read: |at| {
         let blank = Follows {
             of: 0,
@@ -178,7 +182,7 @@ fn follows(o: &mut Object<'_, '_>, own: &mut Follows) {
     o.required(
         "joint",
         &mut joint,
-        &count("the number of a joint, from 1 on"),
+        &count(phrase!("the number of a joint, from 1 on")),
     );
     own.of = joint.saturating_sub(1);
     o.required("ratio", &mut own.ratio, &NUMBER);
@@ -201,7 +205,7 @@ pub(super) fn range(kind: JointKind, ends: [f64; 2]) -> Range {
 
 /// Whether a joint turns or slides.
 pub(super) const JOINT_KIND: Kind<JointKind> = Kind {
-    expected: "\"revolute\" or \"prismatic\"",
+    expected: phrase!("\"revolute\" or \"prismatic\""),
     read: |at| {
         at.one_of(
             &[JointKind::Revolute, JointKind::Prismatic],
@@ -215,19 +219,24 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     expected: VECTOR.expected,
     read: |at| {
         let direction = unit(at.numbers::<3>()?).map(|d| Unit::new_unchecked(d.into()));
-        direction.or_else(|| at.error("an axis of zero length", "a direction such as [0, 0, 1]"))
+        direction.or_else(|| {
+            at.error(
+                text!("an axis of zero length"),
+                text!("a direction such as [0, 0, 1]"),
+            )
+        })
     },
     write: components,
 };
 
 /// Two numbers, the smaller first.
 pub(super) const ENDS: Kind<[f64; 2]> = Kind {
-    expected: "an array of 2 numbers",
+    expected: phrase!("an array of 2 numbers"),
     read: |at| {
         let [from, to] = at.numbers::<2>()?;
         if from >= to {
-            let found = format!("limits from {from} to {to}");
-            return at.error(found, "limits from the smaller to the larger value");
+            let found = text!("limits from {from} to {to}", from = from, to = to);
+            return at.error(found, text!("limits from the smaller to the larger value"));
         }
         Some([from, to])
     },
@@ -235,7 +244,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
 };
 
 const MASS: Kind<f64> = Kind {
-    expected: "a mass of 0 kg or more",
+    expected: phrase!("a mass of 0 kg or more"),
     read: |at| {
         let mass = NUMBER.read(at.fields, at.node, at.path)?;
         if mass < 0.0 { at.wrong() } else { Some(mass) }
@@ -243,12 +252,13 @@ const MASS: Kind<f64> = Kind {
     write: NUMBER.write,
 };
 
-const CENTRE: Kind<Point3<f64>> =
-    point("the centre of the link at home (3 numbers), as mass_kg is given");
+const CENTRE: Kind<Point3<f64>> = point(phrase!(
+    "the centre of the link at home (3 numbers), as mass_kg is given"
+));
 
 /// A pose at home, in the base frame.
 pub(crate) const POSE: Kind<Pose> = Kind {
-    expected: "an object with position_mm and quaternion_wxyz",
+    expected: phrase!("an object with position_mm and quaternion_wxyz"),
     read: |at| at.object(Pose::identity(), pose),
     write: |own| written(*own, pose),
 };
@@ -259,12 +269,12 @@ fn pose(o: &mut Object<'_, '_>, own: &mut Pose) {
 }
 
 const QUATERNION: Kind<UnitQuaternion<f64>> = Kind {
-    expected: "an array of 4 numbers: w, x, y, z",
+    expected: phrase!("an array of 4 numbers: w, x, y, z"),
     read: |at| {
         let Some([w, x, y, z]) = unit(at.numbers::<4>()?) else {
             return at.error(
-                "a quaternion of zero length",
-                "a quaternion such as [1, 0, 0, 0]",
+                text!("a quaternion of zero length"),
+                text!("a quaternion such as [1, 0, 0, 0]"),
             );
         };
         Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))

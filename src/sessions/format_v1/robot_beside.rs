@@ -79,14 +79,15 @@ fn of_joints(
     if !o.is_given(key) {
         return;
     }
-    let expected = format!(
-        "an array with one {what} for each of {} joints",
-        joints.len()
+    let expected = text!(
+        "an array with one {what} for each of {joints} joints",
+        what = what,
+        joints = joints.len()
     );
     let own = joints.clone();
-    let element = "an object with mass_kg and centre_mm, or null";
+    let element = text!("an object with mass_kg and centre_mm, or null");
     let read = |at: &mut At<'_, '_>| at.each(own, element, take);
-    o.with(key, joints, &expected, read, |_| None);
+    o.with(key, joints, expected, read, |_| None);
 }
 
 /// A mass and its centre, unless both are null.
@@ -110,12 +111,13 @@ const MASS_KG: Kind<f64> = Kind {
     read: |at| {
         let kg = (NUMBER.read)(at)?;
         if kg < 0.0 {
-            return at.error(format!("{kg} kg"), "a mass of 0 kg or more");
+            return at.error(text!("{kg} kg", kg = kg), text!("a mass of 0 kg or more"));
         }
         Some(kg)
     },
     ..NUMBER
 };
 
-const CENTRE: Kind<Point3<f64>> =
-    point("an array of 3 numbers: the centre at home, in the base frame");
+const CENTRE: Kind<Point3<f64>> = point(phrase!(
+    "an array of 3 numbers: the centre at home, in the base frame"
+));

@@ -12,26 +12,32 @@ use crate::kinematics::{
     DescriptionFormat, DhConvention, DhRow, JointKind, Pose, Robot, RobotSource, robot_from_dh,
     robot_from_file,
 };
+use crate::text::{Template, Text};
 
 /// The robot of Denavit–Hartenberg rows.
 pub(super) fn from_dh(at: &mut At<'_, '_>) -> Option<Robot> {
     let rows = DH_ROWS.read(at.fields, at.node, at.path)?;
     let robot = robot_from_dh("", &rows);
     robot.map_or_else(
-        |error| at.error(error.to_string(), "rows that a robot can be built from"),
+        |error| {
+            at.error(
+                Text::verbatim(error.to_string()),
+                text!("rows that a robot can be built from"),
+            )
+        },
         Some,
     )
 }
 
 /// Denavit–Hartenberg rows, as sessions and models say them.
 pub(crate) const DH_ROWS: Kind<Vec<DhRow>> = Kind {
-    expected: "an array with an object for each joint",
+    expected: phrase!("an array with an object for each joint"),
     read: |at| at.some(&DH_ROW),
     write: |rows| rows.iter().map(DH_ROW.write).collect(),
 };
 
 const DH_ROW: Kind<DhRow> = Kind {
-    expected: "an object with a_mm, alpha_deg, d_mm, theta_deg",
+    expected: phrase!("an object with a_mm, alpha_deg, d_mm, theta_deg"),
     read: |at| {
         let blank = DhRow {
             a_mm: 0.0,
@@ -56,7 +62,7 @@ fn dh_row(o: &mut Object<'_, '_>, row: &mut DhRow) {
 }
 
 const CONVENTION: Kind<DhConvention> = Kind {
-    expected: "\"standard\" or \"modified\"",
+    expected: phrase!("\"standard\" or \"modified\""),
     read: |at| {
         at.one_of(
             &[DhConvention::Standard, DhConvention::Modified],
@@ -74,7 +80,7 @@ fn convention(own: DhConvention) -> &'static str {
 }
 
 /// What a robot of a file is given as.
-pub(super) const FILE: &str = "an object with file, base and tip";
+pub(super) const FILE: Template = phrase!("an object with file, base and tip");
 
 /// The robot between two links of a file, which stands beside the document.
 pub(super) fn from_file(at: &mut At<'_, '_>, format: DescriptionFormat) -> Option<Robot> {
@@ -84,8 +90,8 @@ pub(super) fn from_file(at: &mut At<'_, '_>, format: DescriptionFormat) -> Optio
         o.required("tip", tip, &TEXT);
     })?;
     let Some(folder) = at.fields.folder() else {
-        let found = format!("the file {}", quoted(&file));
-        return at.error(found, "a robot that needs no other file");
+        let found = text!("the file {file}", file = quoted(&file));
+        return at.error(found, text!("a robot that needs no other file"));
     };
     let described = folder.join(&file);
     match robot_from_file(&described, Some(format), &base, &tip) {
@@ -96,11 +102,11 @@ pub(super) fn from_file(at: &mut At<'_, '_>, format: DescriptionFormat) -> Optio
         Err(rejected) => {
             at.fields.also_read.push(described);
             let expected = match format {
-                DescriptionFormat::Urdf => "a URDF file with a chain from base to tip",
-                DescriptionFormat::Mjcf => "an MJCF file with a chain from base to tip",
+                DescriptionFormat::Urdf => text!("a URDF file with a chain from base to tip"),
+                DescriptionFormat::Mjcf => text!("an MJCF file with a chain from base to tip"),
             };
             at.error::<()>(
-                format!("the file {} cannot be used", quoted(&file)),
+                text!("the file {file} cannot be used", file = quoted(&file)),
                 expected,
             );
             at.fields.findings.extend(rejected.diagnostics);
@@ -124,14 +130,14 @@ pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
             RobotSource::Links(frames) => frames.len(),
         };
         if count != joints && joints > 0 {
-            let found = format!("a source of {count} joints");
-            return at.error(found, format!("one of {joints} joints"));
+            let found = text!("a source of {count} joints", count = count);
+            return at.error(found, text!("one of {joints} joints", joints = joints));
         }
         Some(source)
     };
     let write =
         |own: &RobotSource| (*own != RobotSource::Axes).then(|| written(own.clone(), described));
-    let expected = "an object with dh or links";
+    let expected = text!("an object with dh or links");
     o.with("source", &mut robot.source, expected, read, write);
 }
 
@@ -165,7 +171,7 @@ fn described(o: &mut Object<'_, '_>, own: &mut RobotSource) {
 }
 
 const FRAMES: Kind<Vec<Pose>> = Kind {
-    expected: "an array with a frame for each joint",
+    expected: phrase!("an array with a frame for each joint"),
     read: |at| at.some(&POSE),
     write: |frames| frames.iter().map(POSE.write).collect(),
 };

@@ -6,10 +6,11 @@ use crate::document::kinds::{NUMBER, positive};
 use crate::document::object::{At, Kind, Object, written};
 use crate::kinematics::{JointKind, Robot};
 use crate::simulation::scenario::{Circumstances, Temperature};
+use crate::text::Template;
 
 /// One number or several.
 const VALUES: Kind<Vec<f64>> = Kind {
-    expected: "a number, or an array of numbers",
+    expected: phrase!("a number, or an array of numbers"),
     read: |at| match &at.node.value {
         Value::Number(value) if value.is_finite() => Some(vec![*value]),
         Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),
@@ -40,7 +41,7 @@ pub(super) fn conditions(at: &mut At<'_, '_>, robot: &Robot) -> Option<Circumsta
             o.with(key, all, OF_JOINTS, read, |_| None);
         }
         o.usual("torques", &mut own.torques, &FLAG);
-        let time = positive("a time above 0 s");
+        let time = positive(phrase!("a time above 0 s"));
         o.optional("seconds_per_pose", &mut own.seconds_per_pose, &time);
     });
     good.then_some(circumstances)
@@ -85,13 +86,14 @@ fn warm_up(o: &mut Object<'_, '_>, own: &mut Temperature) {
     }
 }
 
-const OF_JOINTS: &str = "an array with { from, to, time_constant_s } or null for each joint";
+const OF_JOINTS: Template =
+    phrase!("an array with an object (from, to, time_constant_s) or null for each joint");
 
 /// One warm-up or null for each joint, from the first on.
 fn of_joints(at: &mut At<'_, '_>, robot: &Robot) -> Option<Vec<Option<Temperature>>> {
     match &at.node.value {
         Value::List(entries) if entries.len() <= robot.joints.len() => at.list_by(|at| {
-            at.expected = OF_JOINTS;
+            at.expected = OF_JOINTS.into();
             match at.node.value {
                 Value::Null => Some(None),
                 _ => (WARM_UP.read)(at).map(Some),

@@ -121,8 +121,8 @@ fn offset_of(root: &Node, path: &str) -> usize {
 }
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
-    let expected = "a scenario: an object with the key \"format\"";
-    fields.of_format(root, FORMAT, expected)?;
+    let expected = text!("a scenario: an object with the key \"format\"");
+    fields.of_format(root, FORMAT, &expected)?;
     if let Value::Object(members) = &root.value {
         for member in members.iter().filter(|member| member.key != "robot") {
             ranges::check(fields, &member.node, &Path::Root.key(&member.key));
@@ -134,7 +134,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
         fields,
         node: root,
         path: &Path::Root,
-        expected,
+        expected: expected.into(),
     };
     at.object(scenario, declare)
 }
@@ -150,8 +150,8 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
         o.with("robot", &mut own.robot, ROBOT.expected, robot_of, nothing);
     }
     o.end_if_wrong();
-    let (robot, expected) = (&own.robot, "an object with sweep, list or random");
-    if o.needs("poses", expected) {
+    let (robot, expected) = (&own.robot, text!("an object with sweep, list or random"));
+    if o.needs("poses", &expected) {
         let read = |at: &mut At<'_, '_>| poses(at.fields, at.node, at.path, robot);
         o.with("poses", &mut own.poses, expected, read, nothing);
     }
@@ -168,7 +168,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     o.know("conditions");
     if o.is_given("conditions") {
         let read = |at: &mut At<'_, '_>| conditions(at, robot);
-        let expected = "an object with the conditions";
+        let expected = text!("an object with the conditions");
         o.with(
             "conditions",
             &mut own.circumstances,
@@ -183,27 +183,32 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
         o.with(
             "effects",
             &mut own.effects,
-            "an array of effects",
+            phrase!("an array of effects"),
             read,
             nothing,
         );
     }
     o.know("noise");
     if o.is_given("noise") {
-        o.part("noise", own, "an object with sigma_mm and kind", noise);
+        o.part(
+            "noise",
+            own,
+            phrase!("an object with sigma_mm and kind"),
+            noise,
+        );
     }
     o.optional("outliers", &mut own.outliers, &OUTLIERS);
     o.usual("seed", &mut own.seed, &WHOLE);
 }
 
 const MEASURE: Kind<Vec<Measure>> = Kind {
-    expected: "",
+    expected: phrase!(""),
     read: |at| names(at, &Measure::ALL, Measure::name),
     write: |all| all.iter().map(|one| one.name()).collect(),
 };
 
 const UNKNOWN: Kind<Vec<PlaceKind>> = Kind {
-    expected: "",
+    expected: phrase!(""),
     read: |at| {
         let all = [
             PlaceKind::Anchor,
@@ -228,9 +233,9 @@ fn places(kind: PlaceKind) -> &'static str {
 /// A list of names of these.
 fn names<T: Copy>(at: &mut At<'_, '_>, all: &[T], name: fn(T) -> &'static str) -> Option<Vec<T>> {
     let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
-    let expected = format!("an array of some of {}", known.join(", "));
+    let expected = text!("an array of some of {known}", known = known.join(", "));
     let Value::List(list) = &at.node.value else {
-        at.fields.mismatch(at.node, at.path, &expected);
+        at.fields.mismatch(at.node, at.path, expected);
         return None;
     };
     let one = |(index, node): (usize, &Node)| {
@@ -246,7 +251,7 @@ fn names<T: Copy>(at: &mut At<'_, '_>, all: &[T], name: fn(T) -> &'static str) -
 }
 
 const FLAG: Kind<bool> = Kind {
-    expected: "true or false",
+    expected: phrase!("true or false"),
     read: |at| match at.node.value {
         Value::Bool(value) => Some(value),
         _ => at.wrong(),
@@ -256,7 +261,7 @@ const FLAG: Kind<bool> = Kind {
 
 /// A whole number from 0 on that a double holds exactly.
 const WHOLE: Kind<u64> = Kind {
-    expected: "a whole number from 0 on",
+    expected: phrase!("a whole number from 0 on"),
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -270,7 +275,7 @@ const WHOLE: Kind<u64> = Kind {
 };
 
 const NOISE_KIND: Kind<NoiseKind> = Kind {
-    expected: "\"gauss\", \"t4\" or \"ar1\"",
+    expected: phrase!("\"gauss\", \"t4\" or \"ar1\""),
     read: |at| at.one_of(&NoiseKind::ALL, NoiseKind::name),
     write: |kind| kind.name().into(),
 };
@@ -287,7 +292,7 @@ fn noise(o: &mut Object<'_, '_>, own: &mut Scenario) {
 }
 
 const OUTLIERS: Kind<Outliers> = Kind {
-    expected: "an object with share and mm",
+    expected: phrase!("an object with share and mm"),
     read: |at| at.object(Outliers::default(), outliers),
     write: |own| written(*own, outliers),
 };

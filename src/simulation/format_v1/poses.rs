@@ -6,6 +6,7 @@ use crate::document::object::{At, Kind};
 use crate::document::{Fields, Node, Path, Value, optional};
 use crate::kinematics::{JointKind, Robot};
 use crate::simulation::scenario::{Order, Poses, Stop, Sweep};
+use crate::text::{Template, Text};
 
 pub(super) fn poses(
     fields: &mut Fields<'_>,
@@ -13,8 +14,8 @@ pub(super) fn poses(
     path: &Path<'_>,
     robot: &Robot,
 ) -> Option<Poses> {
-    const EXPECTED: &str = "one of sweep, list or random";
-    let members = fields.object(node, path, "an object with sweep, list or random")?;
+    const EXPECTED: Template = phrase!("one of sweep, list or random");
+    let members = fields.object(node, path, text!("an object with sweep, list or random"))?;
     fields.unknown_keys(members, path, &["sweep", "list", "random"]);
     let given: Vec<&str> = ["sweep", "list", "random"]
         .into_iter()
@@ -22,8 +23,8 @@ pub(super) fn poses(
         .collect();
     let [kind] = given[..] else {
         let found = match given.len() {
-            0 => "no poses".to_owned(),
-            _ => given.join(" and "),
+            0 => text!("no poses"),
+            _ => Text::verbatim(given.join(" and ")),
         };
         fields.error(node.at, path, found, EXPECTED);
         return None;
@@ -38,10 +39,10 @@ pub(super) fn poses(
                 fields,
                 node,
                 path,
-                expected: "an object with count",
+                expected: phrase!("an object with count").into(),
             };
             let count = at.object(0, |o, count| {
-                if o.needs("count", "a number of poses") {
+                if o.needs("count", phrase!("a number of poses")) {
                     o.field("count", count, &WHOLE);
                 }
             })?;
@@ -55,7 +56,7 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
         fields,
         node,
         path,
-        expected: "an object with joint, from_deg, to_deg and step_deg",
+        expected: phrase!("an object with joint, from_deg, to_deg and step_deg").into(),
     };
     let mut sweep = Sweep {
         joint: 0,
@@ -72,8 +73,8 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
         let index = usize::try_from(joint).ok().and_then(|j| j.checked_sub(1));
         let found = index.and_then(|index| robot.joints.get(index));
         if found.is_none() {
-            let expected = format!("a joint from 1 to {}", robot.joints.len());
-            o.error_in("joint", joint.to_string(), expected);
+            let expected = text!("a joint from 1 to {joints}", joints = robot.joints.len());
+            o.error_in("joint", Text::verbatim(joint.to_string()), expected);
         }
         o.end_if_wrong();
         own.joint = index.unwrap_or_default();
@@ -100,7 +101,7 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
 }
 
 const ORDER: Kind<Order> = Kind {
-    expected: "\"sweep\" or \"random\"",
+    expected: phrase!("\"sweep\" or \"random\""),
     read: |at| at.one_of(&[Order::Sweep, Order::Random], order),
     write: |own| order(*own).into(),
 };
@@ -114,7 +115,7 @@ fn order(own: Order) -> &'static str {
 
 fn list(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Vec<Stop>> {
     let Value::List(list) = &node.value else {
-        fields.mismatch(node, path, "an array of objects with q_deg");
+        fields.mismatch(node, path, text!("an array of objects with q_deg"));
         return None;
     };
     let stops: Vec<Option<Stop>> = list
@@ -129,11 +130,14 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     let members = fields.object(
         node,
         path,
-        "an object with q_deg, and dir where it is known",
+        text!("an object with q_deg, and dir where it is known"),
     )?;
     fields.unknown_keys(members, path, &["q_deg", "dir"]);
     let joints = robot.joints.len();
-    let expected = format!("an array of {joints} numbers, one for each joint");
+    let expected = text!(
+        "an array of {joints} numbers, one for each joint",
+        joints = joints
+    );
     let mut each = |node: &Node, key: &str| match &node.value {
         Value::Numbers(values)
             if values.len() == joints && values.iter().all(|v| v.is_finite()) =>
@@ -152,7 +156,7 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     };
     let q = q.map(|m| each(&m.node, "q_deg"));
     let Some(q) = q else {
-        fields.error(node.at, path, "no key 'q_deg'", expected);
+        fields.error(node.at, path, text!("no key 'q_deg'"), expected);
         return None;
     };
     if let Some((node, dir)) = &dir
@@ -161,7 +165,7 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
         fields.mismatch(
             node,
             &path.key("dir"),
-            "1, -1 or 0 (unknown) for each joint",
+            text!("1, -1 or 0 (unknown) for each joint"),
         );
         return None;
     }

@@ -38,13 +38,17 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
     let Some(reader) = reader(name) else {
         return Err(Flaw::new(
             None,
-            "another kind of file",
-            "a mesh as .stl or .obj",
+            text!("another kind of file"),
+            text!("a mesh as .stl or .obj"),
         ));
     };
     let triangles = reader(bytes)?;
     if triangles.is_empty() {
-        return Err(Flaw::new(None, "no triangle", "at least one triangle"));
+        return Err(Flaw::new(
+            None,
+            text!("no triangle"),
+            text!("at least one triangle"),
+        ));
     }
     Ok(triangles)
 }
@@ -88,10 +92,13 @@ mod tests {
     fn what_is_no_mesh_is_refused_without_its_content() {
         for name in ["secret.stl", "secret.obj"] {
             let flaw = read(name, b"root:x:0:0:password\nv root root root\n").unwrap_err();
-            assert!(!flaw.found.contains("root"), "{flaw:?}");
+            assert!(!flaw.found.to_string().contains("root"), "{flaw:?}");
         }
         let flaw = read("arm.dae", b"<COLLADA/>").unwrap_err();
-        assert_eq!(flaw.expected, "a mesh as .stl or .obj");
-        assert_eq!(read("a.stl", b"").unwrap_err().found, "an empty file");
+        assert_eq!(flaw.expected, text!("a mesh as .stl or .obj"));
+        assert_eq!(
+            read("a.stl", b"").unwrap_err().found,
+            text!("an empty file")
+        );
     }
 }

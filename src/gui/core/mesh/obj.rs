@@ -3,6 +3,7 @@
 //! All other lines (normals, materials, groups, lines) are passed over.
 
 use super::parts::{Flaw, MOST_TRIANGLES, Triangle, corner, text};
+use crate::text::Template;
 
 /// More corners than any mesh of so many triangles has.
 const MOST_CORNERS: usize = 3 * MOST_TRIANGLES;
@@ -20,10 +21,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
                 let around = words.map(|word| place(word, &corners, number));
                 let around: Vec<[f32; 3]> = around.collect::<Result<_, _>>()?;
                 let [first, rest @ ..] = &around[..] else {
-                    return Err(Flaw::new(number, "a face without corners", AT_LEAST));
+                    return Err(Flaw::new(number, text!("a face without corners"), AT_LEAST));
                 };
                 if rest.len() < 2 {
-                    return Err(Flaw::new(number, "a face of too few corners", AT_LEAST));
+                    return Err(Flaw::new(
+                        number,
+                        text!("a face of too few corners"),
+                        AT_LEAST,
+                    ));
                 }
                 if triangles.len() + rest.len() > MOST_TRIANGLES + 1 {
                     return Err(Flaw::too_many(number));
@@ -36,7 +41,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
     Ok(triangles)
 }
 
-const AT_LEAST: &str = "at least three corners in a face";
+const AT_LEAST: Template = phrase!("at least three corners in a face");
 
 /// The corner that a word of a face names.
 fn place(word: &str, corners: &[[f32; 3]], line: u64) -> Result<[f32; 3], Flaw> {
@@ -50,8 +55,12 @@ fn place(word: &str, corners: &[[f32; 3]], line: u64) -> Result<[f32; 3], Flaw> 
     });
     let corner = place.and_then(|place| corners.get(place));
     corner.copied().ok_or_else(|| {
-        let expected = "the number of a corner (v) above this line";
-        Flaw::new(line, "a face with a corner that is not there", expected)
+        let expected = text!("the number of a corner (v) above this line");
+        Flaw::new(
+            line,
+            text!("a face with a corner that is not there"),
+            expected,
+        )
     })
 }
 

@@ -1,5 +1,7 @@
 //! What the readers of meshes share: triangles, limits, what is wrong with a file, numbers of a line.
 
+use crate::text::Text;
+
 /// Corners of a triangle, in the units of the file until they are placed.
 pub(crate) type Triangle = [[f32; 3]; 3];
 
@@ -13,26 +15,26 @@ pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Flaw {
     pub(crate) line: Option<u64>,
-    pub(crate) found: String,
-    pub(crate) expected: &'static str,
+    pub(crate) found: Text,
+    pub(crate) expected: Text,
 }
 
 impl Flaw {
     pub(super) fn new(
         line: impl Into<Option<u64>>,
-        found: impl Into<String>,
-        expected: &'static str,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
     ) -> Self {
         Self {
             line: line.into(),
             found: found.into(),
-            expected,
+            expected: expected.into(),
         }
     }
 
     pub(super) fn too_many(line: impl Into<Option<u64>>) -> Self {
-        let found = format!("more than {MOST_TRIANGLES} triangles");
-        Self::new(line, found, "a mesh of no more triangles than that")
+        let found = text!("more than {most} triangles", most = MOST_TRIANGLES);
+        Self::new(line, found, text!("a mesh of no more triangles than that"))
     }
 }
 
@@ -48,8 +50,8 @@ pub(super) fn corner<'w>(
         *value = number.ok_or_else(|| {
             Flaw::new(
                 line,
-                "a corner without three numbers",
-                "three finite numbers",
+                text!("a corner without three numbers"),
+                text!("three finite numbers"),
             )
         })?;
     }
@@ -61,6 +63,10 @@ pub(super) fn text(bytes: &[u8]) -> Result<&str, Flaw> {
     std::str::from_utf8(bytes).map_err(|error| {
         let before = &bytes[..error.valid_up_to()];
         let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
-        Flaw::new(line, "bytes that are no text", "a mesh in ASCII")
+        Flaw::new(
+            line,
+            text!("bytes that are no text"),
+            text!("a mesh in ASCII"),
+        )
     })
 }

@@ -20,13 +20,18 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
         return as_text(text(bytes)?);
     }
     let found = match (bytes.len(), count) {
-        (0, _) => "an empty file".to_owned(),
-        (length, None) => format!("{length} bytes"),
+        (0, _) => text!("an empty file"),
+        (length, None) => text!("{length} bytes", length = length),
         (length, Some(count)) => {
-            format!("{length} bytes, and at byte 80 the number of {count} triangles")
+            text!(
+                "{length} bytes, and at byte 80 the number of {count} triangles",
+                length = length,
+                count = count
+            )
         }
     };
-    let expected = "an STL file: text that begins with solid, or 84 bytes and 50 for each triangle";
+    let expected =
+        text!("an STL file: text that begins with solid, or 84 bytes and 50 for each triangle");
     Err(Flaw::new(None, found, expected))
 }
 
@@ -46,8 +51,11 @@ fn binary(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
             Ok(triangle)
         } else {
             let at = HEAD + EACH * k;
-            let found = format!("a corner that is no number in the triangle at byte {at}");
-            Err(Flaw::new(None, found, "three finite numbers"))
+            let found = text!(
+                "a corner that is no number in the triangle at byte {at}",
+                at = at
+            );
+            Err(Flaw::new(None, found, text!("three finite numbers")))
         }
     };
     bytes.chunks_exact(EACH).enumerate().map(triangle).collect()
@@ -62,13 +70,21 @@ fn as_text(text: &str) -> Result<Vec<Triangle>, Flaw> {
         match words.next() {
             Some("vertex") if corners.len() < 3 => corners.push(corner(&mut words, number)?),
             Some("vertex") => {
-                let found = "a fourth corner of a facet";
-                return Err(Flaw::new(number, found, "three corners in each facet"));
+                let found = text!("a fourth corner of a facet");
+                return Err(Flaw::new(
+                    number,
+                    found,
+                    text!("three corners in each facet"),
+                ));
             }
             Some("endfacet") => {
                 let Ok(triangle) = Triangle::try_from(std::mem::take(&mut corners)) else {
-                    let found = "the end of a facet without three corners";
-                    return Err(Flaw::new(number, found, "three corners in each facet"));
+                    let found = text!("the end of a facet without three corners");
+                    return Err(Flaw::new(
+                        number,
+                        found,
+                        text!("three corners in each facet"),
+                    ));
                 };
                 if triangles.len() == MOST_TRIANGLES {
                     return Err(Flaw::too_many(number));
@@ -77,8 +93,9 @@ fn as_text(text: &str) -> Result<Vec<Triangle>, Flaw> {
             }
             None | Some("solid" | "facet" | "outer" | "endloop" | "endsolid") => {}
             Some(_) => {
-                let expected = "solid, facet, outer loop, vertex, endloop, endfacet or endsolid";
-                return Err(Flaw::new(number, "a line of another kind", expected));
+                let expected =
+                    text!("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
+                return Err(Flaw::new(number, text!("a line of another kind"), expected));
             }
         }
     }
@@ -86,8 +103,12 @@ fn as_text(text: &str) -> Result<Vec<Triangle>, Flaw> {
         Ok(triangles)
     } else {
         let line = text.lines().count() as u64;
-        let found = "the end of the file within a facet";
-        Err(Flaw::new(line, found, "endfacet behind three corners"))
+        let found = text!("the end of the file within a facet");
+        Err(Flaw::new(
+            line,
+            found,
+            text!("endfacet behind three corners"),
+        ))
     }
 }
 
@@ -144,13 +165,17 @@ mod tests {
         let flaw = read(&cut).unwrap_err();
         assert!(
             flaw.found
+                .to_string()
                 .contains("183 bytes, and at byte 80 the number of 2"),
             "{flaw:?}"
         );
         let mut wrong = binary_file(b"");
         wrong[84 + 50 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
         let flaw = read(&wrong).unwrap_err();
-        assert!(flaw.found.ends_with("triangle at byte 134"), "{flaw:?}");
+        assert!(
+            flaw.found.to_string().ends_with("triangle at byte 134"),
+            "{flaw:?}"
+        );
         for (from, to, line) in [
             ("vertex 1.5", "vertex x", 5),
             ("vertex 1.5", "corner 1.5", 5),

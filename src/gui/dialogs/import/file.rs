@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
-use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator,
 };
+use crate::language::{of_core, spoken};
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &Foreign) -> String {
@@ -226,7 +226,7 @@ pub(super) fn questions(ui: &mut Ui, now: &Foreign, next: &mut Said) {
 
 fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
     let palette = Palette::of(ui);
-    let says = RichText::new(in_the_sheets_words(&of_core(&question.says))).color(palette.warning);
+    let says = RichText::new(in_the_sheets_words(&spoken(&question.says))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
     if question.answers.is_empty() {
         widgets::hint(ui, say!("Choose it in the table above"));

@@ -9,7 +9,7 @@ mod parts;
 mod result;
 mod robot;
 
-use crate::gui::language;
+use crate::language;
 use crate::text::spoken;
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};

@@ -1,6 +1,6 @@
 //! What the import would bring, or why it is refused.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use egui::Ui;
 
 use crate::diagnostic::Severity;

@@ -1,6 +1,6 @@
 //! What is wrong with the data itself, and how to mend it.
 
-use crate::gui::language::of_core;
+use crate::language::of_core;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Mend};

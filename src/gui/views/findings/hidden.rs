@@ -4,11 +4,11 @@ use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
 use crate::effects::Term;
-use crate::gui::language::names::parameter;
 use crate::gui::style::tokens::Palette;
 use crate::gui::views::names::{in_words, title};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::language::names::parameter;
 use crate::present::numbers::significant;
 
 /// A button, and behind it the truth; nothing for a session that was not simulated here.

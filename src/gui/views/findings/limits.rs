@@ -3,11 +3,11 @@
 use egui::Ui;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::language::names::detection_limit;
-use crate::gui::language::names::title_on;
 use crate::gui::style::tokens::size;
 use crate::gui::views::copies;
 use crate::gui::widgets;
+use crate::language::names::detection_limit;
+use crate::language::names::title_on;
 use crate::present::numbers::grouped;
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {

@@ -16,10 +16,10 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
 use crate::present::numbers::{grouped, significant};
 
-use crate::gui::language::names::title_of;
-use crate::gui::language::of_core;
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
+use crate::language::names::title_of;
+use crate::language::of_core;
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Diagnosis"));

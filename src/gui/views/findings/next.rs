@@ -3,12 +3,12 @@
 use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::diagnosis::NextPose;
-use crate::gui::language::of_core;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::What;
 use crate::gui::views::copies;
 use crate::gui::widgets::{self};
 use crate::gui::workbench::{Command, Workbench};
+use crate::language::of_core;
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 

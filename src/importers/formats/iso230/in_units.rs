@@ -49,11 +49,11 @@ pub(super) fn units_of(
     }
     if let Some((index, _)) = strange {
         let (kind, expected) = if case.reading.slides {
-            ("an angle for a sliding joint", "a length")
+            (text!("an angle for a sliding joint"), text!("a length"))
         } else {
-            ("a length for a joint that turns", "an angle")
+            (text!("a length for a joint that turns"), text!("an angle"))
         };
-        case.refuse(format!("{}: {kind}", quoted(&headings[index])), expected);
+        case.refuse(text!("{index}: {kind}", index = quoted(&headings[index]), kind = kind), expected);
         return None;
     }
     let in_preamble = grid.preamble.iter().find_map(|line| {
@@ -82,7 +82,7 @@ pub(super) fn units_of(
         } else {
             (About::AngleUnit, &["deg", "rad"])
         };
-        let says = "the unit of the targets or of the positions is not said";
+        let says = text!("the unit of the targets or of the positions is not said");
         case.ask(about, says, answers);
         return None;
     };

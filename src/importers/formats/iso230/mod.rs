@@ -11,6 +11,7 @@
 mod in_units;
 mod parts;
 
+use crate::text::{Template, Text};
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
@@ -110,7 +111,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let list = measurements(case, &grid, &parts, decimal);
     case.found.rows = list.len();
     if list.is_empty() && !case.is_open() {
-        case.refuse("no measurement", "at least one");
+        case.refuse(text!("no measurement"), text!("at least one"));
     }
     if case.is_open() {
         return None;
@@ -133,10 +134,10 @@ fn measurements(
     let place = case.place.clone();
     grid.each_row(&place, &mut complaints, |row, complaints| {
         let cell = |index: usize| row.cells.get(index).map_or("", |cell| cell.as_ref());
-        let mut wrong = |index: usize, expected: &str| {
+        let mut wrong = |index: usize, expected: Template| {
             complaints.add(|| {
                 let place = place.clone().at_line(row.line).at_column(index as u64 + 1);
-                Diagnostic::error(place, quoted(cell(index)), expected)
+                Diagnostic::error(place, Text::verbatim(quoted(cell(index))), expected)
             });
         };
         let (mut target, mut dir, mut run) = (None, 0.0, 1);
@@ -144,15 +145,15 @@ fn measurements(
             match part {
                 Part::Target => match value(cell(index), decimal) {
                     Ok(number) => target = Some(number),
-                    Err(_) => wrong(index, "the target as a number"),
+                    Err(_) => wrong(index, phrase!("the target as a number")),
                 },
                 Part::Direction => match direction(cell(index)) {
                     Some(number) => dir = number,
-                    None => wrong(index, "+ or -, 1 or -1, forward or backward"),
+                    None => wrong(index, phrase!("+ or -, 1 or -1, forward or backward")),
                 },
                 Part::Run => match cell(index).parse() {
                     Ok(number) => run = number,
-                    Err(_) => wrong(index, "the number of the run"),
+                    Err(_) => wrong(index, phrase!("the number of the run")),
                 },
                 _ => {}
             }
@@ -178,14 +179,14 @@ fn measurements(
                 (Ok(_), None) => {}
                 (Err(_), _) => wrong(
                     index,
-                    "a number, or an empty cell where it was not measured",
+                    phrase!("a number, or an empty cell where it was not measured"),
                 ),
             }
         }
     });
     complaints.into(&place, &mut case.found.findings);
     if empty > 0 {
-        case.note(format!("{empty} cells are empty: not measured, left out"));
+        case.note(text!("{empty} cells are empty: not measured, left out", empty = empty));
     }
     list
 }
@@ -216,17 +217,14 @@ fn deviations(
     }
     if largest(&|measured, _| measured) <= 0.02 * travel {
         case.warn(
-            "the measured values are far too small for positions: they are taken as deviations from the targets",
-            "a heading with the word deviation, or positions",
+            text!("the measured values are far too small for positions: they are taken as deviations from the targets"),
+            text!("a heading with the word deviation, or positions"),
         );
         return Some(true);
     }
     case.refuse(
-        format!(
-            "measured positions are up to {:.1} % of the travel away from their targets",
-            100.0 * off / travel
-        ),
-        "positions near their targets, in the same unit, or deviations",
+        text!("measured positions are up to {travel} % of the travel away from their targets", travel = format!("{:.1}", 100.0 * off / travel)),
+        text!("positions near their targets, in the same unit, or deviations"),
     );
     None
 }

@@ -74,10 +74,10 @@ pub(super) fn parts(
         }
         parts
     } else if grid.width == 4 {
-        case.note("no header: the columns are taken as target, direction, run, position");
+        case.note(text!("no header: the columns are taken as target, direction, run, position"));
         vec![Part::Target, Part::Direction, Part::Run, Part::Position]
     } else {
-        let says = format!("{} columns and no header", grid.width);
+        let says = text!("{width} columns and no header", width = grid.width);
         case.ask(About::Columns, says, &["target,direction,run,position"]);
         return None;
     };
@@ -87,11 +87,7 @@ pub(super) fn parts(
     let wide = count(|part| matches!(part, Part::Of { .. }));
     if targets != 1 || (long == 0 && wide == 0) || long > 1 || (long > 0 && wide > 0) {
         let names: Vec<String> = headings.iter().map(|heading| quoted(heading)).collect();
-        let says = format!(
-            "{targets} columns of targets and {} of positions among {}",
-            long + wide,
-            names.join(", ")
-        );
+        let says = text!("{targets} columns of targets and {wide} of positions among {names}", targets = targets, wide = long + wide, names = names.join(", "));
         let long = "target,direction,run,position";
         let wide = "target,\"run 1 +\",\"run 1 -\"";
         case.ask(About::Columns, says, &[long, wide]);

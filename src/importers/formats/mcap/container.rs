@@ -12,6 +12,7 @@
 //! fuzzer of this repository would look into, and it would not say where a broken chunk starts.
 //! Source: the MCAP specification, version 0.
 
+use crate::text::{Template, Text};
 use std::collections::BTreeMap;
 use std::io::Read;
 
@@ -53,14 +54,14 @@ pub(super) struct Message<'a> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Broken {
     pub(super) byte: usize,
-    pub(super) found: String,
-    pub(super) expected: &'static str,
+    pub(super) found: Text,
+    pub(super) expected: Template,
     /// What stands before it is sound, as where a recording was cut off.
     pub(super) is_cut: bool,
 }
 
 impl Broken {
-    fn new(byte: usize, found: impl Into<String>, expected: &'static str) -> Self {
+    fn new(byte: usize, found: impl Into<Text>, expected: Template) -> Self {
         Self {
             byte,
             found: found.into(),
@@ -76,14 +77,14 @@ impl Broken {
             McapError::UnexpectedEof | McapError::RecordTooLarge { .. } | McapError::BadMagic => {
                 Self {
                     is_cut: true,
-                    ..Self::new(byte, "the recording is cut off", "a whole MCAP file")
+                    ..Self::new(byte, text!("the recording is cut off"), phrase!("a whole MCAP file"))
                 }
             }
             // The crate says it with colours and over several lines.
             McapError::Parse(wrong) if !wrong.is_eof() => Self::new(
                 byte,
-                "a record whose fields cannot be read",
-                "records as the MCAP specification has them, texts in UTF-8",
+                text!("a record whose fields cannot be read"),
+                phrase!("records as the MCAP specification has them, texts in UTF-8"),
             ),
             _ => Self::short(byte),
         }
@@ -92,8 +93,8 @@ impl Broken {
     fn short(byte: usize) -> Self {
         Self::new(
             byte,
-            "a record that is shorter than its fields",
-            "records as the MCAP specification has them",
+            text!("a record that is shorter than its fields"),
+            phrase!("records as the MCAP specification has them"),
         )
     }
 }
@@ -157,8 +158,9 @@ impl Reader {
         each: &mut dyn FnMut(&[Channel], &Message<'_>, f64) -> bool,
     ) -> Result<(), Broken> {
         if !bytes.starts_with(MAGIC) {
-            let expected = "the bytes 89 4D 43 41 50 30 0D 0A, with which MCAP files start";
-            return Err(Broken::new(0, "no MCAP file", expected));
+            let expected =
+                phrase!("the bytes 89 4D 43 41 50 30 0D 0A, with which MCAP files start");
+            return Err(Broken::new(0, text!("no MCAP file"), expected));
         }
         let whole = LinearReaderOptions::default();
         let read = records(bytes, MAGIC.len(), whole, &mut |opcode, content, at| {
@@ -186,9 +188,9 @@ impl Reader {
             self.record(opcode, content, byte, share, each)
         });
         read.map_err(|broken| {
-            let found = "a chunk that ends within a record";
+            let found = text!("a chunk that ends within a record");
             if broken.is_cut {
-                Broken::new(byte, found, "whole records in every chunk")
+                Broken::new(byte, found, phrase!("whole records in every chunk"))
             } else {
                 // Where in the unpacked records says nothing about the file.
                 Broken { byte, ..broken }
@@ -212,11 +214,11 @@ impl Reader {
             Record::Schema { header, .. } => {
                 // Every channel has a copy of it.
                 if header.name.len() > LONGEST_TYPE {
-                    let found = format!("a type whose name has {} bytes", header.name.len());
+                    let found = text!("a type whose name has {header} bytes", header = header.name.len());
                     return Err(Broken::new(
                         byte,
                         found,
-                        "a name such as sensor_msgs/msg/Joy",
+                        phrase!("a name such as sensor_msgs/msg/Joy"),
                     ));
                 }
                 self.schemas.insert(header.id, header.name);
@@ -225,8 +227,8 @@ impl Reader {
             Record::Message { header, data } => {
                 let number = header.channel_id;
                 let Some(&channel) = self.numbers.get(&number) else {
-                    let found = format!("a message of channel {number}, which nothing announces");
-                    return Err(Broken::new(byte, found, "a channel before its messages"));
+                    let found = text!("a message of channel {number}, which nothing announces", number = number);
+                    return Err(Broken::new(byte, found, phrase!("a channel before its messages")));
                 };
                 let message = Message {
                     channel,
@@ -308,8 +310,8 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
     };
     let length = header.uncompressed_size;
     if length > LONGEST_CHUNK {
-        let found = format!("a chunk of {length} bytes");
-        return Err(Broken::new(byte, found, "chunks of at most 256 MiB"));
+        let found = text!("a chunk of {length} bytes", length = length);
+        return Err(Broken::new(byte, found, phrase!("chunks of at most 256 MiB")));
     }
     let records = match header.compression.as_str() {
         "" => Ok(data.to_vec()),
@@ -319,22 +321,22 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
             Err(error) => Err(error.to_string()),
         },
         other => {
-            let found = format!("a chunk with the compression '{other}'");
-            return Err(Broken::new(byte, found, "none, lz4 or zstd"));
+            let found = text!("a chunk with the compression '{other}'", other = other);
+            return Err(Broken::new(byte, found, phrase!("none, lz4 or zstd")));
         }
     };
     let records = records.map_err(|error| {
-        let found = format!("a chunk that cannot be unpacked ({error})");
-        Broken::new(byte, found, "a chunk as it was recorded")
+        let found = text!("a chunk that cannot be unpacked ({error})", error = error);
+        Broken::new(byte, found, phrase!("a chunk as it was recorded"))
     })?;
     if records.len() as u64 != length {
-        let found = format!("a chunk of {} bytes that says {length}", records.len());
-        return Err(Broken::new(byte, found, "a chunk as it was recorded"));
+        let found = text!("a chunk of {records} bytes that says {length}", records = records.len(), length = length);
+        return Err(Broken::new(byte, found, phrase!("a chunk as it was recorded")));
     }
     let checksum = header.uncompressed_crc;
     if checksum != 0 && crc32fast::hash(&records) != checksum {
-        let found = "a chunk whose checksum does not agree";
-        return Err(Broken::new(byte, found, "a chunk as it was recorded"));
+        let found = text!("a chunk whose checksum does not agree");
+        return Err(Broken::new(byte, found, phrase!("a chunk as it was recorded")));
     }
     Ok(records)
 }
@@ -450,7 +452,7 @@ mod tests {
         bytes[at] ^= 1;
         let broken = messages(&bytes).1.unwrap_err();
         assert!(
-            broken.found.contains("checksum") && !broken.is_cut,
+            broken.found.to_string().contains("checksum") && !broken.is_cut,
             "{broken:?}"
         );
         assert_eq!(broken.byte, 8 + 9 + 8, "where the chunk starts");
@@ -482,7 +484,7 @@ mod tests {
         ] {
             let broken = messages(&of_records(&[&framed(3, schema)])).1.unwrap_err();
             assert!(
-                broken.found.contains(says) && broken.byte == 8 && !broken.is_cut,
+                broken.found.to_string().contains(says) && broken.byte == 8 && !broken.is_cut,
                 "{broken:?}"
             );
         }

@@ -75,14 +75,14 @@ pub(crate) static IMPORTER: Importer = Importer {
 fn read(case: &mut Case<'_>) -> Option<Columns> {
     let topics = gathered(case)?;
     case.found.names = topics.names().map(str::to_owned).collect();
-    case.note(format!("topics: {}", topics.in_words()));
+    case.note(text!("topics: {in_words}", in_words = topics.in_words()));
     let joints = chosen(case, &topics, &JOINTS);
     let measured = chosen(case, &topics, &MEASURED);
     let (joints, measured) = (joints.ok()?, measured.ok()?);
     let Some(measured) = measured else {
-        let expected = format!("a topic of one of the types {}", MEASURED.types_in_words());
+        let expected = text!("a topic of one of the types {types_in_words}", types_in_words = MEASURED.types_in_words());
         case.refuse(
-            "no topic with measured poses, points or transforms",
+            text!("no topic with measured poses, points or transforms"),
             expected,
         );
         return None;
@@ -90,7 +90,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let path = if let Some(topic) = joints {
         Some(recorded::path(case, topic)?)
     } else {
-        case.note("no topic with joint states: --commands says where the robot was sent");
+        case.note(text!("no topic with joint states: --commands says where the robot was sent"));
         None
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
@@ -124,10 +124,10 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
         return None;
     }
     if let Err(broken) = read {
-        let found = format!("byte {}: {}", broken.byte, broken.found);
+        let found = text!("byte {byte}: {found}", byte = broken.byte, found = broken.found);
         let place = case.place.clone();
         if broken.is_cut && topics.messages() > 0 {
-            let found = format!("{found}; what stands before is read");
+            let found = text!("{found}; what stands before is read", found = found);
             let diagnostic = Diagnostic::warning(place, found, broken.expected);
             case.found.findings.push(diagnostic);
         } else {
@@ -138,8 +138,8 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
     }
     if topics.messages() == 0 {
         case.refuse(
-            "a recording without messages",
-            "joint states and measured poses",
+            text!("a recording without messages"),
+            text!("joint states and measured poses"),
         );
         return None;
     }
@@ -207,15 +207,10 @@ fn chosen<'t>(
         let found = suited.iter().find(is).copied();
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
-            let found = format!(
-                "--{}: no topic {} with {}",
-                wanted.option,
-                quoted(said),
-                wanted.what
-            );
+            let found = text!("--{option}: no topic {said} with {what}", option = wanted.option, said = quoted(said), what = wanted.what);
             let expected = match &names[..] {
-                [] => format!("a topic of one of the types {}", wanted.types_in_words()),
-                names => format!("one of {}", names.join(", ")),
+                [] => text!("a topic of one of the types {types_in_words}", types_in_words = wanted.types_in_words()),
+                names => text!("one of {names}", names = names.join(", ")),
             };
             case.refuse(found, expected);
             return Err(Open);
@@ -233,7 +228,7 @@ fn chosen<'t>(
             [only] => return sound(case, Some(only)),
             _ => {
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
-                let says = format!("several topics have {}: {}", wanted.what, names.join(", "));
+                let says = text!("several topics have {what}: {names}", what = wanted.what, names = names.join(", "));
                 case.ask(About::Own(wanted.option), says, &names);
                 return Err(Open);
             }
@@ -247,14 +242,8 @@ fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
-        let found = format!(
-            "byte {}: message {} of {}: {}",
-            wrong.byte,
-            wrong.number,
-            quoted(&topic.name),
-            wrong.says
-        );
-        case.refuse(found, format!("a {} in CDR or JSON", topic.type_.name()));
+        let found = text!("byte {byte}: message {number} of {topic}: {wrong}", byte = wrong.byte, number = wrong.number, topic = quoted(&topic.name), wrong = &wrong.says);
+        case.refuse(found, text!("a {type} in CDR or JSON", type = topic.type_.name()));
         return Err(Open);
     }
     Ok(topic)

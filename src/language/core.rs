@@ -1,4 +1,4 @@
-//! What the core says, in the language of the window.
+//! What the core says, in the language of this thread.
 //!
 //! The core speaks English and knows no language: checks of a machine, reasons, findings. Here its sentences are
 //! recognised by those of the English table: messages whose key begins with `core-`, with `$a`, `$b`, … for what
@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 use crate::diagnostic::Diagnostic;
 use crate::effects::find;
 use crate::present::names as present;
-use crate::text::{Language, current, known, known_in, within};
+use crate::text::{Language, Text, current, known, known_in, within};
 
 use super::titles::{on_joint, title, title_of};
 
@@ -38,7 +38,7 @@ thread_local! {
         const { RefCell::new((Language::English, BTreeMap::new())) };
 }
 
-/// What the core says, in the language of the window.
+/// What the core says, in the language of this thread.
 pub(crate) fn of_core(english: &str) -> Cow<'_, str> {
     let language = current();
     if language == Language::English {
@@ -58,23 +58,31 @@ pub(crate) fn of_core(english: &str) -> Cow<'_, str> {
     Cow::Owned(said)
 }
 
+/// A sentence of the core, in the language of this thread. Words that no template made, as those of an error, are
+/// looked for among the patterns.
+pub(crate) fn spoken(text: &Text) -> String {
+    match text.words() {
+        Some(words) => of_core(words).into_owned(),
+        None => text.spoken(),
+    }
+}
+
 /// A finding, with where it is and what was expected.
 pub(crate) fn finding(finding: &Diagnostic) -> String {
     let place = finding.place.to_string();
-    let found = of_core(&finding.found);
+    let found = spoken(&finding.found);
     let found = if finding.expected.is_empty() {
         found
     } else {
-        let expected = of_core(&finding.expected);
+        let expected = spoken(&finding.expected);
         say!(
             "{found}; expected {expected}",
             found = found,
             expected = expected
         )
-        .into()
     };
     if place.is_empty() {
-        found.into_owned()
+        found
     } else {
         say!("{place}: {found}", place = of_core(&place), found = found)
     }

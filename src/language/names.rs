@@ -1,4 +1,4 @@
-//! Names, as [`crate::present::names`] has them, in the language of the window.
+//! Names, as [`crate::present::names`] has them, in the language of this thread.
 
 use std::borrow::Cow;
 

@@ -1,0 +1,188 @@
+//! A sentence as a value.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+use super::english::Template;
+use super::language::Language;
+use super::speech::{current, filled_in};
+
+/// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are nobody's to
+/// translate: a name in a file, what a library or the system reported.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Text(Kind);
+
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Verbatim(String),
+    /// Clauses one after the other.
+    Joined(Vec<Text>),
+    Sentence(Template, Vec<(&'static str, Argument)>),
+}
+
+/// What is filled into a sentence.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Argument {
+    /// Another sentence, or words as they are.
+    Text(Text),
+    /// So many: it chooses between the forms for one and for several.
+    Count(usize),
+}
+
+impl Text {
+    pub(crate) fn of(template: Template, arguments: Vec<(&'static str, Argument)>) -> Self {
+        Self(Kind::Sentence(template, arguments))
+    }
+
+    /// Words that are nobody's to translate: a name in a file, what a library or the system reported.
+    pub fn verbatim(words: impl Into<String>) -> Self {
+        Self(Kind::Verbatim(words.into()))
+    }
+
+    /// In the language of this thread.
+    pub(crate) fn spoken(&self) -> String {
+        self.spoken_in(current())
+    }
+
+    /// In this language.
+    pub fn spoken_in(&self, language: Language) -> String {
+        match &self.0 {
+            Kind::Verbatim(text) => text.clone(),
+            Kind::Joined(clauses) => clauses.iter().map(|one| one.spoken_in(language)).collect(),
+            Kind::Sentence(template, arguments) => {
+                let said: Vec<(&str, String)> = arguments
+                    .iter()
+                    .map(|(name, value)| (*name, value.spoken_in(language)))
+                    .collect();
+                let said: Vec<(&str, &dyn fmt::Display)> = said
+                    .iter()
+                    .map(|(name, value)| (*name, value as _))
+                    .collect();
+                filled_in(language, *template, &said)
+            }
+        }
+    }
+
+    /// The words, where no template made them.
+    pub(crate) fn words(&self) -> Option<&str> {
+        match &self.0 {
+            Kind::Verbatim(words) => Some(words),
+            Kind::Joined(_) | Kind::Sentence(..) => None,
+        }
+    }
+
+    /// Whether nothing is said.
+    pub fn is_empty(&self) -> bool {
+        matches!(&self.0, Kind::Verbatim(text) if text.is_empty())
+    }
+}
+
+impl Argument {
+    fn spoken_in(&self, language: Language) -> String {
+        match self {
+            Self::Text(text) => text.spoken_in(language),
+            Self::Count(count) => count.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Kind::Verbatim(text) => f.pad(text),
+            Kind::Joined(_) | Kind::Sentence(..) => f.pad(&self.spoken_in(Language::English)),
+        }
+    }
+}
+
+impl From<&Text> for Text {
+    fn from(text: &Text) -> Self {
+        text.clone()
+    }
+}
+
+impl From<Template> for Text {
+    fn from(template: Template) -> Self {
+        Self::of(template, Vec::new())
+    }
+}
+
+impl std::ops::AddAssign for Text {
+    /// Another clause behind it.
+    fn add_assign(&mut self, clause: Self) {
+        let before = std::mem::take(self);
+        *self = match before.0 {
+            Kind::Joined(mut clauses) => {
+                clauses.push(clause);
+                Self(Kind::Joined(clauses))
+            }
+            own => Self(Kind::Joined(vec![Self(own), clause])),
+        };
+    }
+}
+
+impl Default for Text {
+    /// Nothing.
+    fn default() -> Self {
+        Self::verbatim("")
+    }
+}
+
+impl From<usize> for Argument {
+    fn from(count: usize) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<&usize> for Argument {
+    fn from(count: &usize) -> Self {
+        Self::Count(*count)
+    }
+}
+
+impl From<Text> for Argument {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&Text> for Argument {
+    fn from(text: &Text) -> Self {
+        Self::Text(text.clone())
+    }
+}
+
+impl From<Template> for Argument {
+    fn from(phrase: Template) -> Self {
+        Self::Text(phrase.into())
+    }
+}
+
+macro_rules! words {
+    ($($type:ty),*) => {
+        $(impl From<$type> for Argument {
+            fn from(words: $type) -> Self {
+                Self::Text(Text::verbatim(words.to_string()))
+            }
+        })*
+    };
+}
+
+words! { String, &String, &str, &&str, Cow<'_, str>, Arc<str>, &Arc<str>, char, i32, i64, u8, u16, u32, u64, f64, &f64, &u64 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_is_english_until_it_is_spoken() {
+        let whose = text!("the session's folder");
+        let expected = text!("a file in {whose} or below it", whose = whose);
+        let english = "a file in the session's folder or below it";
+        assert_eq!(expected.to_string(), english);
+        let marked = "⟦a file in ⟧⟦the session's folder⟧⟦ or below it⟧";
+        assert_eq!(expected.spoken_in(Language::Marked), marked);
+        assert_eq!(Text::verbatim("x_mm").spoken_in(Language::German), "x_mm");
+    }
+}
