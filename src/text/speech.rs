@@ -187,6 +187,10 @@ mod tests {
         assert_eq!(samples("0"), "0 samples");
     }
 
+    fn is_a_word(text: &str) -> bool {
+        text.chars().any(char::is_alphabetic)
+    }
+
     #[test]
     fn every_sentence_is_in_every_catalogue_with_its_arguments() {
         let mut wrong = Vec::new();
@@ -194,8 +198,7 @@ mod tests {
             for template in TEMPLATES {
                 let english = template.english();
                 match catalogue(language).of(*template, true) {
-                    None if arguments(english).len() == english.matches('{').count()
-                        && parts(english).all(|part| part.is_err()) => {}
+                    None if !parts(english).flatten().any(is_a_word) => {}
                     None => wrong.push(format!("{language:?} lacks {template:?}")),
                     Some(_) => {}
                 }

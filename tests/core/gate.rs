@@ -20,7 +20,7 @@ use truepose::sessions::{Session, load, parse};
 const DEG: f64 = std::f64::consts::PI / 180.0;
 
 /// Every session of the repository, in a fixed order.
-fn sessions() -> Vec<PathBuf> {
+pub(crate) fn sessions() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut folders = vec![root.join("sessions")];
     for name in ["arms", "arm_verdicts", "observations", "programs"] {
@@ -47,15 +47,20 @@ fn sessions() -> Vec<PathBuf> {
     all
 }
 
+/// The figure of `verify` that is to be what was said, and within which share of it.
+pub(crate) fn figure_of(calibration: &Calibration, session: &Session) -> (f64, f64) {
+    let verified = verify(calibration, session).unwrap();
+    match verified.trimmed {
+        Some(trimmed) => (trimmed.model_mm, 0.05),
+        None => (verified.model.rms_mm, 0.01),
+    }
+}
+
 /// That `verify` on the raw session gives what was said, by the model as it is written.
 fn assert_as_said(calibration: &Calibration, session: &Session, said_mm: f64, what: &str) {
     let read = read_model(&hand_out(calibration, session).unwrap().document()).unwrap();
     assert_eq!(read.set_up, calibration.set_up, "{what}");
-    let verified = verify(&read, session).unwrap();
-    let (found, within) = match verified.trimmed {
-        Some(trimmed) => (trimmed.model_mm, 0.05),
-        None => (verified.model.rms_mm, 0.01),
-    };
+    let (found, within) = figure_of(&read, session);
     assert!(
         (found - said_mm).abs() <= within * said_mm.max(1e-6),
         "{what}: {found} mm, and {said_mm} was said; {:?}",

@@ -42,6 +42,7 @@ mod imports;
 mod installed;
 mod kinematics_reference;
 mod limits;
+mod mistakes;
 mod observations;
 mod observed_poses;
 mod paper;

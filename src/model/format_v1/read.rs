@@ -305,12 +305,12 @@ const RANGES: Kind<Vec<Range>> = Kind {
     write: |all| all.iter().map(RANGE.write).collect(),
 };
 
-/// Least and largest, kg.
+/// Least and largest, kg; below zero where the session had it so, which is said when that is read.
 const LOADS: Kind<[f64; 2]> = Kind {
     expected: phrase!("two numbers, the least load and the largest"),
     read: |at| {
         let [least, most] = at.numbers::<2>()?;
-        if least > most || least < 0.0 {
+        if least > most {
             let found = text!(
                 "loads from {least} to {most} kg",
                 least = least,
@@ -318,7 +318,7 @@ const LOADS: Kind<[f64; 2]> = Kind {
             );
             return at.error(
                 found,
-                text!("the least load and the largest, none below zero"),
+                text!("the least load and the largest"),
             );
         }
         Some([least, most])
