@@ -127,6 +127,18 @@ fn described(robot: &LibraryRobot) -> String {
     if !robot.not_checked.is_empty() {
         let _ = writeln!(text, "not checked: {}", robot.not_checked.join("; "));
     }
+    let mut keys: Vec<&str> = Vec::new();
+    for reference in references.iter().filter_map(|reference| reference.1) {
+        if !keys.contains(&reference.source.as_str()) {
+            keys.push(&reference.source);
+        }
+    }
+    for (key, source) in keys.iter().filter_map(|key| Some((key, source(key)?))) {
+        let at = [source.at.as_str(), source.commit.as_deref().unwrap_or("")];
+        let at: Vec<&str> = at.into_iter().filter(|part| !part.is_empty()).collect();
+        let at = at.join(" ");
+        let _ = writeln!(text, "source {key}: {at} ({})", source.licence);
+    }
     if let Some(note) = &robot.note {
         let _ = writeln!(text, "{note}");
     }

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![allow(
     clippy::print_stdout,
-    reason = "the table of docs/arms.md is what one test prints"
+    reason = "the table of docs/trust.md is what one test prints"
 )]
 
 use std::path::PathBuf;
