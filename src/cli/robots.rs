@@ -55,10 +55,15 @@ impl Robots {
             return output::json(&robots_v1::document(&found));
         }
         let mut shown = listed(&found);
-        if let [robot] = found[..] {
-            shown.push_str(&described(robot));
-        } else {
+        if found.len() > 1 {
             let _ = writeln!(shown, "{} robots", found.len());
+        }
+        // A text may be the name of one robot and the beginning of others' names.
+        if let Ok(robot) = named(&text) {
+            if found.len() > 1 {
+                let _ = writeln!(shown, "\n{} {}", robot.id, robot.title());
+            }
+            shown.push_str(&described(robot));
         }
         output::text(&shown)
     }
