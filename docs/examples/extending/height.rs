@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn a_distance_over_a_plane_is_a_height_and_nothing_else() {
         let session = crate::sessions::parse(
-            br#"{"format": "truepose-session/1", "robot": {"joints": [{"name": "a", "kind": "revolute",
+            br#"{"format": "truepose-session/1", "name": "flat", "robot": {"name": "column", "joints": [{"name": "a", "kind": "revolute",
                 "axis": [0, 0, 1], "point_mm": [0, 0, 0]}], "tool": {"position_mm": [250, 0, 300],
                 "quaternion_wxyz": [1, 0, 0, 0]}}, "planes": {"table": {"normal": [0, 0, 1], "distance_mm": 100}},
                 "samples": {"columns": {"q1_deg": [0, 10, 20], "distance_mm": [200.5, null, 200],
