@@ -5,6 +5,53 @@
 //!
 //! With `DETAILS` in the environment every session that went wrong is told on the error stream, and with
 //! `SESSIONS=FOLDER` written there as well.
+//!
+//! Measured in November 2026 (builds of one day). Inside the assumptions (white, heavy-tailed, correlated, unequal or polluted noise,
+//! effects of the catalogue):
+//!
+//! | what | measured | wanted |
+//! | --- | --- | --- |
+//! | false alarms on noise alone, eight kinds | 7 of 640 | ≤ 1 % |
+//! | of these correlated in time, ρ = 0.5 / 0.8, and tails, correlation, unequal axes and outliers at once | 5 / 4 / 11 of 400 each | |
+//! | one effect, not aliased, named exactly, λ = 200 / 100 / 40 | 99.6 / 97.9 / 90.1 % of some 475 each | ≥ 99 / 97 / 75 % |
+//! | the same where two other names leave less than a tenth of it | 100 / 93 / 84 % of some 165 each | |
+//! | 95 % intervals after the search: zero offset and length / what was found, λ = 200, 100, 40 | 94.0, 94.9, 94.1 % / 94.9, 94.7, 95.3 % of 950 to 1280 each | 93–97 % |
+//! | a step of the frame lies between the times that are said with 95 % | 90 of 94 | 93–97 % |
+//! | RMS error on unseen samples made worse by the names, λ = 200 / 100 / 40 | 0 / 0 / 0.8 % of some 630 each | ≤ 0.5 % |
+//! | RMS error on as many unseen samples over the noise, at worst of these rows | 1.028 | ≤ 1.03 |
+//! | three effects at once, two reflectors, each with λ ≥ 100 beside the other two: exact | 134 of 137 | ≥ 95 % |
+//! | the same where the other two leave less of one | 10 of 23 | |
+//! | ambiguity resolved by the proposed poses in the first round: one radius (7.8 poses) / one speed (2.8) | 27 of 27 / 59 of 60 | ≥ 95 % |
+//! | a bump, a sawtooth, a plateau: flagged / named | 119 of 120 / 0 | ≥ 95 % / ≤ 5 % |
+//!
+//! Outside of them, before and after the noise had a slow part, names had rivals and the verdict had a floor (rows `verdict` … `runaway`;
+//! "before" is what the same rows gave until then, often with more sessions):
+//!
+//! | what | before | now | wanted |
+//! | --- | --- | --- | --- |
+//! | more is left than noise: said to be explained or noise | 75 of 80 | 0 of 157 | 0 |
+//! | a frame that wanders, nothing hidden: a part of the machine named; of these a base offset or a scale of the instrument alone | 49 of 120; 36 | 6 of 180; 6 (an ideal test: 4 of these, 11 of 900) | ≤ 1 % |
+//! | the same: said that the frame wanders | 0 of 120 | 152 of 180 | |
+//! | one effect beside a frame that wanders, λ = 200, poses shuffled / in sweeps: exact | 40 of 107 | 73 of 76 / 70 of 79 | ≥ 95 % |
+//! | one component of a vector effect, λ = 200: named or in the set | 72 of 84 | 279 of 280 | ≥ 99 % |
+//! | the same, λ = 100 | 72 of 84 | 277 of 280 | ≥ 99 % |
+//! | intervals of `identify`, ρ = 0.5 / 0.8 / slow noise | 82 / 65 / 70 % | 95.1 / 94.7 % of 1380 each / 93.1 % of 6400 | 93–97 % |
+//! | intervals of `diagnose` beside a bump / a plateau | 50 / 50 % | 94 / 94 % of 120 each | 93–97 % |
+//! | sizes near the detection limit, λ = 16: intervals / mean size over true size | 91 % / 1.25 | 94.5 % of 274 / 1.03 | 93–97 % / 0.95–1.05 |
+//! | outliers of 7 to 20 σ caught / good samples accused | 84–91 % / 0 | 98–100 % of 3388 / 0.1 % | ≥ 95 % / ≤ 0.5 % |
+//! | a name with p above 0.002, with odds under 1, or beyond the cap | 23 of 160 | 0 of 120 | 0 |
+//! | a kink, levels by sector, a chirp, λ = 400: flagged / named | 63 / 57 % | 89 / 11 % of 120 (a perfect test: 74 % flagged); 75 / 0 of 75 where two names leave λ ≥ 50 | ≥ 95 % / ≤ 5 % |
+//! | a gear order that is not whole: named alone with its number | 0 of 80 | 36 of 40, and alone with a nearby number 4 of 40 | |
+//! | names with which the cross-validated error does not fall | 4 of 320 | 0 of 480 | 0 |
+//! | poor designs: zero offset beyond 180°, negative width, interval beside "not determined" | 1 / 62 / 43 of 3000 | 0 / 0 / 0 of 2400 | 0 |
+//!
+//! Where "now" misses "wanted", two rows have a bound that no test passes. The mean of a wander is a base offset while it lasts: a test that knows
+//! path, size and time constant of the wander, and only asks whether it wanders or the base stands elsewhere, takes 1.2 %
+//! of the sessions for an offset (`examples/hidden_effects/ideal_noise.rs`). And of the strange shapes a perfect
+//! test flags 74 %. A kink that eccentricity alone imitates within the noise stays its name. Of the 19 false alarms in correlated noise 12 are
+//! sessions of 30 samples, too few to show that the noise is correlated. In a single sweep the angle is slow
+//! in time too, and an effect beside a wander is named less often than with shuffled poses. For slow noise the intervals are
+//! at the lower end of what is wanted, and lower in sweeps than with shuffled poses.
 
 #![allow(clippy::print_stdout, reason = "the table is what this program is for")]
 #![allow(

@@ -55,10 +55,15 @@ impl Robots {
             return output::json(&robots_v1::document(&found));
         }
         let mut shown = listed(&found);
-        if let [robot] = found[..] {
-            shown.push_str(&described(robot));
-        } else {
+        if found.len() > 1 {
             let _ = writeln!(shown, "{} robots", found.len());
+        }
+        // A text may be the name of one robot and the beginning of others' names.
+        if let Ok(robot) = named(&text) {
+            if found.len() > 1 {
+                let _ = writeln!(shown, "\n{} {}", robot.id, robot.title());
+            }
+            shown.push_str(&described(robot));
         }
         output::text(&shown)
     }
@@ -126,6 +131,18 @@ fn described(robot: &LibraryRobot) -> String {
     }
     if !robot.not_checked.is_empty() {
         let _ = writeln!(text, "not checked: {}", robot.not_checked.join("; "));
+    }
+    let mut keys: Vec<&str> = Vec::new();
+    for reference in references.iter().filter_map(|reference| reference.1) {
+        if !keys.contains(&reference.source.as_str()) {
+            keys.push(&reference.source);
+        }
+    }
+    for (key, source) in keys.iter().filter_map(|key| Some((key, source(key)?))) {
+        let at = [source.at.as_str(), source.commit.as_deref().unwrap_or("")];
+        let at: Vec<&str> = at.into_iter().filter(|part| !part.is_empty()).collect();
+        let at = at.join(" ");
+        let _ = writeln!(text, "source {key}: {at} ({})", source.licence);
     }
     if let Some(note) = &robot.note {
         let _ = writeln!(text, "{note}");

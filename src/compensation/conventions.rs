@@ -13,6 +13,8 @@ use crate::sessions::{Mend, Session, Setups};
 use super::verification::{Verification, VerifyError, is_own, verify_as_read};
 
 /// An error that is so many times as large is another reading's.
+/// A session is read by the model's set-up corrections unless that leaves so many times as much
+/// as without.
 const FAR_WORSE: f64 = 5.0;
 /// What the program calls a frame that it fits to samples which name none.
 const NEW_FRAME: &str = "fitted here";

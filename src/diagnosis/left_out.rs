@@ -14,6 +14,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::linear::{Basis, gram, small_cholesky, small_gain};
 
 /// A direction of which less than this share (of its square) is seen in the rows that stay is not told by them.
+/// A fit without some rows is taken from that of all while those that stay see each direction
+/// with a hundred-thousandth of its length; else it is made anew.
 const LEAST_SEEN: f64 = 1e-10;
 /// A column of which the others leave less than this (of its square) adds nothing.
 const LEAST_LEFT: f64 = 1e-10;

@@ -16,6 +16,9 @@ use crate::linear::Basis;
 use crate::model::Model;
 
 /// How far a column may be from the base's own, as a share of it.
+/// A fit takes the base's columns as they are at the base's own coefficients while they differ
+/// by no more: coefficients are then off by as much of what the noise lets them be known, and a
+/// sum of squares by its square.
 const NEAR: f64 = 5e-3;
 
 pub(crate) struct OfBase {

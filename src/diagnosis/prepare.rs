@@ -42,6 +42,8 @@ const MANY_NAMES: usize = 4;
 
 /// Twice the logarithm by which a slow part has to be likelier beside a frame that stands still
 /// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
+/// With 0 a base offset was named in 4 of 180 sessions of `hidden_effects 60 slow` instead of
+/// 6, and `component` at λ = 100 fell from 98.1 to 96.2 %.
 const LEAST_MOVE: f64 = 6.0;
 
 pub(crate) struct Prepared<'a> {

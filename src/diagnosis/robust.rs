@@ -21,6 +21,7 @@ const FEWEST: usize = 20;
 /// Rounds of each kind of weights.
 const ROUNDS: [usize; 2] = [3, 6];
 /// Huber's and Tukey's constants for three axes: the 95 % and 99.9 % points of χ.
+/// (Holland & Welsch 1977 for the weights.)
 const TUNING: [f64; 2] = [2.8, 5.5];
 
 /// Samples that were looked at, and whether they are suspected.

@@ -17,6 +17,7 @@ use crate::model::Model;
 /// So many times as large as at any sample is far.
 const FAR: f64 = 5.0;
 /// Parts that are so many times as large as their sum cancel each other.
+/// A model whose names do that at the samples, while their sum is far elsewhere, is not right there.
 const CANCEL: f64 = 3.0;
 /// Samples that are looked at.
 const MOST_SAMPLES: usize = 1000;

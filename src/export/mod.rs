@@ -2,7 +2,7 @@
 //!
 //! # To add a format
 //! Write one file like its neighbours and add one line to the register; the terminal, the window
-//! and the report find it there. `docs/adding-an-export.md` goes through an example. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
+//! and the report find it there. `docs/extending.md` goes through an example. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
 //! directions, ends, turns) and brings a function that writes and one that reads; choosing the
 //! entries, checking, and saying what the controller leaves is the same for all. A description of
 //! the corrected robot writes a `chain` and reads it back (`description`), as the URDF does.

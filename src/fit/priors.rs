@@ -21,6 +21,8 @@ use crate::model::Model;
 use super::normal::Normal;
 
 /// A prior that is missed by so many σ was wrong, and is let go.
+/// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
+/// `--no-prior` leaves them out.
 const MISSED: f64 = 4.0;
 
 /// See the module.

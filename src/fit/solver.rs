@@ -413,6 +413,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
 }
 
 /// A move by two standard deviations is the least that samples can tell.
+/// What the samples leave open over the whole range that makes sense they do not determine.
 const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;
@@ -493,6 +494,7 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
 }
 
 /// As far as geometry may go in one step, rad and mm.
+/// Derived: there the second-order part of a step reaches 5 % of it.
 const LONGEST_TURN: f64 = 0.3;
 const LONGEST_MOVE_MM: f64 = 200.0;
 

@@ -8,7 +8,7 @@
 //!
 //! # To add a kind
 //! Write one file like its neighbours in `kinds` and add one line to the register there; the columns it
-//! reads are in [`crate::sessions`]. `docs/adding-a-measurement.md` goes through an example.
+//! reads are in [`crate::sessions`]. `docs/extending.md` goes through an example.
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.

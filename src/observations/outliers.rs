@@ -18,13 +18,19 @@ use statrs::function::gamma::ln_gamma;
 
 /// With fewer samples the bulk is not known well enough to suspect any.
 const FEWEST: usize = 8;
-/// Outliers lie beyond so many scales …
+/// Outliers lie beyond so many scales (derived: where the bulk of a Gaussian ends, one of 150
+/// samples on three axes) …
 const FROM: f64 = 3.5;
 /// … and as a rule below so many.
+/// The density between the two is flat in ln d.
 const TO: f64 = 100.0;
 /// Odds from which on a sample is suspected.
+/// Calibrated (`hidden_effects outliers`): of outliers of 7 to 20 σ at least 95 % are caught,
+/// of good samples at most 0.5 % accused.
 const ODDS: f64 = 4.0;
 /// Degrees of freedom that are tried; the last is as good as Gaussian.
+/// Below 3 a t distribution has no variance that could be a noise (Lange, Little & Taylor
+/// 1989).
 const TAILS: [f64; 6] = [3.0, 4.0, 6.0, 10.0, 25.0, 1e6];
 /// More samples than this are represented by as many quantiles.
 const MOST: usize = 2000;

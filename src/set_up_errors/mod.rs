@@ -49,6 +49,8 @@ const MOST_SAMPLES: usize = 400;
 /// With fewer samples a blunder cannot be told from an effect.
 const FEWEST_SAMPLES: usize = 6;
 /// A gap below this share of the robot's size is no blunder.
+/// Derived: a set-up error moves the tool by more than a hundredth of the robot's size; effects
+/// do not.
 const GROSS_SHARE: f64 = 0.01;
 /// The gap has to fall to less than this.
 const MENDED_SHARE: f64 = 0.2;

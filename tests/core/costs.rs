@@ -1,4 +1,4 @@
-//! What long inputs cost, further rows of the table of `docs/faults.md` (see `limits`): programs in every
+//! What long inputs cost, further rows of the table of `SECURITY.md` (see `limits`): programs in every
 //! language, arms of many samples, sockets that are seen again and again; and what fuzzing of whole commands
 //! found.
 

@@ -15,6 +15,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// What the pages of `docs` may have together: who adds a paragraph shortens another.
+const MOST_WORDS: usize = 16_000;
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
@@ -220,8 +223,8 @@ fn has_numpy() -> bool {
 
 #[test]
 fn every_command_of_the_other_pages_prints_what_stands_in_it() {
-    // The walk has files of its own; this page shows what a change would print.
-    let elsewhere = ["walk-through.md", "adding-an-export.md"];
+    // The walk has files of its own.
+    let elsewhere = ["walk-through.md"];
     let mut pages: Vec<String> = fs::read_dir(root().join("docs"))
         .expect("the pages")
         .map(|entry| {
@@ -260,23 +263,13 @@ fn every_command_of_the_other_pages_prints_what_stands_in_it() {
 #[test]
 fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
     let contents = fs::read_to_string(root().join("docs/README.md")).expect("the contents");
-    let mut pages = vec![root().join("README.md"), root().join("SECURITY.md")];
-    for entry in fs::read_dir(root().join("docs")).expect("the pages") {
-        let path = entry.expect("a page").path();
-        let name = path
-            .file_name()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        if is_page(&name) {
-            assert!(
-                name == "README.md" || contents.contains(&format!("]({name})")),
-                "{name}"
-            );
-            pages.push(path);
-        }
-    }
-    for page in pages {
+    for page in pages() {
+        let name = page.file_name().expect("a name").to_string_lossy();
+        let listed = [format!("]({name})"), format!("](../{name})")];
+        assert!(
+            name == "README.md" || listed.iter().any(|link| contents.contains(link)),
+            "{name}"
+        );
         let text = fs::read_to_string(&page).expect("the page");
         let links = text
             .split("](")
@@ -325,16 +318,207 @@ fn the_example_of_the_library_calibrates_an_arm() {
     calibrate_an_arm::main().expect("it runs to its end");
 }
 
-#[test]
-fn every_picture_of_the_documents_is_there() {
-    for document in ["README.md", "docs/walk-through.md", "docs/window.md"] {
-        let path = root().join(document);
-        let text = fs::read_to_string(&path).expect("the document");
-        let folder = path.parent().expect("a folder");
-        let pictures = text.split("](").skip(1);
-        let pictures = pictures.filter_map(|rest| rest.split_once(')'));
-        for (picture, _) in pictures.filter(|(name, _)| name.contains("pictures/")) {
-            assert!(folder.join(picture).exists(), "{document}: {picture}");
+/// The pages at the root.
+const AT_THE_ROOT: [&str; 3] = ["README.md", "SECURITY.md", "CHANGELOG.md"];
+
+/// The pages that a person reads: those of `docs`, those at the root, and the figures beside what measures them.
+fn pages() -> Vec<PathBuf> {
+    let beside = ["benches/README.md", "fuzz/README.md"];
+    let pages = AT_THE_ROOT.into_iter().chain(beside);
+    let mut pages: Vec<PathBuf> = pages.map(|name| root().join(name)).collect();
+    for entry in fs::read_dir(root().join("docs")).expect("the pages") {
+        let path = entry.expect("a page").path();
+        if is_page(&path.to_string_lossy()) {
+            pages.push(path);
         }
+    }
+    pages.sort();
+    pages
+}
+
+#[test]
+fn every_picture_of_the_documents_is_there_and_shown_with_words_for_who_does_not_see_it() {
+    let mut shown = 0;
+    for page in pages() {
+        let text = fs::read_to_string(&page).expect("the page");
+        let folder = page.parent().expect("a folder");
+        for part in text.split("![").skip(1) {
+            let (words, rest) = part.split_once("](").expect("a link");
+            let (picture, _) = rest.split_once(')').expect("its end");
+            assert!(words.len() > 10, "{}: {picture}", page.display());
+            assert!(
+                folder.join(picture).exists(),
+                "{}: {picture}",
+                page.display()
+            );
+            shown += 1;
+        }
+    }
+    assert!(shown >= 15, "{shown} pictures");
+}
+
+/// The anchor that a heading has.
+fn anchor(heading: &str) -> String {
+    let kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
+    let plain: String = heading.trim().chars().filter(kept).collect();
+    plain.to_lowercase().replace(' ', "-")
+}
+
+#[test]
+fn every_link_to_a_place_of_a_page_finds_its_heading() {
+    for page in pages() {
+        let text = fs::read_to_string(&page).expect("the page");
+        let links = text.split("](").skip(1);
+        let links = links.filter_map(|rest| rest.split_once(')'));
+        for (link, _) in links.filter(|(link, _)| !link.contains("://")) {
+            let Some((file, place)) = link.split_once('#') else {
+                continue;
+            };
+            let there = match file {
+                "" => page.clone(),
+                file => page.parent().expect("a folder").join(file),
+            };
+            let there = fs::read_to_string(&there).expect("a page");
+            let mut headings = there.lines().filter(|line| line.starts_with('#'));
+            let found = headings.any(|line| anchor(line.trim_start_matches('#')) == place);
+            assert!(found, "{}: {link}", page.display());
+        }
+    }
+}
+
+/// A file or a folder of this repository that a page names in code, without what stands behind it.
+fn named_file(code: &str) -> Option<&str> {
+    let file = code.split([' ', ':', '#']).next()?;
+    let folders = [
+        "src/",
+        "tests/",
+        "scripts/",
+        "docs/",
+        "assets/",
+        "sessions/",
+        "benches/",
+        "examples/",
+        "fuzz/",
+    ];
+    let is_one = folders.iter().any(|folder| file.starts_with(folder));
+    (is_one && !file.contains(['*', '$', '…'])).then_some(file)
+}
+
+#[test]
+fn every_file_that_a_page_names_is_there() {
+    let mut named = 0;
+    for page in pages() {
+        let text = fs::read_to_string(&page).expect("the page");
+        let parts: Vec<&str> = text.split('`').collect();
+        // Code within lines; the files of the exercises are made by who does them.
+        for pair in parts.chunks_exact(2) {
+            let [before, code] = pair else { continue };
+            if before.ends_with(" as ") {
+                continue;
+            }
+            if let Some(file) = named_file(code) {
+                assert!(root().join(file).exists(), "{}: {file}", page.display());
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 80, "{named} files");
+}
+
+/// How many words a page has that somebody wrote: without what commands print and tests compare, without the
+/// lines of tables and the glossary, which is the window's own.
+fn written_words(page: &Path) -> usize {
+    let text = fs::read_to_string(page).expect("the page");
+    let (text, _) = text.split_once("\n## Glossary\n").unwrap_or((&text, ""));
+    let outside = text.split("```").step_by(2);
+    let words = outside.flat_map(str::split_whitespace);
+    words
+        .filter(|word| word.contains(char::is_alphanumeric))
+        .count()
+}
+
+#[test]
+fn the_pages_stay_few_and_short() {
+    let of_docs: Vec<PathBuf> = pages()
+        .into_iter()
+        .filter(|page| page.starts_with(root().join("docs")))
+        .collect();
+    assert!(of_docs.len() <= 15, "{} pages in docs", of_docs.len());
+    let words: usize = of_docs.iter().map(|page| written_words(page)).sum();
+    assert!(words <= MOST_WORDS, "{words} words");
+    let front = written_words(&root().join("README.md"));
+    assert!(front <= 1000, "{front} words on the front page");
+}
+
+/// What `docs/extending.md` shows as the sources are is what they are: `scripts/exercises` makes a copy and
+/// changes it, and compiles and tests it where more time is given (`scripts/check-slow`).
+#[test]
+fn the_exercises_apply_to_the_sources_as_they_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let Ok(ran) = Command::new("python3")
+        .arg(root().join("scripts/exercises"))
+        .arg("--dry")
+        .env("CARGO_TARGET_DIR", folder.path())
+        .output()
+    else {
+        eprintln!("skipped: no python3");
+        return;
+    };
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert!(ran.status.success(), "{said}");
+    let source = folder.path().join("exercises/src");
+    for (file, register, line) in [
+        (
+            "effects/scale_expansion.rs",
+            "effects/mod.rs",
+            "&scale_expansion::SCALE_EXPANSION,",
+        ),
+        ("export/json.rs", "export/mod.rs", "json,"),
+        (
+            "importers/formats/euroc.rs",
+            "importers/formats/mod.rs",
+            "euroc,",
+        ),
+        (
+            "observations/kinds/height.rs",
+            "observations/kinds/mod.rs",
+            "height: Height,",
+        ),
+        (
+            "gui/charts/cumulative.rs",
+            "gui/charts/mod.rs",
+            "cumulative: CUMULATIVE;",
+        ),
+    ] {
+        assert!(source.join(file).exists(), "{file}");
+        let register = fs::read_to_string(source.join(register)).expect("the register");
+        assert!(register.lines().any(|l| l.trim() == line), "{line}");
+    }
+}
+
+/// Every threshold of the fit and the diagnosis says in the code what it is, and one script lists them.
+#[test]
+fn every_constant_that_decides_is_listed_with_its_reason() {
+    let Ok(ran) = Command::new("python3")
+        .arg(root().join("scripts/constants"))
+        .output()
+    else {
+        eprintln!("skipped: no python3");
+        return;
+    };
+    let listed = String::from_utf8(ran.stdout).expect("UTF-8");
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert!(ran.status.success(), "{said}");
+    let rows: Vec<&str> = listed.lines().filter(|l| l.starts_with("| `")).collect();
+    assert!(rows.len() > 200, "{} constants", rows.len());
+    for (name, value) in [
+        ("diagnosis::search::CHANCE", "0.002"),
+        ("diagnosis::verdict::MOST_OVER_THE_FLOOR", "1.15"),
+        ("fit::solver::RANK_TOLERANCE", "1e-11"),
+        ("compensation::set_aside::MOST_SHARE", "0.02"),
+        ("set_up_errors::LARGEST_OFFSET_DEG", "45.0"),
+    ] {
+        let row = format!("| `{name}` | {value} | ");
+        assert!(rows.iter().any(|line| line.starts_with(&row)), "{row}");
     }
 }

@@ -1,4 +1,4 @@
-//! What every command leaves where it cannot write: `docs/faults.md` is the table of what is tried
+//! What every command leaves where it cannot write: `SECURITY.md` is the table of what is tried
 //! here, in the window (`tests/window/disk.rs`) and with a process that is killed (`sessions_on_disk`).
 
 #![cfg(target_os = "linux")]

@@ -1,5 +1,5 @@
 //! What a file may cost, and what is done with numbers beyond any robot's range: the table of
-//! `docs/faults.md`, each row at a size that the old growth would not get through: with the square of it
+//! `SECURITY.md`, each row at a size that the old growth would not get through: with the square of it
 //! a run ends at its limits of memory and time.
 //!
 //! Times are compared by the slow script alone (`TRUEPOSE_COMPARE_TIMES=1`), as a busy machine would fail any

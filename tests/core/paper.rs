@@ -295,7 +295,7 @@ fn the_walk_through_the_papers_gap_prints_what_its_document_says() {
             }
         }
     }
-    let document = std::fs::read_to_string(root.join("docs/paper-gap.md")).unwrap();
+    let document = std::fs::read_to_string(root.join("docs/paper.md")).unwrap();
     let commands = commands_of(&document);
     assert_eq!(commands.len(), 7, "{commands:?}");
     for (arguments, lines) in commands {

@@ -1,10 +1,25 @@
 //! What planned poses are worth for robots with several joints, measured with kinematics of this file's own
 //! (Rodrigues' formula, differences for derivatives), which share nothing with the program's.
+//!
+//! Measured in November 2026, planned poses against random ones of the same number, 1000 random sets:
+//!
+//! | arm | poses | RMS, planned / random | 95 %, planned / random | over the best of 1000 |
+//! | --- | --- | --- | --- | --- |
+//! | six | 30 | 0.0298 / 0.0386 mm = 0.77 | 0.0310 / 0.0519 mm = 0.60 | 0.90 |
+//! | six | 60 | 0.0209 / 0.0237 mm = 0.88 | 0.0216 / 0.0301 mm = 0.72 | 0.92 |
+//! | parallel | 30 | 0.0299 / 0.0389 mm = 0.77 | 0.0313 / 0.0522 mm = 0.60 | 0.90 |
+//! | parallel | 60 | 0.0209 / 0.0238 mm = 0.88 | 0.0215 / 0.0302 mm = 0.71 | 0.91 |
+//! | seven | 30 | 0.0324 / 0.0419 mm = 0.77 | 0.0341 / 0.0542 mm = 0.63 | 0.91 |
+//! | seven | 60 | 0.0225 / 0.0253 mm = 0.89 | 0.0230 / 0.0311 mm = 0.74 | 0.92 |
+//! | scara | 30 | 0.0236 / 0.0281 mm = 0.84 | 0.0245 / 0.0364 mm = 0.67 | 0.93 |
+//! | scara | 60 | 0.0166 / 0.0184 mm = 0.90 | 0.0172 / 0.0229 mm = 0.75 | 0.94 |
+//! | positioner | 30 | 0.0200 / 0.0226 mm = 0.89 | 0.0206 / 0.0305 mm = 0.68 | 0.95 |
+//! | positioner | 60 | 0.0141 / 0.0153 mm = 0.93 | 0.0145 / 0.0200 mm = 0.72 | 0.95 |
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![allow(
     clippy::print_stdout,
-    reason = "the table of docs/arms.md is what one test prints"
+    reason = "the table above is what one test prints"
 )]
 
 use std::path::PathBuf;

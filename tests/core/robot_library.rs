@@ -519,62 +519,63 @@ fn the_scenario_beside_a_session_makes_the_same_session_again() {
     assert!(head.contains("temperature_c") && !head.contains("load_kg"));
 }
 
-/// `docs/robots.md` shows every robot with its figures, sources and checks, and every source.
+/// `truepose robots` shows every robot with its figures, and of each its sources and checks.
 #[test]
-fn the_page_has_every_robot_and_every_source() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/robots.md");
-    let page = std::fs::read_to_string(path).unwrap();
-    let dash = |text: String| {
-        if text.is_empty() {
-            "–".to_owned()
-        } else {
-            text
-        }
-    };
-    let mut rows = Vec::new();
+fn the_terminal_shows_every_robot_with_its_figures_sources_and_checks() {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let list = answered(&["robots"]);
+    let list: Vec<String> = list.lines().map(words).collect();
+    assert_eq!(list.last().unwrap(), &format!("{} robots", library().len()));
+    // A heading, and how many there are.
+    assert_eq!(list.len(), library().len() + 2);
     for robot in library() {
-        let checks = [
-            ("positions", &robot.checked_positions),
-            ("reach", &robot.checked_reach),
-        ];
-        let checks = checks.iter().filter_map(|(what, reference)| {
-            let source = &reference.as_ref()?.source;
-            Some(format!("{what}, {source}"))
-        });
-        let checks: Vec<String> = checks.collect();
-        let figures = [robot.reach_mm, robot.repeatability_mm].map(figure);
-        rows.push(format!(
-            "| `{}` | {} | {} | {} | {} | {} | {} | {} |",
+        let figures = [robot.reach_mm, robot.payload_kg, robot.repeatability_mm].map(figure);
+        let row = words(&format!(
+            "{} {} {} {} {} {}",
             robot.id,
-            robot.title(),
+            robot.maker,
+            robot.model,
             robot.kind.name(),
-            figures[0],
-            figures[1],
-            robot.geometry.source,
-            dash(checks.join("; ")),
-            dash(robot.not_checked.join("; ")),
+            robot.robot.joint_count(),
+            figures.join(" "),
         ));
-    }
-    for (key, source) in sources() {
-        let commit: String = source
-            .commit
-            .iter()
-            .flat_map(|c| c.chars().take(12))
-            .collect();
-        let (at, commit) = (dash(source.at.clone()), dash(commit));
-        rows.push(format!(
-            "| {key} | {} | {at} | {commit} | {} |",
-            source.what, source.licence
-        ));
-    }
-    for row in &rows {
-        assert!(
-            page.contains(&format!("{row}\n")),
-            "docs/robots.md lacks: {row}"
+        assert!(list.contains(&row), "no row: {row}");
+
+        let shown = answered(&["robots", &robot.id]);
+        let references = [
+            ("geometry and ranges", Some(&robot.geometry)),
+            ("reach, load, repeatability", robot.figures.as_ref()),
+            ("gear ratios", robot.gears.as_ref()),
+            (
+                "positions checked against",
+                robot.checked_positions.as_ref(),
+            ),
+            ("reach checked against", robot.checked_reach.as_ref()),
+        ];
+        for (what, reference) in references {
+            let Some(reference) = reference else { continue };
+            let source = source(&reference.source).unwrap();
+            let line = format!("{what}: {}: {}\n", source.what, reference.place);
+            assert!(shown.contains(&line), "{shown}\nlacks: {line}");
+            let commit = source.commit.as_deref().unwrap_or("");
+            let line = shown
+                .lines()
+                .find(|line| line.starts_with(&format!("source {}: ", reference.source)))
+                .unwrap_or_else(|| panic!("{shown}\nlacks the source {}", reference.source));
+            for part in [&source.at, commit, &source.licence] {
+                assert!(line.contains(part), "{line}\nlacks: {part}");
+            }
+        }
+        assert_eq!(
+            shown.contains("not checked: "),
+            !robot.not_checked.is_empty()
         );
+        for what in &robot.not_checked {
+            assert!(shown.contains(what), "{shown}\nlacks: {what}");
+        }
     }
-    let shown = page
-        .lines()
-        .filter(|line| line.starts_with("| `") && !line.starts_with("| `--"));
-    assert_eq!(shown.count(), library().len(), "rows too many");
+    let listed: Value = serde_json::from_str(&answered(&["robots", "--json"])).unwrap();
+    for (key, source) in sources() {
+        assert_eq!(listed["sources"][key]["licence"], source.licence, "{key}");
+    }
 }

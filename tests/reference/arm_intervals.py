@@ -1,4 +1,4 @@
-"""How often the 95 % intervals of an arm's geometry hold the truth: numpy, from the equations of docs/contract and
+"""How often the 95 % intervals of an arm's geometry hold the truth: numpy, from the equations that `truepose effects` prints and
 sharing nothing with src/; the arms are those of arms.py, the sessions those of arm_rates.py.
 
     python tests/reference/arm_intervals.py BINARY [--count N] [--kinds six,seven] [--poses 60,200] [--seed S]

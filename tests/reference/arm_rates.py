@@ -1,4 +1,4 @@
-"""How often the diagnosis of simulated arms is right: numpy, from the equations of docs/contract and
+"""How often the diagnosis of simulated arms is right: numpy, from the equations that `truepose effects` prints and
 sharing nothing with src/; the arms are those of arms.py.
 
     python tests/reference/arm_rates.py BINARY [--count N] [--kinds six,seven] [--poses 60,200]

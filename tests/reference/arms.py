@@ -1,5 +1,5 @@
 """Arms measured by a tracker, and a least squares of everything: numpy, written from the equations
-of docs/contract (product of exponentials) and sharing nothing with src/.
+of `truepose effects` (product of exponentials) and sharing nothing with src/.
 
     python tests/reference/arms.py tests/data/arms
 

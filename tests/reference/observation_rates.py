@@ -9,6 +9,30 @@ A six-joint arm with errors everywhere (as in observations.py), directions of ap
 effect of lambda = |effect beside all geometry and places|^2 / sigma^2 = 400: encoder-eccentricity of
 joint 2 or 3, wrist-coupling of joint 5 or 6, backlash of joints 1 to 5. A session counts as right where the
 answer names exactly that with its joint, and as open where the truth stands in an equivalent answer.
+
+Measured in November 2026:
+
+| of 20 each | nothing hidden: nothing named, nothing left | eccentricity | coupling | backlash |
+| --- | --- | --- | --- | --- |
+| points, single coordinates missing | 20 | 19 | 20 | 20 |
+| points of a tracker (its noise along and across the beam) | 20 | 20 | 20 | 20 |
+| poses | 20 | 18 | 20 | 20 |
+| distances, known anchors | 19 | 20 | 20 | 20 |
+| distances, anchors unknown | 20 | 20 | 20 | 20 |
+| bearings, known stations | 20 | 20 | 20 | 20 |
+| bearings, stations unknown | 20 | 20 | 20 | 20 |
+| pointing | 20 | 20 | 20 | 20 |
+| sockets, places known | 20 | 18 | 20 | 20 |
+| sockets, places unknown | 20 | 18 | 18 | 19 |
+| touches, planes known | 19 | 20 | 20 | 20 |
+| touches, planes unknown | 20 | 19 | 20 | 20 |
+| points, distances and bearings mixed | 20 | 20 | 20 | 20 |
+| all, of 260 each | 258 | 252 | 258 | 259 |
+
+Named exactly means that effect on that joint and nothing else. No name was said in any session without an effect;
+two of them were flagged, one of distances with noise 1.18 times as large as stated (χ² makes so much in one of 300).
+Of the eleven others one has a second name beside the right one, one a joint scale for an eccentricity of joint 2,
+and nine have no name: what is hidden is flagged, or something is left without a name.
 """
 
 import argparse

@@ -1,5 +1,5 @@
 """Arms measured in every way that a session knows: numpy only, written from the equations of
-docs/contract with a chain of matrices from link to link, and sharing nothing with src/.
+`truepose effects` with a chain of matrices from link to link, and sharing nothing with src/.
 
     python tests/reference/observations.py tests/data/observations
 

@@ -1,4 +1,4 @@
-"""Old robots, and what their diagnosis costs: numpy, from the equations of docs/contract and sharing nothing with
+"""Old robots, and what their diagnosis costs: numpy, from the equations that `truepose effects` prints and sharing nothing with
 src/; the arms are those of arms.py.
 
     python tests/reference/old_robots.py BINARY [--count N] [--from N] [--seed S] [--limit SECONDS] [--keep FOLDER]

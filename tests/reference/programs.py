@@ -1,5 +1,5 @@
 """An arm with hidden errors, measured without noise, and targets for it in five languages: numpy and
-scipy, written from the equations of docs/contract and sharing nothing with src/.
+scipy, written from the equations that `truepose effects` prints and sharing nothing with src/.
 
     python tests/reference/programs.py tests/data/programs
 

@@ -14,6 +14,35 @@ arms    five arms with geometry errors, and every kind of set-up error on one jo
         these said, and raw joint targets driven through the robot as they are and corrected.
 checks  one axis without anything hidden, and a check of it whose last third was measured 0.5 mm off: the
         headline of `verify` against the root mean square over all samples.
+
+Measured in November 2026:
+
+| hidden | RMS error above identify's, before | after | verify differs, before | after | table worse, before | after |
+| --- | --- | --- | --- | --- | --- | --- |
+| azimuth circle | 4 of 22, up to 1.1 times | 0 of 100 | 0 of 22 | 0 of 100 | 0 of 22 | 0 of 100 |
+| rounded | 6 of 22, up to 91.7 times | 0 of 100 | 0 of 22 | 0 of 100 | 1 of 22 | 0 of 100 |
+| hot | 0 of 22 | 0 of 100 | 0 of 22 | 0 of 100 | 0 of 22 | 0 of 100 |
+| bump (before: 11 sessions) | 8 of 11, up to 1.5 times | 0 of 100 | 4 of 11 | 0 of 100 | 0 of 11 | 0 of 100 |
+| nothing | 0 of 22 | 0 of 100 | 0 of 22 | 0 of 100 | 0 of 22 | 0 of 100 |
+
+| set-up error | verify differs, before | after | verified, before, mm | after | targets worse, before | after | driven, before, mm | after |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- |
+| none | 0 of 12 | 0 of 200 | 0.050 | 0.050 | 0 of 2 | 0 of 30 | 1.649 → 0.006 | 1.707 → 0.045 |
+| inches | 12 of 12 | 0 of 200 | 2239 | 0.049 | | | | |
+| metres | 10 of 10 | 0 of 199 | 881 | 0.050 | | | | |
+| x and y exchanged | 10 of 10 | 0 of 200 | 721 | 0.050 | 0 of 3 | 0 of 60 | 1.642 → 0.006 | 1.726 → 0.090 |
+| sign of a joint | 23 of 23 | 0 of 200 | 296 | 0.050 | 13 of 13 | 0 of 60 | 1.762 → 3.766 | 1.547 → 0.053 |
+| home off by 90° | 23 of 23 | 0 of 200 | 288 | 0.050 | 9 of 13 | 0 of 60 | 1.447 → 2.038 | 1.507 → 0.084 |
+| joints coupled | 2 of 5 | 0 of 200 | 358 | 0.050 | 1 of 2 | 0 of 50 | 1.475 → 2.530 | 1.725 → 0.139 |
+| joints exchanged | 5 of 5 | 0 of 200 | 362 | 0.049 | 3 of 3 | 0 of 75 | 1.715 → 4.853 | 1.474 → 0.088 |
+
+Before: 100 sessions in all, models of `identify`; after: 100 sessions a row, models of `identify` and of `diagnose`.
+Driven are the targets that were corrected, in sessions in which at least six were and the arm has six joints or more.
+
+| | headline off by more than 1 % | said, mm | true, mm | a finding |
+| --- | --- | --- | --- | --- |
+| before | 100 of 100 | 0.035 | 0.293 | 0 of 100 |
+| after | 0 of 100 | 0.293 | 0.293 | 100 of 100 |
 """
 
 import argparse

@@ -388,7 +388,7 @@ fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_f
         }
     }
     let readable = |(.., median): &(bool, [f32; 2], &str, f32)| (LEAST..=MOST).contains(median);
-    // For docs/window.md: `-- --nocapture`.
+    // For docs/trust.md: `-- --nocapture`.
     eprintln!("{medians:?}");
     assert!(medians.iter().all(readable), "{medians:#?}");
 }

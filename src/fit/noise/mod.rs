@@ -42,6 +42,7 @@ pub(crate) use filter::{Filter, Step};
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.
+/// Weights are then not by chance.
 const UNEQUAL_EVIDENCE: f64 = 16.0;
 /// Ratios of axes beyond this are something that the model lacks, not noise.
 const MOST_UNEQUAL: f64 = 10.0;
@@ -50,11 +51,13 @@ const FEWEST_SAMPLES: usize = 20;
 /// Twice the logarithm of the likelihood ratio from which on a slow part is there. A time constant
 /// and a size for each axis on the boundary of their range: white noise exceeds it in about one
 /// session of a hundred (`hidden_effects noise`).
+/// 0 of 40 sessions of white noise of `hidden_effects slow` exceed it.
 const SLOW_EVIDENCE: f64 = 12.0;
 /// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
 /// logarithm: each is known to about a factor of two within a range of some hundred to one:
 /// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
 /// few slow swings is not.)
+/// Without it sizes by axis follow chance, and intervals in sweeps held in 89 instead of 92 %.
 pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 /// Below this noise is rounding, mm.
 pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;

@@ -12,6 +12,8 @@ const MOST_RATIO: f64 = 1e3;
 /// Factors of the search around the likeliest.
 const CLOSER: [f64; 3] = [2.0, 1.4, 1.2];
 /// Cells that share the probability, at least, if they are to be small enough …
+/// With fewer, cells are wider than what the residuals tell; all others stay, as the tail
+/// towards a large slow part is what widens an interval.
 const FEWEST_CELLS: f64 = 6.0;
 /// … for which the largest are divided so many times at most.
 const DIVISIONS: usize = 6;

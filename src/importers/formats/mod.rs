@@ -2,7 +2,7 @@
 //!
 //! A format says in its [`Importer`] what it is called, how its files are known, what the window
 //! asks about them and which options are its own; terminal, window, tests of damaged files and
-//! fuzzers find all of that here. `docs/adding-an-import.md` goes through an example.
+//! fuzzers find all of that here. `docs/extending.md` goes through an example.
 
 use std::fmt;
 

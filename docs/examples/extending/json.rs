@@ -1,44 +1,3 @@
-# Adding an export
-
-A file that a controller reads is one file in `src/export/` and one line in the register in
-`src/export/mod.rs`. Terminal, window, report and pipeline find it there, and a test names a file with a
-`FORMAT` that is not registered. A table as JSON as the example; it is not part of truepose, as `csv` with its sidecar
-already serves programs that read tables:
-
-```
-$ git diff --stat
- src/export/json.rs | 69 ++++++++++++++++++++++++++++++++++++++++++++++++++++++
- src/export/mod.rs  |  1 +
- 2 files changed, 70 insertions(+)
-```
-
-```diff
- register! {
-     csv,
-+    json,
-     c_header,
-```
-
-## The file
-
-It opens with what such a file looks like and where its sign and its order are known from. Then come
-three things.
-
-**`RULES`**, the facts of the table: what a number says (the correction or the deviation), units, digits,
-spacing, the widest step, the most entries, one direction or both, whether it repeats after a turn, and in
-words what the controller does between entries, beyond the ends and when the direction changes. Choosing
-the entries, refusing what the format cannot say, the sidecar, the worked line and the RMS error that the
-controller leaves all follow from them.
-
-**`FORMAT`**, the entry: for a table `TableFile::format` makes it of a title, an extension and the table; the
-rules' `format` is its name for `--to`. A description of a robot also states which robots it `suits`.
-
-**`write` and `read`**, from a sheet (places, forward, reverse, in the rules' sign and unit) to text and
-back. What is written is read back before it is handed out; where it does not say the same, nothing is.
-
-The whole file, as it compiles:
-
-```rust
 //! A table as JSON: `{"commanded_deg": […], "correction_forward_deg": […], "correction_reverse_deg": […]}`, numbers
 //! with the fewest digits that read back as the same; mm in place of degrees where the joint slides.
 
@@ -108,17 +67,3 @@ fn read(sheet: &Sheet, text: &str) -> Result<Columns, ExportError> {
         repeats: false,
     })
 }
-```
-
-```
-$ truepose export lamp.model.json --to json --out lamp.table.json
-```
-
-A description of the corrected robot (URDF, DH rows) writes a chain in place of a sheet: `src/export/dh.rs`
-is one.
-
-## Tests
-
-The controller a second time, from its manual and not from the exporter, in `tests/support/controllers.rs`:
-`tests/core/exports.rs` drives it over a robot whose errors are known. Where a program that reads the
-format can be installed, `tests/core/export_consumers.rs` asks it too.

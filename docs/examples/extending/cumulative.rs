@@ -1,0 +1,123 @@
+//! How many samples deviate by no more than a length: each sample's length of what is left over its
+//! share of all, in ascending order.
+//!
+//! ```text
+//! share_i = i / n,      |e|_1 ≤ |e|_2 ≤ …
+//! ```
+
+use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::cache::work::Work;
+use crate::gui::help::Word;
+use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands};
+use crate::present::table::{Cell, Table};
+
+pub(crate) struct Cumulative;
+
+pub(crate) static CUMULATIVE: Cumulative = Cumulative;
+
+/// Lengths in ascending order, mm.
+struct Sorted(Vec<f64>);
+
+impl Kind for Cumulative {
+    fn about(&self) -> About {
+        About {
+            id: "cumulative deviations",
+            short: phrase!("cumulative"),
+            name: phrase!("Cumulative deviations"),
+            word: Word {
+                name: phrase!("Cumulative deviations"),
+                means: phrase!(
+                    "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
+                ),
+            },
+            of_component: true,
+            of_joint: false,
+        }
+    }
+
+    fn work(&self, _: &Scene) -> Option<Work> {
+        Some(Work::new(self.about().id, Vec::new(), |given| {
+            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
+            let (before, after) = given.values(&usable.collect::<Vec<_>>());
+            Sorted::of(after.unwrap_or(before))
+        }))
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let sorted: &Sorted = scene.found().ok_or_else(Missing::yet)?;
+        if sorted.0.is_empty() {
+            return Err(Missing::new(
+                say!("No sample can be counted"),
+                say!("Every sample lacks a joint value or a coordinate"),
+            ));
+        }
+        let at = scene.units.length(sorted.at(0.95));
+        Ok(Shown {
+            chart: sorted.drawn(scene),
+            name: say!("cumulative deviations").to_owned(),
+            says: say!("95 % of the samples deviate by {at} or less", at = at),
+            pointed: Pointed::Nothing,
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> Table {
+        let mut table = Table::headed("share | deviation, mm");
+        let sorted: Option<&Sorted> = scene.found();
+        let n = sorted.map_or(0, |sorted| sorted.0.len());
+        for (i, mm) in sorted.iter().flat_map(|sorted| &sorted.0).enumerate() {
+            table.row([Cell::from((i + 1) as f64 / n as f64), (*mm).into()]);
+        }
+        table
+    }
+}
+
+impl Sorted {
+    fn of(values: Vec<f64>) -> Self {
+        let mut sizes: Vec<f64> = values.into_iter().map(f64::abs).collect();
+        sizes.retain(|size| size.is_finite());
+        sizes.sort_unstable_by(f64::total_cmp);
+        Self(sizes)
+    }
+
+    /// The length that this share of the samples does not exceed, mm.
+    fn at(&self, share: f64) -> f64 {
+        let count = (share * self.0.len() as f64).ceil() as usize;
+        self.0[count.clamp(1, self.0.len()) - 1]
+    }
+
+    fn drawn(&self, scene: &Scene) -> Chart {
+        let value = |mm: f64| scene.units.length_value(mm);
+        let most = self.0.last().copied().unwrap_or(0.0).max(LEAST_SPAN);
+        let n = self.0.len() as f64;
+        let point = |(i, mm): (usize, &f64)| [value(*mm), 100.0 * (i + 1) as f64 / n];
+        Chart {
+            title: say!("share of the samples over their deviation").to_owned(),
+            across: Axis::numbers(say!(
+                "deviation, {units}",
+                units = scene.units.length_name()
+            )),
+            upwards: Axis::numbers(say!("samples, %")),
+            bounds: [[0.0, 0.0], [value(1.05 * most), 105.0]],
+            items: vec![Item::Line(
+                self.0.iter().enumerate().map(point).collect(),
+                Stands::After,
+                1.6,
+                false,
+            )],
+            legend: vec![Entry::after(Sign::Line)],
+            note: String::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nineteen_of_twenty_are_no_larger() {
+        let sorted = Sorted::of((1..=20).map(|k| -f64::from(k)).collect());
+        assert!((sorted.at(0.95) - 19.0).abs() < 1e-12);
+        assert!((sorted.at(1.0) - 20.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,52 @@
+//! A trajectory as the EuRoC data sets have it: `#timestamp [ns], p_x [m], p_y, p_z, q_w, q_x, q_y, q_z`,
+//! with commas; further columns (speeds, biases) are ignored. The quaternion's real part comes first.
+
+use crate::importers::columns::Columns;
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
+use crate::importers::headings::Role;
+use crate::importers::reader::{Case, fixed};
+use crate::importers::settings::Known;
+use crate::importers::units::LengthUnit;
+use crate::sessions::columns::{Quantity, Unit};
+
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "euroc",
+    plainly: "a EuRoC trajectory: time in nanoseconds, position, quaternion",
+    asks: Asks {
+        columns: Meanings::Fixed,
+        ..Asks::TABLE
+    },
+    options: &[],
+    known_by: KnownBy::Text(|text| text.starts_with("#timestamp")),
+    read,
+};
+
+/// Reads a trajectory.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    if grid.width < 8 {
+        let found = format!("{} columns", grid.width);
+        case.refuse(found, "8: timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z");
+        return None;
+    }
+    let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
+    let position = |quantity| fixed(quantity, unit.unit());
+    let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
+    let mut roles = vec![
+        Role::Time(1e-9),
+        position(Quantity::X),
+        position(Quantity::Y),
+        position(Quantity::Z),
+        part(0),
+        part(1),
+        part(2),
+        part(3),
+    ];
+    roles.resize(grid.width, Role::Kept);
+    let columns = case.columns(&grid, roles);
+    for column in &mut case.found.columns {
+        column.known = Known::Certain;
+    }
+    case.found.unit = format!("{}, as the format has it", unit.symbol());
+    columns
+}
