@@ -157,9 +157,9 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let name = ui.add(TextEdit::singleline(&mut row.name).desired_width(72.0));
     widgets::label(&name, say!("Name of joint {joint}", joint = number));
     let says = if row.slides {
-        say!("slides")
+        say!(in "joint", "slides")
     } else {
-        say!("turns")
+        say!(in "joint", "turns")
     };
     let kind = ui.add(Button::new(says).min_size(vec2(56.0, 24.0)));
     widgets::label(
