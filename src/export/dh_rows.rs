@@ -25,7 +25,7 @@ struct Between {
 }
 
 /// The frame before the first row, in the base frame, and the rows.
-pub(super) fn nominal_rows(robot: &Robot, convention: DhConvention) -> (Pose, Vec<DhRow>) {
+pub(crate) fn nominal_rows(robot: &Robot, convention: DhConvention) -> (Pose, Vec<DhRow>) {
     if let RobotSource::Dh {
         base_from_first,
         rows,

@@ -31,6 +31,8 @@ pub(crate) mod sidecar;
 mod steps;
 mod table_file;
 
+#[cfg(feature = "gui")]
+pub(crate) use dh_rows::nominal_rows;
 pub use left::{Allowance, Left};
 pub use lerobot::lerobot_calibration;
 pub use options::{Motors, Options, Reference, Zeros};

@@ -76,3 +76,33 @@ fn a_session_that_was_not_simulated_here_hides_nothing() {
     press(&mut window, "Run diagnosis");
     assert!(!there(&window, "Show what was hidden"));
 }
+
+#[test]
+fn a_robot_is_typed_as_a_table_and_stays_among_ones_own() {
+    let mut window = window(None);
+    press(&mut window, "Robots…");
+    typed(&mut window, "ur5e");
+    press(&mut window, "As a table…");
+    assert!(says(&window, "Nominal geometry as the maker states it"));
+    press(&mut window, "DH rows");
+    assert!(there(&window, "Universal Robots UR5e at its zero"));
+    window.get_by_label("Name of the robot").click();
+    window.run_steps(2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run_steps(1);
+    window.get_by_label("Name of the robot").type_text("our own");
+    window.run_steps(4);
+    press(&mut window, "Remove joint 6");
+    assert!(!there(&window, "Remove joint 6"));
+    assert!(there(&window, "our own at its zero"));
+    press(&mut window, "Simulate…");
+    assert!(says(&window, "three reflectors at the tool"));
+    press(&mut window, "Cancel");
+    press(&mut window, "Robots…");
+    typed(&mut window, "own");
+    assert!(there(&window, "our own at its zero"));
+    assert!(says(&window, "5 joints"));
+    press(&mut window, "Forget it");
+    typed(&mut window, "our own");
+    assert!(says(&window, "No robot has this name"));
+}

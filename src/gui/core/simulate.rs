@@ -1,19 +1,21 @@
 //! New by simulation: a small form, and the session that comes out of it.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
 
 use crate::effects::term::{parameter_names, parameters_to_see};
 use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
-use crate::robots::LibraryRobot;
 use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
     Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature,
 };
 use crate::text::Text;
 use crate::units::rad_from_deg;
+
+use super::simulate_robot::SimulatedRobot;
 
 /// More samples than this are for the terminal.
 const MOST_SAMPLES: f64 = 1e6;
@@ -65,8 +67,8 @@ impl Chosen {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Form {
-    /// A robot of the library; `None`: a lamp on one turning axis.
-    pub(crate) robot: Option<&'static LibraryRobot>,
+    /// A robot of the library or one that was typed; `None`: a lamp on one turning axis.
+    pub(crate) robot: Option<Arc<SimulatedRobot>>,
     /// Poses of that robot, anywhere in its ranges.
     pub(crate) poses: usize,
     /// Nominal radius of the tool, mm.
@@ -132,7 +134,7 @@ impl Form {
 
     /// Everything that is wrong with the numbers, each with the field or the effect that it is about.
     pub(crate) fn problems(&self) -> Vec<(&'static str, String)> {
-        if let Some(robot) = self.robot {
+        if let Some(robot) = &self.robot {
             return self.problems_of(robot);
         }
         let fields = [
@@ -237,7 +239,7 @@ impl Form {
         if let Some(problem) = self.problem() {
             return Err(vec![Text::verbatim(problem)]);
         }
-        if let Some(robot) = self.robot {
+        if let Some(robot) = &self.robot {
             return self.session_of(robot, watch);
         }
         let scenario = self

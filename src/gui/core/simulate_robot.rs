@@ -1,8 +1,10 @@
-//! A simulation of a robot of the library: the form's numbers as a request, and what is wrong with them.
+//! A simulation of a robot of the library, or of one that was typed: the form's numbers as a request, and what is wrong with them.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use crate::effects::Term;
+use crate::kinematics::Robot;
 use crate::robots::LibraryRobot;
 use crate::sessions::Session;
 use crate::simulation::{
@@ -19,9 +21,30 @@ const POSES: usize = 120;
 /// More poses than this are for the terminal.
 const MOST_POSES: usize = 100_000;
 
+/// A robot that is simulated.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SimulatedRobot {
+    /// What it is called.
+    pub(crate) title: String,
+    pub(crate) robot: Robot,
+    /// Rated load, kg.
+    pub(crate) payload_kg: Option<f64>,
+}
+
+impl SimulatedRobot {
+    /// One of the library.
+    pub(crate) fn of(robot: &LibraryRobot) -> Arc<Self> {
+        Arc::new(Self {
+            title: robot.title(),
+            robot: robot.robot.clone(),
+            payload_kg: robot.payload_kg,
+        })
+    }
+}
+
 impl Form {
-    /// The form for a robot of the library.
-    pub(crate) fn of(robot: &'static LibraryRobot) -> Self {
+    /// The form for a robot.
+    pub(crate) fn of(robot: Arc<SimulatedRobot>) -> Self {
         Self {
             robot: Some(robot),
             poses: POSES,
@@ -29,7 +52,7 @@ impl Form {
         }
     }
 
-    fn request(&self, robot: &LibraryRobot) -> SimulationRequest {
+    fn request(&self, robot: &SimulatedRobot) -> SimulationRequest {
         let payload = robot.payload_kg;
         let mut request = SimulationRequest::of(robot.robot.clone(), payload, self.poses);
         request.noise_mm = self.noise_mm;
@@ -51,7 +74,7 @@ impl Form {
     }
 
     /// Everything that is wrong with the numbers of a robot's simulation, by field or effect.
-    pub(super) fn problems_of(&self, robot: &LibraryRobot) -> Vec<(&'static str, String)> {
+    pub(super) fn problems_of(&self, robot: &SimulatedRobot) -> Vec<(&'static str, String)> {
         let mut problems = Vec::new();
         if !(1..=MOST_POSES).contains(&self.poses) {
             problems.push((
@@ -84,7 +107,7 @@ impl Form {
     /// What is wrong with the numbers.
     pub(super) fn session_of(
         &self,
-        robot: &LibraryRobot,
+        robot: &SimulatedRobot,
         watch: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<(Session, Vec<Term>), Vec<Text>> {
         let found = |rejected: &crate::diagnostic::Rejected| -> Vec<Text> {
@@ -112,7 +135,7 @@ mod tests {
     #[test]
     fn every_robot_of_the_library_can_be_simulated_as_the_form_opens() {
         for robot in library() {
-            let mut form = Form::of(robot);
+            let mut form = Form::of(SimulatedRobot::of(robot));
             form.poses = 4;
             form.effects = vec![Chosen::new("backlash").expect("it is in the catalogue")];
             assert_eq!(form.problem(), None, "{}", robot.id);
@@ -129,7 +152,7 @@ mod tests {
     #[test]
     fn a_joint_that_is_not_there_is_said_at_its_effect() {
         let robot = &library()[0];
-        let mut form = Form::of(robot);
+        let mut form = Form::of(SimulatedRobot::of(robot));
         let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");
         backlash.joint = 9;
         form.effects = vec![backlash];

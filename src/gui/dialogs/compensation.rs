@@ -194,12 +194,8 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
         ))
     });
     let at_run_time = answer.at_run_time.iter();
-    let at_run_time = at_run_time.map(|(l, c, says)| {
-        (
-            (*l, *c),
-            say!("not corrected: {says}", says = spoken(says)),
-        )
-    });
+    let at_run_time = at_run_time
+        .map(|(l, c, says)| ((*l, *c), say!("not corrected: {says}", says = spoken(says))));
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
     let remarks: Vec<_> = remarks

@@ -4,12 +4,12 @@ use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
-use crate::language::known_words;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::language::known_words;
 use crate::report::Details;
 
 /// Widest, points.

@@ -3,6 +3,7 @@
 mod ends;
 mod import;
 mod paths;
+mod robot_table;
 mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
@@ -69,10 +70,11 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 path,
                 replace,
             } => paths::export(ui, workbench, *what, (path, *replace), commands),
-            Sheet::Simulate(form) => match form.robot {
+            Sheet::Simulate(form) => match &form.robot {
                 Some(robot) => simulated_robot::show(ui, robot, form, commands),
                 None => simulation::show(ui, form, commands),
             },
+            Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
             Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
             Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
             Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
@@ -96,6 +98,7 @@ fn holds_entries(sheet: &Sheet) -> bool {
         Sheet::SavePath { .. }
         | Sheet::ExportPath { .. }
         | Sheet::Simulate(_)
+        | Sheet::RobotTable(_)
         | Sheet::Unsaved(_)
         | Sheet::Overwrite(_)
         | Sheet::Import(_) => true,

@@ -125,7 +125,7 @@ pub(super) fn export(
             say!("Save corrected file"),
             say!("What was changed is written beside it, as NAME.meta.json"),
         ),
-        What::Robot(_) => (
+        What::Robot(_) | What::TypedRobot => (
             say!("Save robot file"),
             say!("A file that sessions, imports and plans take"),
         ),

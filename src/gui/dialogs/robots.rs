@@ -1,10 +1,12 @@
-//! The library of robots: found by typing, drawn as it is chosen, simulated or saved.
+//! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved, typed anew.
 
 use egui::{
     Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
 
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
+use crate::gui::core::simulate_robot::SimulatedRobot;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
@@ -26,7 +28,73 @@ struct Typed {
     camera: Camera,
 }
 
-pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
+/// One of the list.
+#[derive(Clone, Copy)]
+enum Robot<'w> {
+    Own(&'w RobotTable),
+    Library(&'static LibraryRobot),
+}
+
+impl<'w> Robot<'w> {
+    /// What the list has of this text: one's own first.
+    fn found(own: &'w [RobotTable], text: &str) -> Vec<Self> {
+        let words = text.to_lowercase();
+        let has = |table: &&RobotTable| {
+            let name = table.name.to_lowercase();
+            words.split_whitespace().all(|word| name.contains(word))
+        };
+        let own = own.iter().filter(has).map(Self::Own);
+        own.chain(find(text).into_iter().map(Self::Library))
+            .collect()
+    }
+
+    /// By what it is told from the others.
+    fn key(self) -> String {
+        match self {
+            Self::Own(table) => format!("own {}", table.name),
+            Self::Library(robot) => robot.id.clone(),
+        }
+    }
+
+    fn title(self) -> String {
+        match self {
+            Self::Own(table) => table.name.clone(),
+            Self::Library(robot) => robot.title(),
+        }
+    }
+
+    /// What stands behind its title.
+    fn beside(self) -> String {
+        match self {
+            Self::Own(_) => say!("typed").to_owned(),
+            Self::Library(robot) => {
+                let reach = robot.reach_mm;
+                reach.map_or(String::new(), |mm| format!("{mm} mm"))
+            }
+        }
+    }
+
+    fn table(self) -> RobotTable {
+        match self {
+            Self::Own(table) => table.clone(),
+            Self::Library(robot) => {
+                let mut table = RobotTable::of(&robot.robot);
+                table.name = robot.title();
+                table
+            }
+        }
+    }
+
+    fn form(self) -> Option<Form> {
+        let robot = match self {
+            Self::Own(table) => table.simulated()?,
+            Self::Library(robot) => SimulatedRobot::of(robot),
+        };
+        Some(Form::of(robot))
+    }
+}
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(LIST + PICTURE + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
     widgets::hint(
@@ -49,8 +117,8 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     if first {
         field.request_focus();
     }
-    let found = find(&typed.text);
-    let mut at = found.iter().position(|robot| robot.id == typed.chosen);
+    let found = Robot::found(workbench.typed_robots(), &typed.text);
+    let mut at = found.iter().position(|robot| robot.key() == typed.chosen);
     if field.changed() || at.is_none() {
         at = (!found.is_empty()).then_some(0);
     }
@@ -70,11 +138,12 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
             chosen = Some(clicked);
         }
         ui.vertical(|ui| match chosen {
-            Some(robot) => described(ui, robot, &mut typed.camera),
+            Some(Robot::Library(robot)) => described(ui, robot, &mut typed.camera),
+            Some(Robot::Own(table)) => own(ui, table, &mut typed.camera, commands),
             None => widgets::hint(ui, say!("No robot has this name")),
         });
     });
-    typed.chosen = chosen.map_or_else(String::new, |robot| robot.id.clone());
+    typed.chosen = chosen.map_or_else(String::new, Robot::key);
     ends(ui, chosen, commands);
     if ui.input(|i| i.key_pressed(Key::Escape)) {
         // Next time it begins anew.
@@ -84,12 +153,13 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
 }
 
 /// The robots that were found; which was clicked.
-fn list(
+fn list<'w>(
     ui: &mut Ui,
-    found: &[&'static LibraryRobot],
-    chosen: Option<&LibraryRobot>,
+    found: &[Robot<'w>],
+    chosen: Option<Robot<'w>>,
     moved: bool,
-) -> Option<&'static LibraryRobot> {
+) -> Option<Robot<'w>> {
+    let chosen = chosen.map(Robot::key);
     let mut clicked = None;
     let scroll = ScrollArea::vertical()
         .id_salt("robots")
@@ -102,12 +172,9 @@ fn list(
         scroll.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for robot in found {
-                let on = chosen.is_some_and(|chosen| chosen.id == robot.id);
+                let on = chosen.as_ref() == Some(&robot.key());
                 let title = robot.title();
-                let reach = robot
-                    .reach_mm
-                    .map_or(String::new(), |mm| format!("{mm} mm"));
-                let button = Button::selectable(on, title.as_str()).shortcut_text(reach);
+                let button = Button::selectable(on, title.as_str()).shortcut_text(robot.beside());
                 let row = ui.add(button.min_size(vec2(ui.available_width(), space::CONTROL)));
                 row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, on, &title));
                 if on && moved {
@@ -156,6 +223,26 @@ fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
     }
 }
 
+/// A robot of one's own.
+fn own(ui: &mut Ui, table: &RobotTable, camera: &mut Camera, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    match table.robot() {
+        Ok(robot) => {
+            let name = say!("{robot} at its zero", robot = robot.name);
+            let size = vec2(PICTURE, HEIGHT - 110.0);
+            robot_alone(ui, (&robot, &name), camera, size);
+        }
+        Err(problem) => widgets::wrong(ui, &crate::language::spoken(&problem)),
+    }
+    let joints = table.rows.len();
+    let joints = say!(one "{count} joint", "{count} joints", count = joints);
+    widgets::fact_of(ui, phrase!("kind"), joints);
+    widgets::hint(ui, say!("Typed here, and remembered on this computer"));
+    if widgets::secondary(ui, say!("Forget it")).clicked() {
+        commands.push(Command::ForgetRobot(table.name.clone()));
+    }
+}
+
 /// Its kind in the language of the window.
 fn kind(robot: &LibraryRobot) -> String {
     use crate::robots::RobotKind;
@@ -170,25 +257,41 @@ fn kind(robot: &LibraryRobot) -> String {
     says.to_owned()
 }
 
-fn ends(ui: &mut Ui, chosen: Option<&'static LibraryRobot>, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
     let mut simulate = false;
-    ui.columns(3, |columns| {
+    ui.columns(4, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
             commands.push(Command::Sheet(None));
         }
+        let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
+        let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
+        let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
+        if let (true, Some(robot)) = (edit.clicked(), chosen) {
+            commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(
+                robot.table(),
+            )))));
+        }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
-        let save = columns[1].add_enabled_ui(chosen.is_some(), save).inner;
-        if let (true, Some(robot)) = (save.clicked(), chosen) {
-            commands.push(Command::ChooseWhereToExport(What::Robot(&robot.id)));
+        let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
+        match (save.clicked(), chosen) {
+            (true, Some(Robot::Library(robot))) => {
+                commands.push(Command::ChooseWhereToExport(What::Robot(&robot.id)));
+            }
+            (true, Some(Robot::Own(table))) => commands.push(Command::KeepRobot {
+                table: Box::new(table.clone()),
+                save: true,
+            }),
+            _ => {}
         }
         let primary = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
-        let primary = columns[2].add_enabled_ui(chosen.is_some(), primary).inner;
+        let primary = columns[3].add_enabled_ui(chosen.is_some(), primary).inner;
         simulate = primary.clicked();
     });
     let entered = ui.input(|i| i.key_pressed(Key::Enter));
-    if let (true, Some(robot)) = (simulate || entered, chosen) {
-        let form = Form::of(robot);
+    if let (true, Some(robot)) = (simulate || entered, chosen)
+        && let Some(form) = robot.form()
+    {
         commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
     }
 }

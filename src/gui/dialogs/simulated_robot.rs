@@ -1,17 +1,17 @@
-//! The form of a simulation of a robot of the library.
+//! The form of a simulation of a robot of the library or of one that was typed.
 
 use egui::{DragValue, Ui};
 
 use crate::gui::core::simulate::{Form, field};
+use crate::gui::core::simulate_robot::SimulatedRobot;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
-use crate::robots::LibraryRobot;
 
 use super::simulation::{effects, ends, number};
 
-pub(super) fn show(ui: &mut Ui, robot: &LibraryRobot, form: &Form, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, robot: &SimulatedRobot, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, &robot.title());
+    widgets::heading(ui, &robot.title);
     widgets::hint(
         ui,
         say!(

@@ -124,7 +124,7 @@ pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
             ui.horizontal_wrapped(|ui| {
                 let title = crate::language::names::title(chosen.id);
                 ui.label(title);
-                if let (true, Some(robot)) = (chosen.per_joint(), form.robot) {
+                if let (true, Some(robot)) = (chosen.per_joint(), &form.robot) {
                     let joints = robot.robot.joint_count();
                     let field = DragValue::new(&mut chosen.joint).range(1..=joints);
                     ui.label(say!("joint"));

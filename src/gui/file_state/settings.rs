@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::machines::{Machine, remember};
 use super::meshes::{self, DrawnFrom};
 use crate::atomic::{WriteError, write_atomically};
+use crate::gui::core::robot_table::{self, RobotTable};
 use crate::gui::preferences::Preferences;
 
 /// Recent files that are kept.
@@ -30,6 +31,9 @@ pub(crate) struct Settings {
     /// What the reports of machines state, newest first.
     #[serde(default)]
     pub(crate) machines: Vec<Machine>,
+    /// Robots that were typed, newest first.
+    #[serde(default)]
+    pub(crate) robots: Vec<RobotTable>,
     /// Whose meshes saved sessions are drawn from, newest first.
     #[serde(default)]
     pub(crate) meshes: Vec<DrawnFrom>,
@@ -42,6 +46,7 @@ impl Default for Settings {
             preferences: Preferences::default(),
             recent: Vec::new(),
             machines: Vec::new(),
+            robots: Vec::new(),
             meshes: Vec::new(),
         }
     }
@@ -112,6 +117,20 @@ pub(crate) fn keep_recent(folder: &Path, recent: &Recent) -> Result<(), WriteErr
 /// Keeps what the report of a machine states.
 pub(crate) fn keep_machine(folder: &Path, machine: Machine) -> Result<(), WriteError> {
     change(folder, |settings| remember(&mut settings.machines, machine))
+}
+
+/// Keeps a robot that was typed.
+pub(crate) fn keep_robot(folder: &Path, robot: RobotTable) -> Result<(), WriteError> {
+    change(folder, |settings| {
+        robot_table::remember(&mut settings.robots, robot);
+    })
+}
+
+/// Forgets the robot that was typed under this name.
+pub(crate) fn forget_robot(folder: &Path, name: &str) -> Result<(), WriteError> {
+    change(folder, |settings| {
+        settings.robots.retain(|own| own.name != name);
+    })
 }
 
 /// Keeps whose meshes a session is drawn from.

@@ -110,7 +110,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Report(_) => say!("Save report"),
         What::Picture(_) => say!("Save picture"),
         What::Targets => say!("Save corrected file"),
-        What::Robot(_) => say!("Save robot file"),
+        What::Robot(_) | What::TypedRobot => say!("Save robot file"),
     };
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
@@ -121,7 +121,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
             .add_filter(say!("SVG or PNG picture (*.svg, *.png)"), &["svg", "png"])
             .add_filter(say!("PNG pictures"), &["png"]),
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
-        What::Robot(_) => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
+        What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
         What::Poses => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {

@@ -18,6 +18,8 @@ pub(crate) enum What {
     Targets,
     /// A robot of the library, by its name.
     Robot(&'static str),
+    /// The robot that was typed last.
+    TypedRobot,
 }
 
 /// What a report is about.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::Foreign;
 use crate::gui::view::What;
@@ -24,6 +25,8 @@ pub(crate) enum Sheet {
     },
     /// A simulation, as it is filled in.
     Simulate(Form),
+    /// A robot, as its table is typed.
+    RobotTable(Box<RobotTable>),
     /// What is lost if this is done now.
     Unsaved(Then),
     /// This file is not what it was when it was read: whether to replace it all the same.

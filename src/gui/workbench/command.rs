@@ -10,6 +10,7 @@ use crate::gui::core::compensated::Wanted;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::recording;
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::core::stated::Stated;
@@ -106,6 +107,13 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Remember a robot that was typed, and save it as a file if that is wanted.
+    KeepRobot {
+        table: Box<RobotTable>,
+        save: bool,
+    },
+    /// Forget the robot that was typed under this name.
+    ForgetRobot(String),
     /// Report details are these now.
     State(Box<Stated>),
     /// Compare the sessions of a folder, and show what changed.

@@ -9,6 +9,7 @@ use crate::gui::core::document::plain;
 use crate::gui::files;
 use crate::gui::jobs::Watch;
 use crate::gui::view::{About, What};
+use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::robots::named;
 use crate::sessions::robot_document;
@@ -32,6 +33,10 @@ impl Workbench {
             }
             What::Picture(plot) => plot.file_name(session),
             What::Robot(id) => format!("{id}.json"),
+            What::TypedRobot => {
+                let name = self.desk.robots.first().map(|table| table.name.as_str());
+                format!("{}.json", plain(name.unwrap_or_default()))
+            }
             What::Targets => {
                 let path = self.compensated().map(Compensated::proposed_path);
                 path.unwrap_or_default().display().to_string()
@@ -55,7 +60,15 @@ impl Workbench {
             What::Report(about) => return self.write_report(about, path, replace),
             What::Picture(plot) => return self.write_picture(plot, path, replace),
             What::Targets => return self.write_targets(path, replace),
-            What::Robot(id) => return self.write_robot(id, path, replace),
+            What::Robot(id) => {
+                let robot = named(id).ok().map(|found| found.robot.clone());
+                return self.write_robot(robot, path, replace);
+            }
+            What::TypedRobot => {
+                let table = self.desk.robots.first();
+                let robot = table.and_then(|table| table.robot().ok());
+                return self.write_robot(robot, path, replace);
+            }
             What::Table | What::Model | What::Poses => {}
         }
         if what == What::Poses {
@@ -89,12 +102,12 @@ impl Workbench {
         self.write(path, work, Self::take_exported);
     }
 
-    /// Writes a robot of the library as a file of its own.
-    fn write_robot(&mut self, id: &str, path: PathBuf, replace: bool) {
-        let Ok(robot) = named(id) else {
+    /// Writes a robot as a file of its own.
+    fn write_robot(&mut self, robot: Option<Robot>, path: PathBuf, replace: bool) {
+        let Some(robot) = robot else {
             return;
         };
-        let document = robot_document(&robot.robot);
+        let document = robot_document(&robot);
         let work = move |path: &Path, _: &Watch| files::write_list(document, path, replace);
         self.write(path, work, Self::take_written);
     }

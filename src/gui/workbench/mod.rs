@@ -23,6 +23,7 @@ mod past;
 mod recording;
 mod recovering;
 mod recovery_writer;
+mod robots;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -225,6 +226,8 @@ impl Workbench {
                 self.export_to(what, self.placed(&path), replace);
             }
             Command::State(stated) => self.state(*stated),
+            Command::KeepRobot { table, save } => self.keep_robot(*table, save),
+            Command::ForgetRobot(name) => self.forget_robot(&name),
             Command::CompareSessions(folder) => self.compare_sessions(folder),
             Command::ChooseFolder => self.choose_folder(),
             Command::Record(wanted) => self.record(*wanted),

@@ -25,6 +25,7 @@ impl Workbench {
         self.view.preferences = settings.preferences;
         self.desk.recent = settings.recent;
         self.desk.machines = settings.machines;
+        self.desk.robots = settings.robots;
         self.desk.meshes = settings.meshes;
         let keeper = Keeper::new(&home);
         let mut details = Vec::new();

@@ -10,6 +10,7 @@ use crate::gui::cache::preview::Wanted;
 use crate::gui::core::disk::Print;
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::past::Past;
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::Machine;
 use crate::gui::file_state::meshes::DrawnFrom;
@@ -40,6 +41,8 @@ pub(super) struct Desk {
     pub(super) today: Option<String>,
     /// What the reports of machines state, newest first.
     pub(super) machines: Vec<Machine>,
+    /// Robots that were typed, newest first.
+    pub(super) robots: Vec<RobotTable>,
     /// Whose meshes saved sessions are drawn from, newest first.
     pub(super) meshes: Vec<DrawnFrom>,
     pub(super) recording: Option<UnderWay>,

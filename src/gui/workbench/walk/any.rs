@@ -15,6 +15,7 @@ use crate::gui::core::compensated::{Wanted, Whose};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
@@ -27,6 +28,7 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::progress::{Progress, unwatched};
+use crate::robots::library;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
@@ -259,7 +261,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
 
 fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
     let path = || files.folder.join("typed.json").display().to_string();
-    Some(match random.random_range(0..10) {
+    Some(match random.random_range(0..12) {
         0 => Sheet::SavePath {
             path: path(),
             replace: random.random(),
@@ -276,8 +278,31 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
         6 => Sheet::RECOVERY,
         7 => Sheet::Named("preferences"),
         8 => Sheet::Named("none of this name"),
+        9 => Sheet::ROBOTS,
+        10 => Sheet::RobotTable(Box::new(typed_robot(random))),
         _ => return None,
     })
+}
+
+/// A robot of the library as a table, with a number that may be none.
+fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
+    let mut table = RobotTable::of(&pick(random, &library().iter().collect::<Vec<_>>()).robot);
+    table.tool[0] = pick(random, &[0.0, 50.0, f64::NAN, 1e300]);
+    if random.random() {
+        table.remove(random.random_range(0..8));
+    }
+    table
+}
+
+fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
+    let names = workbench.typed_robots().iter().map(|own| own.name.clone());
+    match names.last().filter(|_| random.random()) {
+        Some(name) => Command::ForgetRobot(name),
+        None => Command::KeepRobot {
+            table: Box::new(typed_robot(random)),
+            save: false,
+        },
+    }
 }
 
 fn sizes(random: &mut ChaCha8Rng) -> Sizes {
@@ -467,7 +492,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::Dismiss,
-        149 | 150 => letters(random),
+        149 => letters(random),
+        150 if random.random() => own_robot(random, workbench),
+        150 => letters(random),
         151 => look(random),
         _ => {
             // A session beside which models and regions make sense again.

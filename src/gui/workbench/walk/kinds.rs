@@ -24,7 +24,7 @@ kinds!(
     Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
     ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), DiscardAllLeft(), ChooseImport(), KeepRecovery(), LookAtDisk(),
-    ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, State(..), Record(..), StopRecording(), ChooseLogo(), CompareSessions(..), ChooseFolder(), ChooseTargets(), Compensate(..), Adapt(), Type {..},
+    ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..), StopRecording(), ChooseLogo(), CompareSessions(..), ChooseFolder(), ChooseTargets(), Compensate(..), Adapt(), Type {..},
     Search(), FindLetters(..), FindNamesOfLanguages(), DismissLetters(), Simulate(..), Cancel(), StopSearch(), OpenOutside {..}, StopLooking(), GoTo(..), Look(..), Magnify(..), Room(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
     Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Resize(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),

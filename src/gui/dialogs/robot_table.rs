@@ -1,0 +1,260 @@
+//! A robot as a table that is typed: axes or Denavit–Hartenberg rows, with the robot drawn beside it.
+
+use egui::{Button, DragValue, Grid, ScrollArea, TextEdit, Ui, vec2};
+
+use crate::gui::core::robot_table::{Form, RobotTable, Row};
+use crate::gui::core::simulate;
+use crate::gui::style::tokens::{Palette, space};
+use crate::gui::view::{Camera, Sheet};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workspace::robot_alone;
+
+/// Width of the table with axes, of that with rows, of the robot, and how high both are, points.
+const AXES: f32 = 720.0;
+const DH: f32 = 600.0;
+const PICTURE: f32 = 300.0;
+const HEIGHT: f32 = 300.0;
+/// Width of a number.
+const NUMBER: f32 = 64.0;
+
+pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mut Vec<Command>) {
+    let mut typed = table.clone();
+    let wide = if typed.form == Form::Axes { AXES } else { DH };
+    ui.set_width(wide + PICTURE + f32::from(space::PANEL));
+    widgets::heading(ui, say!("Robot as a table"));
+    widgets::hint(
+        ui,
+        say!(
+            "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
+        ),
+    );
+    head(ui, &mut typed);
+    let made = typed.robot();
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
+        let down = egui::Layout::top_down(egui::Align::Min);
+        ui.allocate_ui_with_layout(vec2(wide, HEIGHT), down, |ui| {
+            ui.set_width(wide);
+            let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
+            scroll
+                .max_height(HEIGHT)
+                .show(ui, |ui| rows(ui, &mut typed));
+        });
+        ui.vertical(|ui| {
+            let id = ui.scope_id().with("camera");
+            let mut camera: Camera = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+            if let Ok(robot) = &made {
+                let name = say!("{robot} at its zero", robot = robot.name);
+                let size = vec2(PICTURE, HEIGHT);
+                robot_alone(ui, (robot, &name), &mut camera, size);
+            }
+            ui.data_mut(|data| data.insert_temp(id, camera));
+        });
+    });
+    frames(ui, &mut typed);
+    if let Err(problem) = &made {
+        widgets::wrong(ui, &crate::language::spoken(problem));
+    }
+    ends(ui, &typed, made.is_ok(), commands);
+    let entered = ui.input(|i| i.key_pressed(egui::Key::Escape));
+    if typed != *table && !entered && !commands.iter().any(|c| matches!(c, Command::Sheet(_))) {
+        commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(typed)))));
+    }
+}
+
+/// Name of the robot, and in which terms it is typed.
+fn head(ui: &mut Ui, typed: &mut RobotTable) {
+    widgets::form_row(ui, say!("Name"), |ui| {
+        let field = ui.add(TextEdit::singleline(&mut typed.name));
+        widgets::label(&field, say!("Name of the robot"));
+    });
+    widgets::form_row(ui, say!("Joints as"), |ui| {
+        let forms = [
+            (
+                Form::Axes,
+                say!("axes"),
+                say!("direction and a point of each axis at home, in the base frame"),
+            ),
+            (
+                Form::Standard,
+                say!("DH rows"),
+                say!("Denavit–Hartenberg rows, standard: the joint before the link"),
+            ),
+            (
+                Form::Modified,
+                say!("modified DH rows"),
+                say!("Denavit–Hartenberg rows, modified: the link before the joint"),
+            ),
+        ];
+        if let Some(form) = widgets::segmented_named(ui, &forms, typed.form)
+            && let Some(turned) = typed.turned_into(form)
+        {
+            *typed = turned;
+        }
+    });
+}
+
+/// The joints, one in a row.
+fn rows(ui: &mut Ui, typed: &mut RobotTable) {
+    let muted = Palette::of(ui).muted;
+    let heads = typed.form.numbers();
+    let mut gone = None;
+    let several = typed.rows.len() > 1;
+    Grid::new("joints").spacing(vec2(4.0, 4.0)).show(ui, |ui| {
+        let head = |ui: &mut Ui, text: &str| {
+            ui.label(egui::RichText::new(text).small().color(muted));
+        };
+        head(ui, "");
+        head(ui, say!("joint"));
+        head(ui, say!("moves"));
+        for (name, unit) in heads {
+            let name = heading(name);
+            let text = if unit.is_empty() {
+                name.to_owned()
+            } else {
+                format!("{name}, {unit}")
+            };
+            head(ui, &text);
+        }
+        head(ui, say!("from"));
+        head(ui, say!("to"));
+        head(ui, "");
+        ui.end_row();
+        for (index, row) in typed.rows.iter_mut().enumerate() {
+            head(ui, &(index + 1).to_string());
+            joint(ui, index + 1, row, heads);
+            let remove = ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, 24.0)));
+            widgets::label(&remove, say!("Remove joint {joint}", joint = index + 1));
+            if remove.clicked() {
+                gone = Some(index);
+            }
+            ui.end_row();
+        }
+    });
+    if let Some(index) = gone {
+        typed.remove(index);
+    }
+    let room = typed.rows.len() < RobotTable::MOST_JOINTS;
+    if ui
+        .add_enabled(room, Button::new(say!("Add a joint")))
+        .clicked()
+    {
+        typed.add();
+    }
+}
+
+fn heading(name: &'static str) -> &'static str {
+    match name {
+        "axis x" => say!("axis x"),
+        "point x" => say!("point x"),
+        sign => sign,
+    }
+}
+
+/// One joint: its name, whether it turns, its numbers and its travel.
+fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'static str)]) {
+    let name = ui.add(TextEdit::singleline(&mut row.name).desired_width(72.0));
+    widgets::label(&name, say!("Name of joint {joint}", joint = number));
+    let says = if row.slides {
+        say!(in "joint", "slides")
+    } else {
+        say!(in "joint", "turns")
+    };
+    let kind = ui.add(Button::new(says).min_size(vec2(56.0, 24.0)));
+    widgets::label(
+        &kind,
+        say!("Joint {joint} {moves}", joint = number, moves = says),
+    );
+    if kind.clicked() {
+        row.slides = !row.slides;
+    }
+    for (k, (value, (name, unit))) in row.numbers.iter_mut().zip(heads).enumerate() {
+        // The second and third of three stand behind the heading of the first.
+        let of = ["axis", "axis", "axis", "point", "point", "point"][k];
+        let name = if heads.len() == 6 && name.len() == 1 {
+            format!("{of} {name}")
+        } else {
+            (*name).to_owned()
+        };
+        let label = say!("{number} of joint {joint}", number = name, joint = number);
+        cell(ui, &label, unit, value);
+    }
+    let unit = row.unit();
+    let mut travel = row.travel.is_some();
+    let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
+    let ends = [(say!("from"), &mut from), (say!("to"), &mut to)];
+    ui.add_enabled_ui(travel, |ui| {
+        for (end, value) in ends {
+            ui.horizontal(|ui| {
+                let label = say!("{number} of joint {joint}", number = end, joint = number);
+                cell(ui, &label, unit, value);
+            });
+        }
+    });
+    let known = ui.checkbox(&mut travel, "");
+    widgets::label(
+        &known,
+        say!("The travel of joint {joint} is known", joint = number),
+    );
+    row.travel = travel.then_some([from, to]);
+}
+
+fn cell(ui: &mut Ui, label: &str, unit: &str, value: &mut f64) {
+    let field = DragValue::new(value).speed(1.0).max_decimals(6);
+    widgets::cell_number(ui, label, unit, NUMBER, field);
+}
+
+/// Where the rows begin, where the tool is, and which way gravity points.
+fn frames(ui: &mut Ui, typed: &mut RobotTable) {
+    let signs = ["x", "y", "z", "A", "B", "C"];
+    let six = |ui: &mut Ui, row: &str, values: &mut [f64; 6]| {
+        widgets::form_row(ui, row, |ui| {
+            for (k, (sign, value)) in signs.iter().zip(values).enumerate() {
+                let unit = if k < 3 { "mm" } else { "°" };
+                cell(ui, &format!("{row} {sign}"), unit, value);
+            }
+        });
+    };
+    if typed.form != Form::Axes {
+        six(ui, say!("Base of the rows"), &mut typed.base);
+    }
+    six(ui, say!("Tool"), &mut typed.tool);
+    widgets::hint(
+        ui,
+        say!("x, y, z in mm; A, B, C in degrees about z, the new y and the new x"),
+    );
+    let mut down = typed.gravity.is_some();
+    if ui
+        .checkbox(&mut down, say!("gravity points along −z"))
+        .changed()
+    {
+        typed.gravity = down.then_some([0.0, 0.0, -9.81]);
+    }
+}
+
+fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command>) {
+    ui.add_space(space::ROW);
+    ui.columns(3, |columns| {
+        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
+            commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+        }
+        let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
+        let save = columns[1].add_enabled_ui(sound, save).inner;
+        let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
+        let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
+        if save.clicked() {
+            commands.push(Command::Sheet(None));
+        }
+        if save.clicked() || simulate.clicked() {
+            commands.push(Command::KeepRobot {
+                table: Box::new(typed.clone()),
+                save: save.clicked(),
+            });
+        }
+        if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
+            let form = simulate::Form::of(robot);
+            commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+        }
+    });
+}
