@@ -400,12 +400,12 @@ impl<'a> Case<'a> {
 }
 
 /// The lengths that a table has.
-fn lengths_in_words(roles: &[Role]) -> &'static str {
+fn lengths_in_words(roles: &[Role]) -> Text {
     let has = |quantity| roles.iter().any(|role| role.quantity() == Some(quantity));
     if has(Quantity::Distance) && !has(Quantity::X) {
-        "the distances"
+        text!("the distances")
     } else {
-        "x, y, z"
+        Text::verbatim("x, y, z")
     }
 }
 

@@ -5,6 +5,7 @@
 //! robot.
 
 use crate::sessions::columns::Unit;
+use crate::text::Text;
 use crate::units::rad_from_deg;
 
 named! {
@@ -142,24 +143,29 @@ pub(crate) fn named_in_preamble(cells: &[impl AsRef<str>]) -> Option<(String, Un
 }
 
 /// What the answers would mean: how far the points spread in each unit, and which suits the robot.
-pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> String {
+pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
     let mm = |unit: LengthUnit| spread * unit.in_mm();
-    let mut text = format!(
-        "the points spread over {spread:.4}: as m that would be {:.4} mm, as mm {:.4} mm, as in {:.4} mm",
-        mm(LengthUnit::Metres),
-        mm(LengthUnit::Millimetres),
-        mm(LengthUnit::Inches)
+    let in_mm = |unit| format!("{:.4} mm", mm(unit));
+    let would_be = text!(
+        "the points spread over {spread}: as m that would be {metres}, as mm {millimetres}, as in {inches}",
+        spread = format!("{spread:.4}"),
+        metres = in_mm(LengthUnit::Metres),
+        millimetres = in_mm(LengthUnit::Millimetres),
+        inches = in_mm(LengthUnit::Inches)
     );
     if spread <= 0.0 {
-        return text;
+        return would_be;
     }
     let (wanted, whose) = match reach_mm {
         // Points of a robot spread over its reach, up to twice as far.
         Some(reach) if reach > 0.0 => (
             1.4 * reach,
-            format!("beside a robot that reaches {reach:.0} mm"),
+            text!(
+                "beside a robot that reaches {reach} mm",
+                reach = format!("{reach:.0}")
+            ),
         ),
-        _ => (1000.0, "as robots are mostly as large as people".to_owned()),
+        _ => (1000.0, text!("as robots are mostly as large as people")),
     };
     let off = |unit: &LengthUnit| (mm(*unit) / wanted).ln().abs();
     let likeliest = LengthUnit::ALL
@@ -167,12 +173,16 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> String {
         .min_by(|a, b| off(a).total_cmp(&off(b)))
         .unwrap_or(LengthUnit::Millimetres);
     let name = match likeliest {
-        LengthUnit::Metres => "metres",
-        LengthUnit::Millimetres => "millimetres",
-        LengthUnit::Inches => "inches",
+        LengthUnit::Metres => phrase!("metres"),
+        LengthUnit::Millimetres => phrase!("millimetres"),
+        LengthUnit::Inches => phrase!("inches"),
     };
-    text += &format!("; {name} would suit, {whose}");
-    text
+    text!(
+        "{would_be}; {unit} would suit, {whose}",
+        would_be = would_be,
+        unit = name,
+        whose = whose
+    )
 }
 
 #[cfg(test)]
@@ -209,9 +219,21 @@ mod tests {
 
     #[test]
     fn the_hint_names_the_unit_that_suits_the_robot() {
-        assert!(hint(0.25, Some(250.0)).contains("metres would suit"));
-        assert!(hint(250.0, Some(250.0)).contains("millimetres would suit"));
-        assert!(hint(12.0, Some(250.0)).contains("inches would suit"));
-        assert!(hint(0.25, None).contains("0.2500 mm"));
+        assert!(
+            hint(0.25, Some(250.0))
+                .to_string()
+                .contains("metres would suit")
+        );
+        assert!(
+            hint(250.0, Some(250.0))
+                .to_string()
+                .contains("millimetres would suit")
+        );
+        assert!(
+            hint(12.0, Some(250.0))
+                .to_string()
+                .contains("inches would suit")
+        );
+        assert!(hint(0.25, None).to_string().contains("0.2500 mm"));
     }
 }

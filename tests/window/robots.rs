@@ -90,7 +90,9 @@ fn a_robot_is_typed_as_a_table_and_stays_among_ones_own() {
     window.run_steps(2);
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.run_steps(1);
-    window.get_by_label("Name of the robot").type_text("our own");
+    window
+        .get_by_label("Name of the robot")
+        .type_text("our own");
     window.run_steps(4);
     press(&mut window, "Remove joint 6");
     assert!(!there(&window, "Remove joint 6"));

@@ -316,10 +316,7 @@ const LOADS: Kind<[f64; 2]> = Kind {
                 least = least,
                 most = most
             );
-            return at.error(
-                found,
-                text!("the least load and the largest"),
-            );
+            return at.error(found, text!("the least load and the largest"));
         }
         Some([least, most])
     },
