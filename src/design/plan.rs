@@ -9,6 +9,7 @@ use super::geometry::{Geometry, MOST};
 use super::needs::Untestable;
 use super::pair_separation::{Named, Separation};
 use crate::diagnosis::{DiagnoseError, NextPose, Options};
+use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::Target;
@@ -179,7 +180,15 @@ impl PlanOptions {
     pub(crate) fn check_robot(robot: &Robot) -> Result<(), PlanError> {
         match robot.joints.len() {
             joints if joints > MOST_JOINTS => Err(PlanError::Joints(joints)),
-            _ => Ok(()),
+            0 => {
+                let place = Place::default().in_field("robot.joints");
+                let none = Diagnostic::error(place, "no joints", "at least one joint");
+                Err(DiagnoseError::from(Rejected::because(none)).into())
+            }
+            _ => match robot.out_of_range(&Place::default()) {
+                problems if problems.is_empty() => Ok(()),
+                problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
+            },
         }
     }
 

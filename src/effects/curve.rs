@@ -137,9 +137,13 @@ impl Knots {
     fn split(&self, q: f64) -> (usize, f64) {
         let (n, above) = (self.count, q - self.from);
         if let Some(period) = self.period {
-            return split((above / period).rem_euclid(1.0) * n as f64, n - 1);
+            return split(
+                (above / period).rem_euclid(1.0) * n as f64,
+                n.saturating_sub(1),
+            );
         }
-        split(above / (self.to - self.from) * (n - 1) as f64, n - 2)
+        let (gaps, last) = (n.saturating_sub(1), n.saturating_sub(2));
+        split(above / (self.to - self.from) * gaps as f64, last)
     }
 
     /// Whether something was measured there.
@@ -225,14 +229,14 @@ impl Curve {
         &self.knots
     }
 
-    /// Values at the knots in a direction; empty where the curve does nothing.
+    /// Values at the knots in a direction (0 to 2); empty where the curve does nothing.
     pub fn values(&self, direction: usize) -> &[f64] {
-        &self.values[direction]
+        self.values.get(direction).map_or(&[], Vec::as_slice)
     }
 
     /// Their standard deviations.
     pub fn sigma(&self, direction: usize) -> &[f64] {
-        &self.sigma[direction]
+        self.sigma.get(direction).map_or(&[], Vec::as_slice)
     }
 
     /// The curve at a joint's value: along the joint's motion (rad or mm), along its radius and

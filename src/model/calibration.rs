@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::kinematics::Range;
 use crate::sessions::{Region, Target};
 
@@ -91,4 +92,88 @@ pub struct Calibration {
     pub samples_hash: String,
     /// Version of the program that made it.
     pub program_version: String,
+}
+
+impl Calibration {
+    /// What has to hold before anything is computed with it: one that was identified or read holds it, one that
+    /// a caller filled in may not.
+    ///
+    /// # Errors
+    /// [`Rejected`] with everything that no robot has.
+    pub(crate) fn sound(&self) -> Result<(), Rejected> {
+        let robot = &self.model.robot;
+        let joints = robot.joints.len();
+        let mut findings = robot.out_of_range(&Place::default());
+        let mut wrong = |field: &str, found: String, expected: String| {
+            let place = Place::default().in_field(field);
+            findings.push(Diagnostic::error(place, found, expected));
+        };
+        if joints == 0 {
+            let expected = "at least one joint".to_owned();
+            wrong("robot.joints", "no joints".to_owned(), expected);
+        }
+        for term in self.model.terms() {
+            let about = term.effect.about();
+            let field = format!("effects.{}", about.id);
+            if term.joint >= joints {
+                let joint = term.joint.saturating_add(1);
+                wrong(
+                    &field,
+                    format!("joint {joint}"),
+                    format!("a joint from 1 to {joints}"),
+                );
+            }
+            let (found, expected) = (term.coefficients.len(), about.form.coefficients());
+            if found != expected {
+                wrong(
+                    &field,
+                    format!("{found} coefficients"),
+                    expected.to_string(),
+                );
+            }
+            let mut numbers = term.coefficients.iter().chain([&term.setting]);
+            if !numbers.all(|value| value.is_finite()) {
+                let found = "a number that is not finite".to_owned();
+                wrong(
+                    &field,
+                    found,
+                    "finite coefficients and a finite setting".to_owned(),
+                );
+            }
+        }
+        let coefficients = self.model.coefficient_count();
+        if let Some(covariance) = &self.covariance
+            && covariance.shape() != (coefficients, coefficients)
+        {
+            let (rows, columns) = covariance.shape();
+            let expected = format!("{coefficients} by {coefficients}, as many as coefficients");
+            wrong(
+                "covariance",
+                format!("{rows} by {columns} numbers"),
+                expected,
+            );
+        }
+        if self.measured.len() > joints {
+            let found = format!("{} ranges", self.measured.len());
+            wrong(
+                "measured",
+                found,
+                format!("at most {joints}, one for each joint"),
+            );
+        }
+        let is_place = |target: &Target| target.position_mm.iter().all(|x| x.is_finite());
+        if !self.targets.iter().all(is_place) {
+            let expected = "three finite lengths in mm".to_owned();
+            wrong(
+                "targets",
+                "a position that is not finite".to_owned(),
+                expected,
+            );
+        }
+        if findings.is_empty() {
+            Ok(())
+        } else {
+            Err(Rejected::of(findings))
+        }
+    }
 }

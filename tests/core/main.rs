@@ -41,6 +41,8 @@ mod house;
 mod imports;
 mod installed;
 mod kinematics_reference;
+mod library;
+mod library_parts;
 mod limits;
 mod observations;
 mod observed_poses;
