@@ -115,7 +115,7 @@ impl Knots {
     fn placed(&self, first: usize, mut w: [f64; 4]) -> [(usize, f64); 4] {
         let n = self.count;
         if self.period.is_some() {
-            let at = |k: usize| (first + n + k - 1) % n;
+            let at = |k: usize| (first + n + k).saturating_sub(1) % n.max(1);
             return std::array::from_fn(|k| (at(k), w[k]));
         }
         // Beyond the ends the values go on straight.
@@ -129,7 +129,7 @@ impl Knots {
             w[1] -= w[3];
             w[3] = 0.0;
         }
-        let at = |k: usize| (first + k).saturating_sub(1).min(n - 1);
+        let at = |k: usize| (first + k).saturating_sub(1).min(n.saturating_sub(1));
         std::array::from_fn(|k| (at(k), w[k]))
     }
 
