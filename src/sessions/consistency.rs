@@ -14,6 +14,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::domain::{Samples, Session, Sigma};
 use crate::sessions::format_v1::head::default_targets;
+use crate::sessions::validation;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, rad_from_deg};
 
 impl Session {
@@ -39,6 +40,7 @@ impl Session {
 pub(super) fn findings(session: &Session) -> Vec<Diagnostic> {
     let mut findings = inconsistent(session);
     findings.extend(session.robot.out_of_range(&Place::default()));
+    validation::sizes(session, &Place::default(), &mut findings);
     if findings.is_empty() {
         findings = out_of_range(session);
     }
@@ -325,15 +327,6 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
             findings.push(error(&field, found, expected.to_owned()));
         }
     }
-    if let Some([w, x, y, z]) = &session.samples.orientation_wxyz {
-        let rows = w.iter().zip(x).zip(y).zip(z);
-        let norms = rows.map(|(((w, x), y), z)| (w * w + x * x + y * y + z * z).sqrt());
-        if let Some(row) = norms.into_iter().position(|n| (n - 1.0).abs() > 1e-6) {
-            let found = format!("sample {}: a quaternion that is not of length 1", row + 1);
-            let expected = "unit quaternions".to_owned();
-            findings.push(error("samples.orientation_wxyz", found, expected));
-        }
-    }
     findings
 }
 
@@ -355,7 +348,8 @@ fn noise(session: &Session) -> Vec<Diagnostic> {
     let tracker = instrument.tracker;
     add("tracker.sigma_range_mm", tracker.map(|t| t.sigma_range_mm));
     add("tracker.sigma_angle", tracker.map(|t| t.sigma_angle));
-    let is_sigma = |value: f64| (1e-6 * SMALLEST_SIGMA..=LARGEST_LENGTH_MM).contains(&value);
+    // Angles are read in millionths, with rounding.
+    let is_sigma = |value: f64| (1e-7 * SMALLEST_SIGMA..=LARGEST_LENGTH_MM).contains(&value);
     let wrong = given.into_iter().filter(|(_, value)| !is_sigma(*value));
     let mut findings: Vec<Diagnostic> = wrong
         .map(|(field, value)| {

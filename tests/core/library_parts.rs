@@ -19,7 +19,7 @@ use truepose::sessions::Session;
 use truepose::simulation::{Noise, NoiseKind, Poses, Scenario, Sweep, Temperature, simulate};
 use truepose::standards::TestCube;
 
-use crate::library::{COMMANDED, arm, calibrated, sound};
+use crate::library_sessions::{COMMANDED, arm, calibrated, sound};
 
 const BAD: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e160];
 

@@ -43,6 +43,7 @@ mod installed;
 mod kinematics_reference;
 mod library;
 mod library_parts;
+mod library_sessions;
 mod limits;
 mod observations;
 mod observed_poses;
