@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::kinematics::Range;
 use crate::sessions::{Region, Target};
+use crate::units::LARGEST_JOINT_VALUE;
 
 use super::{Model, SetUp};
 
@@ -159,6 +160,16 @@ impl Calibration {
                 "measured",
                 found,
                 format!("at most {joints}, one for each joint"),
+            );
+        }
+        let is_value = |value: f64| value.abs() <= LARGEST_JOINT_VALUE;
+        let is_range = |range: &Range| is_value(range.from) && is_value(range.to);
+        if !self.measured.iter().all(is_range) {
+            let found = "a range that is not finite or too large".to_owned();
+            wrong(
+                "measured",
+                found,
+                "joint values within a robot's range".to_owned(),
             );
         }
         let is_place = |target: &Target| target.position_mm.iter().all(|x| x.is_finite());
