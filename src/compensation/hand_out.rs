@@ -130,7 +130,8 @@ impl VerifiedCalibration {
     /// See [`NotHandedOut`].
     pub fn on(calibration: &Calibration, session: &Session) -> Result<Self, NotHandedOut> {
         let session = &*session.whole().map_err(VerifyError::from)?;
-        calibration.sound().map_err(VerifyError::from)?;
+        let fits = calibration.with_its_own_covariance();
+        calibration.sound().and(fits).map_err(VerifyError::from)?;
         predicts_everywhere(calibration)?;
         // The paper's method speaks of the plane of motion and of its regions.
         if calibration.regions.is_empty() {

@@ -163,7 +163,7 @@ impl Knots {
     fn step(&self) -> f64 {
         match self.period {
             Some(period) => period / self.count as f64,
-            None => (self.to - self.from) / (self.count - 1) as f64,
+            None => (self.to - self.from) / self.count.saturating_sub(1) as f64,
         }
     }
 }

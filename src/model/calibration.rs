@@ -142,18 +142,6 @@ impl Calibration {
                 );
             }
         }
-        let coefficients = self.model.coefficient_count();
-        if let Some(covariance) = &self.covariance
-            && covariance.shape() != (coefficients, coefficients)
-        {
-            let (rows, columns) = covariance.shape();
-            let expected = format!("{coefficients} by {coefficients}, as many as coefficients");
-            wrong(
-                "covariance",
-                format!("{rows} by {columns} numbers"),
-                expected,
-            );
-        }
         if self.measured.len() > joints {
             let found = format!("{} ranges", self.measured.len());
             wrong(
@@ -186,5 +174,24 @@ impl Calibration {
         } else {
             Err(Rejected::of(findings))
         }
+    }
+
+    /// What has to hold besides before it is handed out: its covariance is that of its coefficients.
+    ///
+    /// # Errors
+    /// [`Rejected`] where it is another model's.
+    pub(crate) fn with_its_own_covariance(&self) -> Result<(), Rejected> {
+        let coefficients = self.model.coefficient_count();
+        let (rows, columns) = match &self.covariance {
+            Some(covariance) => covariance.shape(),
+            None => return Ok(()),
+        };
+        if (rows, columns) == (coefficients, coefficients) {
+            return Ok(());
+        }
+        let place = Place::default().in_field("covariance");
+        let found = format!("{rows} by {columns} numbers");
+        let expected = format!("{coefficients} by {coefficients}, as many as coefficients");
+        Err(Rejected::because(Diagnostic::error(place, found, expected)))
     }
 }

@@ -7,6 +7,7 @@
 use std::fmt::Write as _;
 
 use crate::kinematics::{JointKind, Robot};
+use crate::units::LARGEST_JOINT_VALUE;
 
 use super::axes::{Axes, MOST_OWN, Slot};
 
@@ -40,7 +41,9 @@ pub enum WriteError {
     #[error("a sliding joint; expected turning joints, which URScript gives in rad")]
     Slide,
     /// A pose to which no robot goes.
-    #[error("pose {pose}: expected {joints} finite joint values, one for each joint")]
+    #[error(
+        "pose {pose}: expected {joints} joint values within a robot's range, one for each joint"
+    )]
     Pose {
         /// The pose, counted from 1.
         pose: usize,
@@ -61,7 +64,8 @@ pub fn stops(
 ) -> Result<String, WriteError> {
     let axes = Axes::new(robot);
     let joints = axes.joints();
-    let goes = |q: &[f64]| q.len() == joints && q.iter().all(|value| value.is_finite());
+    let is_value = |value: &f64| value.abs() <= LARGEST_JOINT_VALUE;
+    let goes = |q: &[f64]| q.len() == joints && q.iter().all(is_value);
     let nowhere = |stop: &Stop| !goes(&stop.q) || stop.from.as_deref().is_some_and(|q| !goes(q));
     if let Some(index) = stops.iter().position(nowhere) {
         let pose = index + 1;

@@ -155,7 +155,22 @@ fn unequal(session: &Session) -> Vec<Diagnostic> {
     };
     let target = samples.target.iter().flatten();
     let setups = samples.setups.as_ref();
+    let sockets = references.sockets.len();
+    let mut between = references.socket_distances.iter().flat_map(|d| d.between);
+    let pointing = references.pointing.as_ref();
+    let mut pointed = pointing
+        .and_then(|p| p.stations.as_ref())
+        .into_iter()
+        .flatten();
     for (field, wrong) in [
+        (
+            "instrument.references.socket_distances",
+            between.any(|socket| socket >= sockets),
+        ),
+        (
+            "instrument.references.pointing",
+            pointed.any(|station| *station >= references.stations.len()),
+        ),
         (
             "samples.target",
             target.copied().any(|k| k as usize >= targets.len()),
@@ -381,15 +396,10 @@ fn references_out_of_range(session: &Session) -> Vec<Diagnostic> {
         let known = plane.known.as_ref();
         known.is_none_or(|(normal, mm)| is_direction(normal) && is_length(*mm))
     });
-    let (sockets, stations) = (references.sockets.len(), references.stations.len());
     let mut distances = references.socket_distances.iter();
-    let distances = distances.all(|distance| {
-        distance.between.iter().all(|socket| *socket < sockets) && is_length(distance.distance_mm)
-    });
-    let pointing = references.pointing.as_ref().is_none_or(|pointing| {
-        let mut of = pointing.stations.iter().flatten();
-        is_direction(&pointing.axis) && of.all(|station| *station < stations)
-    });
+    let distances = distances.all(|distance| is_length(distance.distance_mm));
+    let pointing = references.pointing.as_ref();
+    let pointing = pointing.is_none_or(|pointing| is_direction(&pointing.axis));
     let all = [
         (offsets, "anchors", "offsets of at most 10 000 000 mm"),
         (attitudes, "stations", "attitudes that are unit quaternions"),
@@ -401,13 +411,9 @@ fn references_out_of_range(session: &Session) -> Vec<Diagnostic> {
         (
             distances,
             "socket_distances",
-            "indices of two sockets that count from 0, and a length",
+            "lengths of at most 10 000 000 mm",
         ),
-        (
-            pointing,
-            "pointing",
-            "a unit vector, and indices of stations that count from 0",
-        ),
+        (pointing, "pointing", "a unit vector"),
     ];
     let wrong = all.into_iter().filter(|(fits, ..)| !fits);
     wrong

@@ -360,7 +360,7 @@ fn a_table_of_no_joint_or_no_step_is_refused() {
     for joint in [1, usize::MAX] {
         assert!(JointTable::new(&verified, joint, 1.0, conditions).is_err());
     }
-    for wrong in BAD.into_iter().chain([0.0, -1.0, 1e-320]) {
+    for wrong in [f64::NAN, f64::INFINITY, -1e160, 0.0, -1.0, 1e-320] {
         assert!(
             JointTable::new(&verified, 0, wrong, conditions).is_err(),
             "{wrong}"

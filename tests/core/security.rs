@@ -206,7 +206,7 @@ fn named_tests(page: &str) -> Vec<String> {
     let examples = ["file::test", "src: module::test"];
     quoted
         .filter(|name| name.contains("::") && name.chars().all(is_name))
-        .filter(|name| !examples.contains(name))
+        .filter(|name| !examples.contains(name) && !name.starts_with(char::is_uppercase))
         .map(str::to_owned)
         .collect()
 }
