@@ -14,7 +14,7 @@ fn most_steps(rows: usize) -> usize {
     1000 + 30 * rows
 }
 
-/// Singular values and directions; `None` where they are not found.
+/// Singular values and directions; `None` where they are not found, as of a matrix without rows or columns.
 pub(crate) fn svd<R: DimMin<C>, C: Dim>(matrix: OMatrix<f64, R, C>) -> Option<SVD<f64, R, C>>
 where
     DimMinimum<R, C>: DimSub<U1>,
@@ -27,8 +27,8 @@ where
         + Allocator<DimMinimum<R, C>>,
 {
     let most = most_steps(matrix.nrows().min(matrix.ncols()));
-    let finite = matrix.iter().all(|v| v.is_finite());
-    finite.then(|| SVD::try_new(matrix, true, true, NEGLIGIBLE, most))?
+    let usable = !matrix.is_empty() && matrix.iter().all(|v| v.is_finite());
+    usable.then(|| SVD::try_new(matrix, true, true, NEGLIGIBLE, most))?
 }
 
 /// Eigenvalues and directions of a symmetric matrix; where they are not found every value is 0, as of

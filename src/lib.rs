@@ -98,6 +98,11 @@
 //! assert!(error.to_string().contains("expected"), "{error}");
 //! ```
 //!
+//! What a program passes is held to the same. [`Session::new`](sessions::Session::new) and its builder refuse what a
+//! file would be refused for, and so does every function that takes a session, a robot or a calibration whose fields
+//! were filled in by hand; one that cannot refuse answers with nothing: no finding, no sample, NaN. Nothing public
+//! panics on what it is given.
+//!
 //! # Versions
 //!
 //! What these pages show is the library's promise and follows semantic versioning; so do the formats

@@ -59,6 +59,12 @@ pub fn regional_start(
     diagnosis: &Diagnosis,
     values: JointValues,
 ) -> Result<RegionalStart, IdentifyError> {
+    let session = &*session.whole()?;
+    let of_another = diagnosis.model.robot.joints.len() != session.robot.joints.len();
+    if of_another {
+        let says = "the diagnosis is of a robot with another number of joints".to_owned();
+        return Err(IdentifyError::NotASingleRevoluteJoint(says));
+    }
     let regional = identify_regional(session, &RegionChoice::FromSession, values)?;
     let constants = |id: &str| DEFAULT_EFFECTS.contains(&id);
     let one = diagnosis.model.without(|t| !constants(t.effect.about().id));

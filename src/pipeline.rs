@@ -209,8 +209,7 @@ pub fn diagnose(
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    let session = session.whole()?;
-    crate::compensation::verify(calibration, &session)
+    crate::compensation::verify(calibration, session)
 }
 
 /// A calibration, verified on the raw session that it came from: the one value of which files are made.
@@ -221,8 +220,7 @@ pub fn hand_out(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<VerifiedCalibration, NotHandedOut> {
-    let session = session.whole().map_err(VerifyError::from)?;
-    VerifiedCalibration::on(calibration, &session)
+    VerifiedCalibration::on(calibration, session)
 }
 
 /// The calibration of a model file.
@@ -247,8 +245,7 @@ pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
 ) -> Result<Standards, VerifyError> {
-    let session = session.whole()?;
-    crate::standards::standards(&session, calibration)
+    crate::standards::standards(session, calibration)
 }
 
 /// Makes the documents of an export in the format of this name, in memory.
@@ -288,6 +285,10 @@ pub struct Checked {
 /// See [`ExportError`].
 pub fn export_for(format: &str, job: &Job, session: &Session) -> Result<Checked, ExportError> {
     let export = export(format, job)?;
+    let session = session.whole();
+    let session = session
+        .as_deref()
+        .map_err(|error| ExportError::Refused(error.to_string()))?;
     let gaps = gaps_of_export(job.calibration, session, &export);
     match gaps {
         Some([before, after]) if after.rms_mm > before.rms_mm => Err(ExportError::MakesWorse {

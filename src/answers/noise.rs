@@ -71,8 +71,8 @@ impl Noise {
     /// Root mean square of both parts over some axes, mm.
     pub fn total_mm(&self, axes: &[usize]) -> f64 {
         let one = |a: &usize| {
-            let slow = self.slow.map_or(0.0, |s| s.rms_mm[*a]);
-            self.sigma_mm[*a].powi(2) + slow * slow
+            let slow = self.slow.map_or(0.0, |s| along(s.rms_mm, *a));
+            along(self.sigma_mm, *a).powi(2) + slow * slow
         };
         (axes.iter().map(one).sum::<f64>() / axes.len().max(1) as f64).sqrt()
     }
@@ -177,8 +177,13 @@ impl StatedNoise {
     }
 }
 
+/// What belongs to an axis, 0 to 2; no number for any other.
+fn along(each: [f64; 3], axis: usize) -> f64 {
+    each.get(axis).copied().unwrap_or(f64::NAN)
+}
+
 /// Root mean square over some axes.
 fn over(sigma: [f64; 3], axes: &[usize]) -> f64 {
-    let sum: f64 = axes.iter().map(|a| sigma[*a].powi(2)).sum();
+    let sum: f64 = axes.iter().map(|a| along(sigma, *a).powi(2)).sum();
     (sum / axes.len().max(1) as f64).sqrt()
 }

@@ -129,13 +129,19 @@ impl VerifiedCalibration {
     /// # Errors
     /// See [`NotHandedOut`].
     pub fn on(calibration: &Calibration, session: &Session) -> Result<Self, NotHandedOut> {
+        let session = &*session.whole().map_err(VerifyError::from)?;
+        let fits = calibration.with_its_own_covariance();
+        calibration.sound().and(fits).map_err(VerifyError::from)?;
         predicts_everywhere(calibration)?;
         // The paper's method speaks of the plane of motion and of its regions.
         if calibration.regions.is_empty() {
             no_worse_than_identified(&calibration.history)?;
             as_said_and_no_worse_than_nominal(calibration, session)?;
         }
-        Ok(Self(calibration.clone()))
+        let verified = Self(calibration.clone());
+        // What its file would not be read for is no model.
+        Self::read(&verified.document()).map_err(VerifyError::from)?;
+        Ok(verified)
     }
 
     /// The calibration of a model file in memory, which [`document`](Self::document) made once.

@@ -62,6 +62,7 @@ impl Compensation {
     /// What to add to the commands of `inputs`, joint by joint, rad or mm. The reflectors are
     /// those of the compensation, whatever `inputs` says.
     pub fn joint_corrections(&self, inputs: &Inputs) -> Vec<Vec<f64>> {
+        let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let all: Vec<usize> = (0..inputs.q.len()).collect();
         let mut corrections = vec![Vec::with_capacity(inputs.len()); inputs.q.len()];
         for start in (0..inputs.len()).step_by(AT_ONCE) {
@@ -83,6 +84,7 @@ impl Compensation {
     /// Where the real robot puts the reflectors of `inputs` when it is told to go to their
     /// commands plus `corrections`, as far as the model knows.
     pub fn reached(&self, inputs: &Inputs, corrections: &[Vec<f64>]) -> Positions {
+        let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let mut corrected = inputs.clone();
         for (q, by) in corrected.q.iter_mut().zip(corrections) {
             for (q, by) in q.to_mut().iter_mut().zip(by) {
@@ -94,7 +96,8 @@ impl Compensation {
         };
         // (8) read backwards: the real robot stands at its nominal position − M Δρ.
         let mut reached = self.nominal.predict(&corrected);
-        let of_region = regional.corrections_at(&inputs.q[0]);
+        let first = inputs.q.first().map_or(&[][..], AsRef::as_ref);
+        let of_region = regional.corrections_at(first);
         for (i, correction) in of_region.iter().enumerate() {
             let Some(correction) = correction else {
                 continue;

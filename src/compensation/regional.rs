@@ -82,7 +82,9 @@ impl Regional {
 
     /// What to add to each joint command, rad; 0 outside all regions.
     pub fn joint_corrections(&self, inputs: &Inputs) -> Vec<f64> {
-        let q = &inputs.q[0];
+        let Some(q) = inputs.q.first() else {
+            return vec![0.0; inputs.len()];
+        };
         let corrections = self.corrections_at(q);
         let corrections = corrections.iter().zip(q.iter());
         corrections

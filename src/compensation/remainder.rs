@@ -47,6 +47,7 @@ impl Remainder {
     /// Over these poses.
     pub fn new(calibration: &Calibration, inputs: &Inputs) -> Self {
         let compensation = Compensation::new(calibration);
+        let inputs = &*inputs.fitted_to(calibration.model.robot.joints.len());
         let left = left_over(&compensation, inputs);
         let lengths = left.iter().map(|v| dot(*v, *v).sqrt());
         Self {

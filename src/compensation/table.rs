@@ -119,7 +119,7 @@ impl JointTable {
         let joints = robot.joints.len();
         let Some(axis) = robot.joints.get(joint) else {
             return Err(TableError::NoSuchJoint {
-                joint: joint + 1,
+                joint: joint.saturating_add(1),
                 joints,
             });
         };

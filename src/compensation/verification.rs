@@ -163,6 +163,8 @@ pub enum VerifyError {
 /// # Errors
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
+    let session = &*session.whole()?;
+    calibration.sound()?;
     let notes = same_robot(calibration, session)?;
     super::conventions::verified(calibration, session, &notes)
 }
@@ -337,6 +339,9 @@ pub(crate) fn gap_with_table(
     joint: usize,
     correction: impl Fn(f64, f64) -> f64,
 ) -> Option<Spread> {
+    if joint >= session.robot.joints.len() {
+        return None;
+    }
     let set_up = &calibration.set_up;
     let session = &*set_up.applied(session, is_own(calibration, session));
     let robot = &calibration.model.robot;

@@ -12,9 +12,9 @@ use rand_distr::{Distribution, StandardNormal};
 use super::comparison::inverse;
 use super::exchange::Information;
 use crate::diagnosis::NextPose;
-use crate::effects::JointValues;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
+use crate::effects::{Inputs, JointValues};
 use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::observations::streams::predictions;
@@ -299,7 +299,7 @@ impl Shown {
 
 /// What every sample shows that is there to be fitted.
 pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Shown {
-    let layer = Layer::new(session, JointValues::Commanded);
+    let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
     let mut first = vec![0; session.samples.len() + 1];
     for (item, _) in layer.items.iter().zip(&layer.fit).filter(|own| *own.1) {
         first[item.sample + 1] += item.rows;

@@ -58,6 +58,7 @@ pub fn plan_session(
 ) -> Result<Plan, PlanError> {
     options.check()?;
     PlanOptions::check_robot(&session.robot)?;
+    let session = &*session.whole().map_err(DiagnoseError::from)?;
     let between = options.between(&session.robot)?;
     let arm = only_arms(&session.robot, options)?;
     let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;

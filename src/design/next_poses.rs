@@ -19,6 +19,7 @@ use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
 use super::parting::{Attempt, Parting, over_reflectors};
+use super::plan::MOST_JOINTS;
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;
@@ -63,10 +64,13 @@ pub(crate) fn separate(
 }
 
 /// What to measure next: poses that decide between the rivals, or where there are none, poses that
-/// make testable what the session cannot show.
+/// make testable what the session cannot show. None of a robot with more joints than poses are planned for: how long
+/// it takes to find them grows with the square of the joints and more.
 pub(crate) fn propose(undecided: &Undecided) -> Proposal {
     let (prepared, fit) = (undecided.prepared, undecided.fit);
-    let poses = if undecided.rivals.is_empty() {
+    let poses = if prepared.survey.joints.len() > MOST_JOINTS {
+        Vec::new()
+    } else if undecided.rivals.is_empty() {
         enabling_poses::worth_enabling(prepared, fit, undecided.not_testable)
     } else {
         separate(prepared, fit, undecided.rivals, MOST)

@@ -9,9 +9,12 @@ use super::geometry::{Geometry, MOST};
 use super::needs::Untestable;
 use super::pair_separation::{Named, Separation};
 use crate::diagnosis::{DiagnoseError, NextPose, Options};
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::document::ranges::SMALLEST_SIGMA;
 use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::Target;
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 
 pub use super::making::{plan_robot, plan_session};
 
@@ -149,7 +152,7 @@ pub enum PlanError {
 
 impl PlanOptions {
     pub(crate) fn check(&self) -> Result<(), PlanError> {
-        let above_zero = |v: &f64| v.is_finite() && *v > 0.0;
+        let above_zero = |v: &f64| *v > 0.0 && *v <= LARGEST_LENGTH_MM;
         if let Some(mm) = self.accuracy_mm {
             if !above_zero(&mm) {
                 return Err(PlanError::Accuracy(mm));
@@ -166,10 +169,20 @@ impl PlanOptions {
         if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
             return Err(PlanError::Poses(n));
         }
-        if let Some(sigma) = self.sigma_mm.filter(|s| !above_zero(s)) {
+        let is_sigma = |s: &f64| above_zero(s) && *s >= SMALLEST_SIGMA;
+        if let Some(sigma) = self.sigma_mm.filter(|s| !is_sigma(s)) {
             return Err(PlanError::Sigma(sigma));
         }
-        match self.load_kg.filter(|l| !above_zero(l)) {
+        let is_place = |p: &Point3<f64>| p.iter().all(|x| x.abs() <= LARGEST_LENGTH_MM);
+        if !self.instrument_mm.as_ref().is_none_or(is_place) {
+            let place = Place::default().in_field("instrument_mm");
+            let found = text!("a position that is not finite or too large");
+            let expected = text!("three lengths of at most 10 000 000 mm");
+            let wrong = Rejected::because(Diagnostic::error(place, found, expected));
+            return Err(DiagnoseError::from(wrong).into());
+        }
+        let is_load = |l: &f64| above_zero(l) && *l <= LARGEST_MASS_KG;
+        match self.load_kg.filter(|l| !is_load(l)) {
             Some(load) => Err(PlanError::Load(load)),
             None => Ok(self.diagnosis.check()?),
         }
@@ -179,7 +192,16 @@ impl PlanOptions {
     pub(crate) fn check_robot(robot: &Robot) -> Result<(), PlanError> {
         match robot.joints.len() {
             joints if joints > MOST_JOINTS => Err(PlanError::Joints(joints)),
-            _ => Ok(()),
+            0 => {
+                let place = Place::default().in_field("robot.joints");
+                let none =
+                    Diagnostic::error(place, text!("no joints"), text!("at least one joint"));
+                Err(DiagnoseError::from(Rejected::because(none)).into())
+            }
+            _ => match robot.out_of_range(&Place::default()) {
+                problems if problems.is_empty() => Ok(()),
+                problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
+            },
         }
     }
 

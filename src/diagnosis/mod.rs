@@ -223,7 +223,7 @@ pub(crate) fn checked<'a>(
     if !watch(&Progress::Checking) && !options.keep_when_stopped {
         return Err(Cancelled);
     }
-    Ok(set_up_errors::mend(session, options.joint_values))
+    Ok(set_up_errors::mended(session, options.joint_values))
 }
 
 /// The search, done again once with the names known: outliers and noise look different then. Where

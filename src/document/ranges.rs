@@ -9,7 +9,7 @@ use crate::text::Text;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S};
 
 /// A smaller noise is no noise of an instrument, and the weight that it gives is too large to square.
-const SMALLEST_SIGMA: f64 = 1e-15;
+pub(crate) const SMALLEST_SIGMA: f64 = 1e-15;
 
 /// Endings of keys with the largest size of their numbers, longer endings first.
 const RANGES: &[(&str, f64)] = &[

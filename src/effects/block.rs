@@ -136,6 +136,9 @@ pub struct Block<'a> {
     pub len: usize,
 }
 
+/// Where a target is that the inputs do not have.
+const NOWHERE: [f64; 3] = [f64::NAN; 3];
+
 impl<'a> Block<'a> {
     /// Room for blocks of a model with so many coefficients. Without `differentiate` there are no
     /// columns.
@@ -178,23 +181,30 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Fills the block with the samples from `start` on, the reflectors at home.
+    /// Fills the block with the samples from `start` on, the reflectors at home. Columns that are not
+    /// there, or do not reach so far, are as if nothing had been recorded.
     pub fn load(&mut self, inputs: &Inputs, start: usize) {
-        self.len = (inputs.len() - start).min(LANES);
+        self.len = inputs.len().saturating_sub(start).min(LANES);
         let len = self.len;
-        let copy = |to: &mut Lanes, from: Option<&[f64]>, default: f64| match from {
+        let rows = start..start + len;
+        let copy = |to: &mut Lanes, from: Option<&[f64]>, default: f64| match from
+            .and_then(|from| from.get(rows.clone()))
+        {
             Some(from) => {
-                to[..len].copy_from_slice(&from[start..start + len]);
-                let last = to[len - 1];
-                to[len..].fill(last);
+                to[..len].copy_from_slice(from);
+                to[len..].fill(from.last().copied().unwrap_or(default));
             }
             None => to.fill(default),
         };
+        fn own<T: AsRef<[f64]>>(columns: &[Option<T>], joint: usize) -> Option<&[f64]> {
+            columns.get(joint)?.as_ref().map(AsRef::as_ref)
+        }
         for joint in 0..self.q.len() {
-            copy(&mut self.q[joint], Some(&inputs.q[joint]), 0.0);
-            copy(&mut self.dir[joint], inputs.dir[joint].as_deref(), 0.0);
-            copy(&mut self.speed[joint], inputs.speed[joint].as_deref(), 0.0);
-            let travel = inputs.travel[joint].as_deref();
+            let q = inputs.q.get(joint).map(AsRef::as_ref);
+            copy(&mut self.q[joint], q, 0.0);
+            copy(&mut self.dir[joint], own(&inputs.dir, joint), 0.0);
+            copy(&mut self.speed[joint], own(&inputs.speed, joint), 0.0);
+            let travel = own(&inputs.travel, joint);
             copy(&mut self.travel[joint], travel, f64::INFINITY);
             let own = inputs.joint_above_20_c.get(joint).and_then(Option::as_ref);
             let warmth = own.or(inputs.above_20_c.as_ref());
@@ -209,15 +219,17 @@ impl<'a> Block<'a> {
         let homes = &inputs.reflectors_at_home;
         if let Some(target) = &inputs.target {
             for lane in 0..LANES {
-                let index = target[start + lane.min(len - 1)];
+                let index = target.get(start + lane.min(len.saturating_sub(1)));
+                let index = index.copied().unwrap_or(0);
                 self.target[lane] = f64::from(index);
-                let home = homes[index as usize];
+                let home = homes.get(index as usize).copied().unwrap_or(NOWHERE);
                 for (axis, value) in home.into_iter().enumerate() {
                     self.point[axis][lane] = value;
                 }
             }
         } else {
-            for (lanes, value) in self.point.iter_mut().zip(homes[0]) {
+            let home = homes.first().copied().unwrap_or(NOWHERE);
+            for (lanes, value) in self.point.iter_mut().zip(home) {
                 lanes.fill(value);
             }
             self.target.fill(0.0);

@@ -115,7 +115,7 @@ impl Knots {
     fn placed(&self, first: usize, mut w: [f64; 4]) -> [(usize, f64); 4] {
         let n = self.count;
         if self.period.is_some() {
-            let at = |k: usize| (first + n + k - 1) % n;
+            let at = |k: usize| (first + n + k).saturating_sub(1) % n.max(1);
             return std::array::from_fn(|k| (at(k), w[k]));
         }
         // Beyond the ends the values go on straight.
@@ -129,7 +129,7 @@ impl Knots {
             w[1] -= w[3];
             w[3] = 0.0;
         }
-        let at = |k: usize| (first + k).saturating_sub(1).min(n - 1);
+        let at = |k: usize| (first + k).saturating_sub(1).min(n.saturating_sub(1));
         std::array::from_fn(|k| (at(k), w[k]))
     }
 
@@ -137,9 +137,13 @@ impl Knots {
     fn split(&self, q: f64) -> (usize, f64) {
         let (n, above) = (self.count, q - self.from);
         if let Some(period) = self.period {
-            return split((above / period).rem_euclid(1.0) * n as f64, n - 1);
+            return split(
+                (above / period).rem_euclid(1.0) * n as f64,
+                n.saturating_sub(1),
+            );
         }
-        split(above / (self.to - self.from) * (n - 1) as f64, n - 2)
+        let (gaps, last) = (n.saturating_sub(1), n.saturating_sub(2));
+        split(above / (self.to - self.from) * gaps as f64, last)
     }
 
     /// Whether something was measured there.
@@ -159,7 +163,7 @@ impl Knots {
     fn step(&self) -> f64 {
         match self.period {
             Some(period) => period / self.count as f64,
-            None => (self.to - self.from) / (self.count - 1) as f64,
+            None => (self.to - self.from) / self.count.saturating_sub(1) as f64,
         }
     }
 }
@@ -225,14 +229,14 @@ impl Curve {
         &self.knots
     }
 
-    /// Values at the knots in a direction; empty where the curve does nothing.
+    /// Values at the knots in a direction (0 to 2); empty where the curve does nothing.
     pub fn values(&self, direction: usize) -> &[f64] {
-        &self.values[direction]
+        self.values.get(direction).map_or(&[], Vec::as_slice)
     }
 
     /// Their standard deviations.
     pub fn sigma(&self, direction: usize) -> &[f64] {
-        &self.sigma[direction]
+        self.sigma.get(direction).map_or(&[], Vec::as_slice)
     }
 
     /// The curve at a joint's value: along the joint's motion (rad or mm), along its radius and

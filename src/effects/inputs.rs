@@ -57,17 +57,20 @@ pub struct Inputs<'a> {
 pub(crate) const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 
 impl<'a> Inputs<'a> {
-    /// The inputs of a session's samples.
+    /// The inputs of a session's samples. Columns of another length than the points' are as if they had not
+    /// been recorded, and missing joint values are zero.
     pub fn new(session: &'a Session, values: JointValues) -> Self {
         let samples = &session.samples;
-        let q = (0..samples.q.len()).map(|joint| joint_values(samples, joint, values));
+        let joints = session.robot.joints.len();
+        let rows = samples.len();
+        let q = (0..joints).map(|joint| joint_values(samples, joint, values));
         let q: Vec<_> = q.collect();
-        let dir: Vec<_> = samples
-            .dir
-            .iter()
-            .map(|c| or_fill(c.as_ref(), 0.0))
+        let own = |columns: &'a [Option<Vec<f64>>], joint: usize| of_joint(columns, joint, rows);
+        let dir: Vec<_> = (0..joints)
+            .map(|joint| or_fill(own(&samples.dir, joint), 0.0))
             .collect();
-        let order = measuring_order(samples.time_s.as_deref());
+        let time_s = of_length(samples.time_s.as_ref(), rows);
+        let order = measuring_order(time_s.map(Vec::as_slice));
         let travel = q.iter().zip(&dir).map(|(q, dir)| {
             let dir = dir.as_ref()?;
             Some(match &order {
@@ -77,22 +80,20 @@ impl<'a> Inputs<'a> {
         });
         Self {
             travel: travel.collect(),
-            speed: samples
-                .speed
-                .iter()
-                .map(|c| or_fill(c.as_ref(), 0.0))
+            speed: (0..joints)
+                .map(|joint| or_fill(own(&samples.speed, joint), 0.0))
                 .collect(),
-            load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
-            above_20_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
-            joint_above_20_c: (0..q.len())
-                .map(|joint| of_joint(&samples.joint_temperature_c, joint).map(|t| warmth(t)))
+            load_kg: or_fill(of_length(samples.load_kg.as_ref(), rows), 0.0),
+            above_20_c: of_length(samples.temperature_c.as_ref(), rows).map(|t| warmth(t)),
+            joint_above_20_c: (0..joints)
+                .map(|joint| own(&samples.joint_temperature_c, joint).map(|t| warmth(t)))
                 .collect(),
-            torque_nm: (0..q.len())
-                .map(|joint| or_fill(of_joint(&samples.torque_nm, joint), 0.0))
+            torque_nm: (0..joints)
+                .map(|joint| or_fill(own(&samples.torque_nm, joint), 0.0))
                 .collect(),
-            time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
+            time_s: time_s.map(|t| with_gaps_bridged(t)),
             start_s: order.as_ref().and_then(|order| {
-                let times = samples.time_s.as_ref()?;
+                let times = time_s?;
                 order
                     .iter()
                     .map(|row| times[*row])
@@ -101,19 +102,35 @@ impl<'a> Inputs<'a> {
             setup: samples
                 .setups
                 .as_ref()
+                .filter(|setups| setups.index.len() == rows)
                 .map(|s| s.index.iter().map(|&i| f64::from(i)).collect()),
-            target: samples.target.as_deref().map(Cow::Borrowed),
+            target: samples
+                .target
+                .as_deref()
+                .filter(|target| target.len() == rows)
+                .map(Cow::Borrowed),
             reflectors_at_home: reflectors_at_home(session),
-            len: samples.len(),
+            len: rows,
             q,
             dir,
         }
     }
 
     /// Some of the samples, in the given order, as they were in the whole: travel and the start
-    /// of time do not begin anew.
+    /// of time do not begin anew. Samples that are not there are left out.
     pub fn select(&self, samples: &[usize]) -> Inputs<'static> {
-        let pick = |column: &[f64]| -> Vec<f64> { samples.iter().map(|i| column[*i]).collect() };
+        let there: Vec<usize>;
+        let samples = if samples.iter().all(|sample| *sample < self.len) {
+            samples
+        } else {
+            let of = samples.iter().copied();
+            there = of.filter(|sample| *sample < self.len).collect();
+            &there
+        };
+        let pick = |column: &[f64]| -> Vec<f64> {
+            let value = |i: &usize| column.get(*i).copied().unwrap_or(0.0);
+            samples.iter().map(value).collect()
+        };
         let owned = |column: &[f64]| Cow::Owned(pick(column));
         let each = |columns: &[Option<Cow<'a, [f64]>>]| {
             columns
@@ -136,10 +153,14 @@ impl<'a> Inputs<'a> {
             torque_nm: each(&self.torque_nm),
             time_s: self.time_s.as_deref().map(owned),
             setup: self.setup.as_deref().map(pick),
-            target: self
-                .target
-                .as_deref()
-                .map(|t| Cow::Owned(samples.iter().map(|i| t[*i]).collect())),
+            target: self.target.as_deref().map(|t| {
+                Cow::Owned(
+                    samples
+                        .iter()
+                        .map(|i| t.get(*i).copied().unwrap_or(0))
+                        .collect(),
+                )
+            }),
             reflectors_at_home: self.reflectors_at_home.clone(),
             start_s: Some(self.start_s()),
             len: samples.len(),
@@ -147,7 +168,8 @@ impl<'a> Inputs<'a> {
     }
 
     /// Poses that nobody has measured: at standstill, at 20 °C, without load, approached from
-    /// neither side. The columns are public: set what differs.
+    /// neither side. The columns are public: set what differs. There are as many poses as the first
+    /// joint has values.
     pub fn at_poses(q: Vec<Vec<f64>>, reflectors_at_home: Vec<[f64; 3]>) -> Self {
         let joints = q.len();
         Self {
@@ -166,6 +188,71 @@ impl<'a> Inputs<'a> {
             reflectors_at_home,
             start_s: None,
         }
+    }
+
+    /// The same for a robot of so many joints: with a column for each, as many values in every column as
+    /// there are samples, and a reflector for every sample.
+    pub(crate) fn fitted_to(&self, joints: usize) -> Cow<'_, Self> {
+        let len = self.len;
+        let fits = |column: usize| column == len;
+        let each = |columns: &[Option<Cow<'a, [f64]>>]| {
+            let mut all = columns.iter().flatten();
+            columns.len() == joints && all.all(|column| fits(column.len()))
+        };
+        let known = |column: Option<usize>| column.is_none_or(fits);
+        let homes = self.reflectors_at_home.len();
+        let seen = |target: &Cow<'a, [u32]>| {
+            fits(target.len()) && target.iter().all(|index| (*index as usize) < homes)
+        };
+        let warmth = |column: &Option<Vec<f64>>| known(column.as_ref().map(Vec::len));
+        let all_fit = self.q.len() == joints
+            && self.q.iter().all(|q| fits(q.len()))
+            && each(&self.dir)
+            && each(&self.speed)
+            && each(&self.torque_nm)
+            && self.travel.len() == joints
+            && self.travel.iter().all(warmth)
+            && self.joint_above_20_c.iter().all(warmth)
+            && warmth(&self.above_20_c)
+            && warmth(&self.setup)
+            && known(self.load_kg.as_ref().map(|column| column.len()))
+            && known(self.time_s.as_ref().map(|column| column.len()))
+            && homes > 0
+            && self.target.as_ref().is_none_or(seen);
+        if all_fit {
+            return Cow::Borrowed(self);
+        }
+        let mut fitted = self.clone();
+        fitted.q.resize(joints, Cow::Owned(vec![0.0; len]));
+        for q in &mut fitted.q {
+            if q.len() != len {
+                q.to_mut().resize(len, 0.0);
+            }
+        }
+        let each = |columns: &mut Vec<Option<Cow<'a, [f64]>>>| {
+            columns.resize(joints, None);
+            for column in columns {
+                column.take_if(|column| column.len() != len);
+            }
+        };
+        each(&mut fitted.dir);
+        each(&mut fitted.speed);
+        each(&mut fitted.torque_nm);
+        fitted.travel.resize(joints, None);
+        fitted.joint_above_20_c.resize(joints, None);
+        let single = [&mut fitted.above_20_c, &mut fitted.setup];
+        let of_joints = fitted.travel.iter_mut().chain(&mut fitted.joint_above_20_c);
+        for column in of_joints.chain(single) {
+            column.take_if(|column| column.len() != len);
+        }
+        for column in [&mut fitted.load_kg, &mut fitted.time_s] {
+            column.take_if(|column| column.len() != len);
+        }
+        fitted.target.take_if(|target| !seen(target));
+        if homes == 0 {
+            fitted.reflectors_at_home.push([f64::NAN; 3]);
+        }
+        Cow::Owned(fitted)
     }
 
     /// Time from which drifts count, s: that of the session's first sample.
@@ -194,18 +281,24 @@ pub fn reflectors_at_home(session: &Session) -> Vec<[f64; 3]> {
 }
 
 fn joint_values(samples: &Samples, joint: usize, values: JointValues) -> Cow<'_, [f64]> {
-    let commanded = &samples.q[joint];
-    let read = samples.q_read.get(joint).and_then(Option::as_ref);
+    let rows = samples.len();
+    let commanded = of_length(samples.q.get(joint), rows);
+    let read = of_joint(&samples.q_read, joint, rows);
     let chosen = match (values, read) {
-        (JointValues::Read, Some(read)) => read,
+        (JointValues::Read, Some(read)) => Some(read),
         _ => commanded,
     };
-    filled(chosen, 0.0)
+    chosen.map_or_else(|| Cow::Owned(vec![0.0; rows]), |chosen| filled(chosen, 0.0))
 }
 
 /// A joint's own column, where there is one.
-fn of_joint(columns: &[Option<Vec<f64>>], joint: usize) -> Option<&Vec<f64>> {
-    columns.get(joint).and_then(Option::as_ref)
+fn of_joint(columns: &[Option<Vec<f64>>], joint: usize, rows: usize) -> Option<&Vec<f64>> {
+    of_length(columns.get(joint)?.as_ref(), rows)
+}
+
+/// A column where it has a value for each sample.
+fn of_length(column: Option<&Vec<f64>>, rows: usize) -> Option<&Vec<f64>> {
+    column.filter(|column| column.len() == rows)
 }
 
 fn filled(column: &[f64], with: f64) -> Cow<'_, [f64]> {

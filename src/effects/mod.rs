@@ -128,6 +128,9 @@ impl Effect {
     /// Why this session cannot show the effect on this joint; `None` where it can: the first of
     /// its needs that is not met.
     pub fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        if joint >= survey.joints.len() {
+            return Some(survey::no_joint(joint));
+        }
         let needs = self.about.needs.iter();
         needs
             .map(|need| (need.unmet)(survey, joint))
@@ -165,6 +168,9 @@ pub const CATALOGUE: &[&Effect] = &[
 
 /// The form of an effect in which a session shows it on a joint.
 pub fn form_in(effect: &'static Effect, survey: &Survey, joint: usize) -> &'static Effect {
+    if joint >= survey.joints.len() {
+        return effect;
+    }
     (effect.takes_form)(survey, joint).unwrap_or(effect)
 }
 

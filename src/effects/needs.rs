@@ -7,7 +7,7 @@
 
 use crate::kinematics::JointKind;
 
-use super::survey::Survey;
+use super::survey::{Survey, no_joint};
 
 /// Something that a session must have.
 #[derive(Debug, Clone, Copy)]
@@ -86,19 +86,25 @@ impl Need {
 
     /// A joint that slides.
     pub const PRISMATIC: Self = Self::of_samples("a joint that slides", |survey, joint| {
-        (survey.joints[joint].kind == JointKind::Revolute)
+        let Some(own) = survey.joints.get(joint) else {
+            return Some(no_joint(joint));
+        };
+        (own.kind == JointKind::Revolute)
             .then(|| "the joint turns, the effect needs one that slides".to_owned())
     });
 
     /// Poses from either side.
     pub const BOTH_SIDES: Self = Self {
         what: "approaches from both sides",
-        unmet: |survey, joint| match survey.joints[joint].from_sides {
-            [0, 0] => Some(
+        unmet: |survey, joint| match survey.joints.get(joint).map(|own| own.from_sides) {
+            None => Some(no_joint(joint)),
+            Some([0, 0]) => Some(
                 "the session does not say from which side the poses were approached".to_owned(),
             ),
-            [0, _] | [_, 0] => Some("every pose was approached from the same side".to_owned()),
-            _ => None,
+            Some([0, _] | [_, 0]) => {
+                Some("every pose was approached from the same side".to_owned())
+            }
+            Some(_) => None,
         },
         idle: |offered| {
             (!offered.sides)
@@ -110,7 +116,9 @@ impl Need {
     pub const SPEEDS: Self = Self {
         what: "measurements at different speeds",
         unmet: |survey, joint| {
-            let joint = &survey.joints[joint];
+            let Some(joint) = survey.joints.get(joint) else {
+                return Some(no_joint(joint));
+            };
             let reason = match (joint.speeds, joint.largest_speed) {
                 (0, _) => "the session does not say how fast the joint moved while it was measured",
                 (_, 0.0) => "every pose was measured at standstill",

@@ -89,18 +89,25 @@ impl Survey {
 
     /// Range of the temperature that counts for a joint, K; `None`: not measured.
     pub fn warming_of(&self, joint: usize) -> Option<f64> {
-        self.joints[joint].warming_c.or(self.warming_c)
+        let own = self.joints.get(joint).and_then(|joint| joint.warming_c);
+        own.or(self.warming_c)
     }
 
     /// The reason that stands against every effect that needs an angle of rotation.
     pub fn not_revolute(&self, joint: usize) -> Option<String> {
-        (self.joints[joint].kind == JointKind::Prismatic)
+        let Some(own) = self.joints.get(joint) else {
+            return Some(no_joint(joint));
+        };
+        (own.kind == JointKind::Prismatic)
             .then(|| "the joint slides, the effect needs one that turns".to_owned())
     }
 
     /// The reason that stands against every effect of the joint angle in a session at one angle.
     pub fn too_few_angles(&self, joint: usize, needed: usize) -> Option<String> {
-        let values = self.joints[joint].values;
+        let Some(own) = self.joints.get(joint) else {
+            return Some(no_joint(joint));
+        };
+        let values = own.values;
         (values < needed).then(|| {
             format!(
                 "the joint was measured at {values} different values, at least {needed} are needed"
@@ -109,11 +116,18 @@ impl Survey {
     }
 }
 
+/// That a robot has fewer joints.
+pub(super) fn no_joint(joint: usize) -> String {
+    format!("the robot has no joint {}", joint.saturating_add(1))
+}
+
 fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
-    let q = &inputs.q[joint];
+    let q: &[f64] = inputs.q.get(joint).map_or(&[], AsRef::as_ref);
     let (low, high) = extremes(q);
-    let dir = inputs.dir[joint].as_deref().unwrap_or(&[]);
-    let speeds = inputs.speed[joint].as_deref().unwrap_or(&[]);
+    let dir = inputs.dir.get(joint).and_then(Option::as_deref);
+    let dir = dir.unwrap_or(&[]);
+    let speeds = inputs.speed.get(joint).and_then(Option::as_deref);
+    let speeds = speeds.unwrap_or(&[]);
     let (slowest, fastest) = extremes(speeds);
     let frame = JointFrame::new(robot, joint);
     let lever = robot
@@ -156,7 +170,8 @@ fn has_lever(robot: &Robot, inputs: &Inputs, joint: usize, gravity: Vector3<f64>
         before.fold(gravity, |g, (before, q)| match before.kind {
             JointKind::Revolute => {
                 let axis = before.axis.direction;
-                nalgebra::Rotation3::from_axis_angle(&axis, -q[sample]) * g
+                let q = q.get(sample).copied().unwrap_or(0.0);
+                nalgebra::Rotation3::from_axis_angle(&axis, -q) * g
             }
             JointKind::Prismatic => g,
         })

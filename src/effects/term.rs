@@ -3,7 +3,7 @@
 use crate::numeric::extent;
 use std::sync::Arc;
 
-use crate::kinematics::{JointKind, Range, Robot};
+use crate::kinematics::{Axis, JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
 use super::about::{Form, Quantity, Setting};
@@ -234,7 +234,7 @@ impl Term {
                 }
             }
             Form::Harmonic(quantity) => {
-                let (a, b) = (self.coefficients[0], self.coefficients[1]);
+                let (a, b) = (self.coefficient(0), self.coefficient(1));
                 parameters.push(Parameter {
                     name: quantity.name,
                     value: a.hypot(b) / quantity.unit.inner,
@@ -248,7 +248,7 @@ impl Term {
                 let quantity = quantity.on(kind);
                 parameters.push(Parameter {
                     name: quantity.name,
-                    value: self.coefficients[0] / quantity.unit.inner,
+                    value: self.coefficient(0) / quantity.unit.inner,
                 });
             }
         }
@@ -258,7 +258,7 @@ impl Term {
     /// The scanned parameter with what was solved for beside it, inner units.
     fn scanned(&self) -> f64 {
         match self.effect.about().form {
-            Form::Fading(_) => fade(self.setting, self.coefficients[1]),
+            Form::Fading(_) => fade(self.setting, self.coefficient(1)),
             Form::Plain(_) | Form::Harmonic(_) => self.setting,
         }
     }
@@ -269,9 +269,18 @@ impl Term {
         let mut settled = self.clone();
         settled.setting = self.scanned();
         if let Form::Fading(_) = self.effect.about().form {
-            settled.coefficients[1] = 0.0;
+            settled
+                .coefficients
+                .iter_mut()
+                .skip(1)
+                .for_each(|c| *c = 0.0);
         }
         settled
+    }
+
+    /// A coefficient; one that a caller left out is zero.
+    fn coefficient(&self, index: usize) -> f64 {
+        self.coefficients.get(index).copied().unwrap_or(0.0)
     }
 
     /// The coefficients after a step, which moves no fade by more than a factor [`e^½`](fade) at
@@ -302,7 +311,7 @@ impl Term {
     pub fn name_on(&self, robot: &crate::kinematics::Robot) -> String {
         let about = self.effect.about();
         if about.per_joint && robot.joints.len() > 1 {
-            format!("{} {}", about.id, self.joint + 1)
+            format!("{} {}", about.id, self.joint.saturating_add(1))
         } else {
             about.id.to_owned()
         }
@@ -481,10 +490,14 @@ pub struct JointFrame {
 }
 
 impl JointFrame {
-    /// The frame of a joint.
+    /// The frame of a joint; of one that the robot has not, about the base's z.
     pub fn new(robot: &Robot, joint: usize) -> Self {
         use nalgebra::Vector3;
-        let axis = &robot.joints[joint].axis;
+        let base_z = Axis {
+            direction: Vector3::z_axis(),
+            point_mm: nalgebra::Point3::origin(),
+        };
+        let axis = robot.joints.get(joint).map_or(base_z, |joint| joint.axis);
         let along = axis.direction.into_inner();
         let across = |v: Vector3<f64>| v - along * along.dot(&v);
         let x = across(Vector3::x());

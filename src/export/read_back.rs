@@ -3,6 +3,7 @@
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
 use crate::compensation::verification::{gap_to_robot, gap_with_table, gap_without_table};
+use crate::diagnostic::Place;
 use crate::fit::gap::Spread;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Calibration;
@@ -85,12 +86,14 @@ impl ReadBack {
 }
 
 /// The gap that the table leaves on a session that was measured without it, mm; `None` where no
-/// sample can be used, or the session is of another robot.
+/// sample can be used, the session is of another robot, or either cannot be computed with.
 pub fn gap_left(calibration: &Calibration, session: &Session, table: &ReadBack) -> Option<Spread> {
     let same = session.robot.joints.len() == calibration.model.robot.joints.len();
     if !same || session.compensated_by.is_some() {
         return None;
     }
+    let session = &*session.whole().ok()?;
+    calibration.sound().ok()?;
     let correction = |q: f64, side: f64| table.correction(q, side);
     gap_with_table(calibration, session, table.joint, correction)
 }
@@ -101,6 +104,8 @@ pub fn gap_without(calibration: &Calibration, session: &Session) -> Option<Sprea
     if !same || session.compensated_by.is_some() {
         return None;
     }
+    let session = &*session.whole().ok()?;
+    calibration.sound().ok()?;
     gap_without_table(calibration, session)
 }
 
@@ -111,5 +116,9 @@ pub fn gap_to(calibration: &Calibration, session: &Session, robot: &Robot) -> Op
     if !same || session.compensated_by.is_some() {
         return None;
     }
-    gap_to_robot(calibration, session, robot)
+    let session = &*session.whole().ok()?;
+    calibration.sound().ok()?;
+    let usable = robot.out_of_range(&Place::default()).is_empty();
+    (usable && calibration.model.robot.joints.len() == robot.joints.len())
+        .then(|| gap_to_robot(calibration, session, robot))?
 }

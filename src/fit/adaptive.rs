@@ -39,7 +39,10 @@ impl RegionChoice {
             Self::Uniform(number) => uniform(session, *number),
             Self::Boundaries(boundaries) => between(boundaries),
             Self::Given(regions) => Ok(regions.clone()),
-            Self::Adaptive => adaptive(session),
+            Self::Adaptive => match session.whole() {
+                Ok(session) => adaptive(&session),
+                Err(rejected) => Err(RegionError::Session(rejected.to_string())),
+            },
         }
     }
 }

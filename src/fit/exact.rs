@@ -60,6 +60,7 @@ pub fn identify_watched(
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
+    let session = &*session.whole()?;
     let mut prepared = prepare(session, effects, known, values, go_on)?;
     prepared.base = prepared.base.map(|weak| weak && priors);
     Ok(Fresh::fitted(prepared, go_on)?.report(session))

@@ -172,7 +172,7 @@ impl<'a> Problem<'a> {
         if session.has_plain_points() {
             return problem;
         }
-        let layer = Layer::new(session, values);
+        let layer = Layer::at(session, &Inputs::new(session, values));
         problem.usable = layer.samples_with(&vec![true; layer.items.len()]);
         problem.fit = layer.samples_with(&layer.fit);
         problem.used = problem.fit.clone();

@@ -38,6 +38,7 @@ pub fn identify_regional(
     choice: &RegionChoice,
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
+    let session = &*session.whole()?;
     single_revolute_joint(session)?;
     let regions = choice.resolve(session)?;
     let mut problem = Problem::new(session, values);

@@ -116,6 +116,9 @@ fn half_widths(
     let Some(covariance) = covariance else {
         return vec![None; term.coefficients.len()];
     };
+    if covariance.nrows().min(covariance.ncols()) < term.effect.about().form.coefficients() {
+        return vec![None; term.coefficients.len()];
+    }
     match term.effect.about().form {
         Form::Plain(quantities) => quantities
             .iter()

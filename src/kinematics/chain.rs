@@ -10,8 +10,8 @@
 //!
 //! Source: Lynch & Park, *Modern Robotics*, 2017, eq. 4.14.
 //!
-//! All functions here panic if a pose does not have one value per joint: poses are checked where
-//! they enter the program.
+//! Poses are checked where they enter the program. In one that was not, a value that is missing is no
+//! number, and neither is what comes of it; values beyond the last joint are of no joint.
 
 use nalgebra::Point3;
 
@@ -20,16 +20,12 @@ use super::screw::joint_motion;
 
 impl Robot {
     /// The tool's pose in the base frame at joint values `q`, rad and mm.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub fn base_from_tool(&self, q: &[f64]) -> Pose {
-        self.expect_one_value_per_joint(q);
         let motion = self
             .joints
             .iter()
-            .zip(q)
-            .map(|(joint, &value)| joint_motion(&joint.axis, joint.kind, value))
+            .enumerate()
+            .map(|(index, joint)| joint_motion(&joint.axis, joint.kind, value_of(q, index)))
             .fold(Pose::identity(), |before, next| before * next);
         motion * self.base_from_tool
     }
@@ -37,46 +33,34 @@ impl Robot {
     /// Where a point that is fixed in the tool frame stands in the base frame at `q`, mm.
     ///
     /// Only the point is moved.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub fn point_in_base(&self, q: &[f64], point_in_tool: &Point3<f64>) -> Point3<f64> {
-        self.expect_one_value_per_joint(q);
         let at_home = self.base_from_tool * point_in_tool;
         self.joints
             .iter()
-            .zip(q)
+            .enumerate()
             .rev()
-            .fold(at_home, |point, (joint, &value)| {
-                point_moved(&joint.axis, joint.kind, value, &point)
+            .fold(at_home, |point, (index, joint)| {
+                point_moved(&joint.axis, joint.kind, value_of(q, index), &point)
             })
     }
 
     /// The motion from home of what stands before and behind each joint: n + 1 motions, the first
     /// that of the base (none), the last that of the tool.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub fn motions_from_home(&self, q: &[f64]) -> Vec<Pose> {
-        self.expect_one_value_per_joint(q);
-        let mut motions = Vec::with_capacity(q.len() + 1);
+        let mut motions = Vec::with_capacity(self.joints.len() + 1);
         let mut motion = Pose::identity();
         motions.push(motion);
-        for (joint, &value) in self.joints.iter().zip(q) {
-            motion *= joint_motion(&joint.axis, joint.kind, value);
+        for (index, joint) in self.joints.iter().enumerate() {
+            motion *= joint_motion(&joint.axis, joint.kind, value_of(q, index));
             motions.push(motion);
         }
         motions
     }
+}
 
-    pub(super) fn expect_one_value_per_joint(&self, q: &[f64]) {
-        assert!(
-            q.len() == self.joints.len(),
-            "{} joint values for a robot with {} joints",
-            q.len(),
-            self.joints.len()
-        );
-    }
+/// The value of a joint in a pose; NaN where the pose has none.
+pub(super) fn value_of(q: &[f64], joint: usize) -> f64 {
+    q.get(joint).copied().unwrap_or(f64::NAN)
 }
 
 /// A point after one joint moved, by Rodrigues' formula about a line.
@@ -148,11 +132,17 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "1 joint values for a robot with 2 joints")]
-    fn a_pose_that_was_not_checked_is_a_bug_and_says_so() {
+    fn a_pose_without_a_value_for_each_joint_is_nowhere() {
         let mut robot = super::super::testing::column();
         robot.joints.push(robot.joints[0].clone());
-        let _ = robot.base_from_tool(&[0.0]);
+        let tool = robot.base_from_tool(&[0.0]).translation.vector;
+        assert!(tool.x.is_nan() && tool.y.is_nan());
+        let point = robot.point_in_base(&[], &Point3::new(1.0, 2.0, 3.0));
+        assert!(point.x.is_nan());
+        let more = robot.base_from_tool(&[0.1, 0.2, 0.3]);
+        assert_eq!(more, robot.base_from_tool(&[0.1, 0.2]));
+        assert_eq!(robot.motions_from_home(&[]).len(), 3);
+        assert_eq!(robot.gravity_torque_nm(&[], 1.0, 7), None);
     }
 
     /// The source paper's half-angle form of a column that turns about z, its equations (1) to (3):

@@ -30,13 +30,10 @@ struct Mass {
 impl Robot {
     /// Gravity's torque about joint `joint` (from 0) at `q`, of a load at the tool's origin and of
     /// the known links from that joint on: N·m, or N for a prismatic joint. `None` where gravity is
-    /// not known.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint, or there is no such joint.
+    /// not known, or there is no such joint.
     pub fn gravity_torque_nm(&self, q: &[f64], load_kg: f64, joint: usize) -> Option<f64> {
         let masses = self.masses(q, load_kg)?;
-        let twist = self.joint_twists(q)[joint];
+        let twist = *self.joint_twists(q).get(joint)?;
         let power: f64 = masses
             .iter()
             .filter(|mass| mass.carried_by >= joint)

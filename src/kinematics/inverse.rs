@@ -15,6 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, Point3, UnitQuaternion, Vector3};
 
+use super::chain::value_of;
 use super::closed_form::ClosedForm;
 use super::quaternion;
 use super::robot::{JointKind, Pose, Robot};
@@ -87,7 +88,7 @@ impl<'a> Inverse<'a> {
 
     /// The solution that a start (one value per joint, rad or mm) leads to; limits play no part.
     pub fn from_start(&self, goal: &Goal, start: &[f64]) -> Option<Vec<f64>> {
-        let mut q = start.to_vec();
+        let mut q = self.one_value_per_joint(start);
         self.robot.follow(&mut q);
         let mut left = self.missing(goal, &q);
         let mut damping = 1e-3;
@@ -170,7 +171,7 @@ impl<'a> Inverse<'a> {
     /// How far apart two sets of joint values are: rad, sliding joints by parts of the reach.
     pub fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
         let squares = self.free.iter().map(|j| {
-            let by = (a[*j] - b[*j]) / self.unit(*j);
+            let by = (value_of(a, *j) - value_of(b, *j)) / self.unit(*j);
             by * by
         });
         squares.sum::<f64>().sqrt()
@@ -249,11 +250,17 @@ impl<'a> Inverse<'a> {
         way.norm() <= REACHED_MM && turn <= REACHED_RAD
     }
 
+    /// A pose as the search needs it: no value more or less than there are joints.
+    fn one_value_per_joint(&self, q: &[f64]) -> Vec<f64> {
+        let joints = 0..self.robot.joints.len();
+        joints.map(|joint| value_of(q, joint)).collect()
+    }
+
     /// Point k of an even spread over the travel of the free joints; the others as in `fixed`.
     pub fn spread(&self, fixed: &[f64], k: usize) -> Vec<f64> {
-        let mut q = fixed.to_vec();
+        let mut q = self.one_value_per_joint(fixed);
         for (joint, prime) in self.free.iter().zip(PRIMES.iter().cycle()) {
-            let share = radical_inverse(k + 1, *prime);
+            let share = radical_inverse(k.saturating_add(1), *prime);
             let limits = self.robot.joints[*joint].limits;
             let (from, to) = match self.robot.joints[*joint].kind {
                 // More than a turn has nothing new.

@@ -14,6 +14,7 @@ use nalgebra::Matrix6xX;
 
 use crate::decompose;
 
+use super::chain::value_of;
 use super::robot::{Pose, Robot};
 use super::screw::{Twist, joint_motion};
 
@@ -23,14 +24,11 @@ const GENERIC_STEP: f64 = 2.399_963_229_728_653;
 
 impl Robot {
     /// The twist of each joint at `q`, in the base frame, per unit of its value.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub(crate) fn joint_twists(&self, q: &[f64]) -> Vec<Twist> {
-        self.expect_one_value_per_joint(q);
         let mut before = Pose::identity();
-        let mut twists = Vec::with_capacity(q.len());
-        for (joint, &value) in self.joints.iter().zip(q) {
+        let mut twists = Vec::with_capacity(self.joints.len());
+        for (index, joint) in self.joints.iter().enumerate() {
+            let value = value_of(q, index);
             twists.push(Twist::of_axis(&joint.axis.moved_by(&before), joint.kind));
             before *= joint_motion(&joint.axis, joint.kind, value);
         }
@@ -38,9 +36,6 @@ impl Robot {
     }
 
     /// The Jacobian of the tool's pose as twists in the base frame, 6 × n.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub fn space_jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
         columns(&self.joint_twists(q))
     }
@@ -76,8 +71,8 @@ impl Robot {
 }
 
 fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
-    let columns: Vec<_> = twists.iter().map(|twist| twist.to_vector()).collect();
-    Matrix6xX::from_columns(&columns)
+    let numbers = twists.iter().flat_map(|twist| twist.to_vector().data.0[0]);
+    Matrix6xX::from_iterator(twists.len(), numbers)
 }
 
 #[cfg(test)]

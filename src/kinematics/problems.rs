@@ -24,25 +24,6 @@ impl Robot {
         if self.joints.len() > MOST_JOINTS {
             return problems;
         }
-        for (index, joint) in self.joints.iter().enumerate() {
-            let Some(follows) = joint.follows else {
-                continue;
-            };
-            let leads = self
-                .joints
-                .get(follows.of)
-                .is_some_and(|leading| leading.follows.is_none());
-            let finite = follows.ratio.is_finite() && follows.offset.is_finite();
-            if !leads || follows.of == index || !finite {
-                problems.push(Diagnostic::error(
-                    place
-                        .clone()
-                        .in_field(format!("robot.joints[{index}].follows")),
-                    text!("a joint that follows joint {of}", of = follows.of + 1),
-                    text!("the number of another joint that follows none, and a finite ratio and offset"),
-                ));
-            }
-        }
         for (index, pair) in self.joints.windows(2).enumerate() {
             if move_alike(&pair[0], &pair[1]) {
                 let at = place
@@ -112,6 +93,32 @@ impl Robot {
         for (index, joint) in self.joints.iter().enumerate() {
             let at = place.clone().in_field(format!("robot.joints[{index}]"));
             problems.extend(joint_problems(joint, &at));
+        }
+        problems.extend(self.wrongly_led(place));
+        problems
+    }
+
+    /// Joints that follow none, or one that follows itself.
+    fn wrongly_led(&self, place: &Place) -> Vec<Diagnostic> {
+        let mut problems = Vec::new();
+        for (index, joint) in self.joints.iter().enumerate() {
+            let Some(follows) = joint.follows else {
+                continue;
+            };
+            let leads = self
+                .joints
+                .get(follows.of)
+                .is_some_and(|leading| leading.follows.is_none());
+            let finite = follows.ratio.is_finite() && follows.offset.is_finite();
+            if !leads || follows.of == index || !finite {
+                problems.push(Diagnostic::error(
+                    place
+                        .clone()
+                        .in_field(format!("robot.joints[{index}].follows")),
+                    text!("a joint that follows joint {of}", of = follows.of.saturating_add(1)),
+                    text!("the number of another joint that follows none, and a finite ratio and offset"),
+                ));
+            }
         }
         problems
     }

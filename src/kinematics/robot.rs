@@ -5,6 +5,7 @@
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use super::chain::value_of;
 use super::dh::{DhRow, link_frames};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -284,7 +285,10 @@ impl Robot {
 
     /// Which of these joints have a drive of their own.
     pub fn leading(&self, joints: &[usize]) -> Vec<usize> {
-        let leads = |joint: &usize| self.joints[*joint].follows.is_none();
+        let leads = |joint: &usize| {
+            let joint = self.joints.get(*joint);
+            joint.is_some_and(|joint| joint.follows.is_none())
+        };
         joints.iter().copied().filter(leads).collect()
     }
 
@@ -298,13 +302,12 @@ impl Robot {
     }
 
     /// Puts the joints that follow others where those have them.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
     pub fn follow(&self, q: &mut [f64]) {
         for (joint, own) in self.joints.iter().enumerate() {
-            if let Some(follows) = own.follows {
-                q[joint] = follows.ratio * q[follows.of] + follows.offset;
+            if let Some(follows) = own.follows
+                && joint < q.len()
+            {
+                q[joint] = follows.ratio * value_of(q, follows.of) + follows.offset;
             }
         }
     }
@@ -338,9 +341,6 @@ impl Robot {
     }
 
     /// The same robot with its home where it stands at `at`: its values are counted from there.
-    ///
-    /// # Panics
-    /// If `at` does not have one value per joint.
     #[must_use]
     pub fn rehomed(&self, at: &[f64]) -> Self {
         let motions = self.motions_from_home(at);
@@ -351,11 +351,11 @@ impl Robot {
                 link.centre_mm = motions[index + 1] * link.centre_mm;
             }
             if let Some(limits) = &mut joint.limits {
-                limits.from -= at[index];
-                limits.to -= at[index];
+                limits.from -= value_of(at, index);
+                limits.to -= value_of(at, index);
             }
             if let Some(follows) = &mut joint.follows {
-                follows.offset += follows.ratio * at[follows.of] - at[index];
+                follows.offset += follows.ratio * value_of(at, follows.of) - value_of(at, index);
             }
         }
         robot.base_from_tool = self.base_from_tool(at);

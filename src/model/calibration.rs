@@ -1,9 +1,12 @@
 //! A calibration: the model that came out of a session, how sure it is, and how it came about.
 
+use crate::text::Text;
 use nalgebra::DMatrix;
 
+use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::kinematics::Range;
 use crate::sessions::{Region, Target};
+use crate::units::LARGEST_JOINT_VALUE;
 
 use super::{Model, SetUp};
 
@@ -91,4 +94,108 @@ pub struct Calibration {
     pub samples_hash: String,
     /// Version of the program that made it.
     pub program_version: String,
+}
+
+impl Calibration {
+    /// What has to hold before anything is computed with it: one that was identified or read holds it, one that
+    /// a caller filled in may not.
+    ///
+    /// # Errors
+    /// [`Rejected`] with everything that no robot has.
+    pub(crate) fn sound(&self) -> Result<(), Rejected> {
+        let robot = &self.model.robot;
+        let joints = robot.joints.len();
+        let mut findings = robot.out_of_range(&Place::default());
+        let mut wrong = |field: &str, found: Text, expected: Text| {
+            let place = Place::default().in_field(field);
+            findings.push(Diagnostic::error(place, found, expected));
+        };
+        if joints == 0 {
+            let expected = text!("at least one joint");
+            wrong("robot.joints", text!("no joints"), expected);
+        }
+        for term in self.model.terms() {
+            let about = term.effect.about();
+            let field = format!("effects.{}", about.id);
+            if term.joint >= joints {
+                let joint = term.joint.saturating_add(1);
+                wrong(
+                    &field,
+                    text!("joint {joint}", joint = joint),
+                    text!("a joint from 1 to {joints}", joints = joints),
+                );
+            }
+            let (found, expected) = (term.coefficients.len(), about.form.coefficients());
+            if found != expected {
+                wrong(
+                    &field,
+                    text!("{found} coefficients", found = found),
+                    Text::verbatim(expected.to_string()),
+                );
+            }
+            let mut numbers = term.coefficients.iter().chain([&term.setting]);
+            if !numbers.all(|value| value.is_finite()) {
+                let found = text!("a number that is not finite");
+                wrong(
+                    &field,
+                    found,
+                    text!("finite coefficients and a finite setting"),
+                );
+            }
+        }
+        if self.measured.len() > joints {
+            let found = text!("{measured} ranges", measured = self.measured.len());
+            wrong(
+                "measured",
+                found,
+                text!("at most {joints}, one for each joint", joints = joints),
+            );
+        }
+        let is_value = |value: f64| value.abs() <= LARGEST_JOINT_VALUE;
+        let is_range = |range: &Range| is_value(range.from) && is_value(range.to);
+        if !self.measured.iter().all(is_range) {
+            let found = text!("a range that is not finite or too large");
+            wrong(
+                "measured",
+                found,
+                text!("joint values within a robot's range"),
+            );
+        }
+        let is_place = |target: &Target| target.position_mm.iter().all(|x| x.is_finite());
+        if !self.targets.iter().all(is_place) {
+            let expected = text!("three finite lengths in mm");
+            wrong("targets", text!("a position that is not finite"), expected);
+        }
+        if findings.is_empty() {
+            Ok(())
+        } else {
+            Err(Rejected::of(findings))
+        }
+    }
+
+    /// What has to hold besides before it is handed out: its covariance is that of its coefficients.
+    ///
+    /// # Errors
+    /// [`Rejected`] where it is another model's.
+    pub(crate) fn with_its_own_covariance(&self) -> Result<(), Rejected> {
+        let coefficients = self.model.coefficient_count();
+        let (rows, columns) = match &self.covariance {
+            Some(covariance) => covariance.shape(),
+            None => return Ok(()),
+        };
+        if (rows, columns) == (coefficients, coefficients) {
+            return Ok(());
+        }
+        let place = Place::default().in_field("covariance");
+        let found = text!(
+            "{rows} by {columns} numbers",
+            rows = rows,
+            columns = columns
+        );
+        let expected = text!(
+            "{coefficients} by {coefficients}, as many as coefficients",
+            coefficients = coefficients
+        );
+        Err(Rejected::because(Diagnostic::error(place, found, expected)))
+    }
 }

@@ -48,9 +48,10 @@ pub struct Positions {
 }
 
 impl Positions {
-    /// One sample's position.
+    /// One sample's position; of one that is not there, no numbers.
     pub fn get(&self, sample: usize) -> [f64; 3] {
-        [self.x_mm[sample], self.y_mm[sample], self.z_mm[sample]]
+        [&self.x_mm, &self.y_mm, &self.z_mm]
+            .map(|column| column.get(sample).copied().unwrap_or(f64::NAN))
     }
 }
 
@@ -97,15 +98,13 @@ impl Model {
         all.flat_map(|term| (0..term.coefficients.len()).map(move |k| (term, k)))
     }
 
-    /// The same model with other coefficients.
+    /// The same model with other coefficients; those that are missing stay as they are.
     #[must_use]
     pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {
         let mut model = self.clone();
-        let mut rest = coefficients;
-        for term in &mut model.terms {
-            let (own, others) = rest.split_at(term.coefficients.len());
-            term.coefficients.copy_from_slice(own);
-            rest = others;
+        let own = model.terms.iter_mut().flat_map(|t| &mut t.coefficients);
+        for (own, given) in own.zip(coefficients) {
+            *own = *given;
         }
         model
     }
@@ -234,9 +233,15 @@ impl Model {
         })
     }
 
+    /// A term of a joint that the robot has not, or without its coefficients, does nothing.
     fn flow(&self, placed: &[Placed], block: &mut Block) {
+        let joints = self.robot.joints.len();
         let act = |block: &mut Block, stage: Stage, joint: Option<usize>| {
             for (term, me) in self.terms.iter().zip(placed) {
+                let form = term.effect.about().form;
+                if term.joint >= joints || term.coefficients.len() < form.coefficients() {
+                    continue;
+                }
                 let here = joint.is_none_or(|joint| joint == term.joint);
                 if term.effect.about().stage == stage && here {
                     (term.effect.act)(me, block);
@@ -256,8 +261,10 @@ impl Model {
 
     /// Figures of an effect in a session beside its parameters; see [`crate::effects::Effect::figures`].
     pub fn figures_of(&self, term: &Term, inputs: &Inputs) -> Vec<(&'static str, Option<f64>)> {
+        let joints = self.robot.joints.len();
+        let inputs = &*inputs.fitted_to(joints);
         let mut placed = self.terms.iter().zip(self.placed(inputs));
-        let found = placed.find(|(own, _)| own.same_column(term));
+        let found = placed.find(|(own, _)| own.same_column(term) && own.joint < joints);
         found.map_or_else(Vec::new, |(term, me)| {
             (term.effect.figures)(&me, &self.robot, inputs)
         })

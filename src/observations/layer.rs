@@ -82,19 +82,32 @@ impl Placing {
 }
 
 impl<'a> Layer<'a> {
-    /// The observations of a session. Joint values are those that `values` names.
+    /// The observations of a session. Joint values are those that `values` names. A session that cannot be
+    /// computed with ([`Session::checked`] says why) has none.
     pub fn new(session: &'a Session, values: JointValues) -> Self {
-        Self::at(session, &Inputs::new(session, values))
+        let inputs = Inputs::new(session, values);
+        let whole = session.whole().is_ok();
+        Self::of_samples(
+            session,
+            &inputs,
+            if whole { session.samples.len() } else { 0 },
+        )
     }
 
     /// The observations of a session whose joints were where `inputs` say, sample by sample.
     pub(crate) fn at(session: &'a Session, inputs: &Inputs) -> Self {
+        Self::of_samples(session, inputs, session.samples.len())
+    }
+
+    /// The observations of its first samples.
+    fn of_samples(session: &'a Session, inputs: &Inputs, count: usize) -> Self {
         let held_out = session.samples.held_out.as_deref();
         let complete = |i: usize| {
-            !session.samples.is_excluded(i) && session.samples.q.iter().all(|q| !q[i].is_nan())
+            let known = |q: &Vec<f64>| q.get(i).is_some_and(|q| !q.is_nan());
+            !session.samples.is_excluded(i) && session.samples.q.iter().all(known)
         };
         let mut items = Vec::new();
-        for sample in (0..session.samples.len()).filter(|i| complete(*i)) {
+        for sample in (0..count).filter(|i| complete(*i)) {
             for (kind, own) in KINDS.iter().enumerate() {
                 if own.measured(session, sample) {
                     let rows = rows_of(*own, session, sample);
@@ -102,7 +115,8 @@ impl<'a> Layer<'a> {
                 }
             }
         }
-        let kept = |item: &Item| !held_out.is_some_and(|h| h[item.sample]);
+        let is_held_out = |h: &[bool], sample: usize| h.get(sample).copied().unwrap_or(false);
+        let kept = |item: &Item| !held_out.is_some_and(|h| is_held_out(h, item.sample));
         let fit: Vec<bool> = items.iter().map(kept).collect();
         let instrument = &session.instrument;
         let sigma: Vec<f64> = KINDS

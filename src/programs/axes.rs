@@ -118,14 +118,16 @@ impl Axes {
         self.slots.iter().position(|s| *s == slot)
     }
 
-    /// The axis of a joint.
+    /// The axis of a joint; of one that the robot has not, an axis of its own behind all others.
     pub fn slot(&self, joint: usize) -> Slot {
-        self.slots[joint]
+        let slot = self.slots.get(joint).copied();
+        slot.unwrap_or(Slot::Own(joint))
     }
 
-    /// What a joint does.
+    /// What a joint does; one that the robot has not would turn.
     pub fn kind(&self, joint: usize) -> JointKind {
-        self.kinds[joint]
+        let kind = self.kinds.get(joint).copied();
+        kind.unwrap_or(JointKind::Revolute)
     }
 
     /// rad or mm in a degree or mm of each joint.

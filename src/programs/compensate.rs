@@ -12,13 +12,14 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Role, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Calibration;
+use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 
 use super::answer::{Answer, Left, Outcome, Reason, Written};
 use super::axes::Axes;
 use super::convention::Convention;
 use super::corrected::corrected;
 use super::frames::{self, ModelTool};
-use super::program_frames::{Differences, ProgramFrames, Reading, settled};
+use super::program_frames::{Differences, Holds, ProgramFrames, Reading, settled};
 use super::resolve::{Resolved, Resolver};
 use super::rewrite;
 use super::target::{Program, Remark, Shape, Target};
@@ -74,6 +75,9 @@ pub enum CompensateError {
         /// How many joints there are.
         expected: usize,
     },
+    /// A number of the request that no robot has.
+    #[error("{0}: expected finite numbers within a robot's range")]
+    NoNumber(&'static str),
     /// The model has no such frame.
     #[error(
         "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no \
@@ -109,6 +113,45 @@ pub enum CompensateError {
     ReadBack(String),
 }
 
+impl Request<'_> {
+    /// What of it is not finite, or beyond any robot's range.
+    fn no_number(&self) -> Option<&'static str> {
+        let length = |mm: &f64| mm.abs() <= LARGEST_LENGTH_MM;
+        let pose = |pose: &Pose| {
+            let turn = &pose.rotation.coords;
+            pose.translation.vector.iter().all(length) && (turn.norm() - 1.0).abs() <= 1e-6
+        };
+        let load = |kg: f64| kg.abs() <= LARGEST_MASS_KG;
+        let start = self.start.iter().flatten();
+        let on_flange = match &self.tool {
+            Some(ModelTool::OnFlange(tool)) => pose(tool),
+            _ => true,
+        };
+        let given = |holds: &Holds<Pose>| match holds {
+            Holds::Given(own) => pose(own),
+            _ => true,
+        };
+        let given_load = match self.frames.load {
+            Holds::Given(kg) => load(kg),
+            _ => true,
+        };
+        let all = [
+            (
+                start.into_iter().all(|q| q.abs() <= LARGEST_JOINT_VALUE),
+                "the start",
+            ),
+            (load(self.load_kg) && given_load, "the load"),
+            (
+                self.frame.as_ref().is_none_or(pose) && given(&self.frames.frame),
+                "the frame",
+            ),
+            (on_flange && given(&self.frames.tool), "the tool"),
+        ];
+        let wrong = all.into_iter().find(|(fits, _)| !fits);
+        wrong.map(|(_, what)| what)
+    }
+}
+
 /// Corrects the targets of a file.
 ///
 /// # Errors
@@ -124,6 +167,9 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     {
         let (found, expected) = (start.len(), robot.joints.len());
         return Err(CompensateError::Start { found, expected });
+    }
+    if let Some(what) = request.no_number() {
+        return Err(CompensateError::NoNumber(what));
     }
     if request.measured_frame && measured_frame(calibration).is_none() {
         return Err(CompensateError::NoMeasuredFrame);

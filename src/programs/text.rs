@@ -40,8 +40,9 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// Line and column of a byte, from 1.
+    /// Line and column of a byte, from 1; beyond the last those of the end.
     pub fn place(&self, at: usize) -> (u64, u64) {
+        let at = at.min(self.bytes.len());
         let line = self.line_starts.partition_point(|start| *start <= at);
         let mut start = self.line_starts[line.saturating_sub(1)];
         if start == 0 {
@@ -83,9 +84,11 @@ impl<'a> Text<'a> {
         })
     }
 
-    /// The bytes at a range, as far as they are UTF-8.
+    /// The bytes at a range, as far as there are any and they are UTF-8.
     pub fn shown(&self, range: std::ops::Range<usize>) -> String {
-        String::from_utf8_lossy(&self.bytes[range]).into_owned()
+        let end = range.end.min(self.bytes.len());
+        let bytes = self.bytes.get(range.start..end).unwrap_or_default();
+        String::from_utf8_lossy(bytes).into_owned()
     }
 
     pub(super) fn rejected(&self, problems: Vec<Problem>, file: Option<&Path>) -> Rejected {

@@ -7,6 +7,7 @@
 use std::fmt::Write as _;
 
 use crate::kinematics::{JointKind, Robot};
+use crate::units::LARGEST_JOINT_VALUE;
 
 use super::axes::{Axes, MOST_OWN, Slot};
 
@@ -39,6 +40,16 @@ pub enum WriteError {
     /// It gives all joints in rad.
     #[error("a sliding joint; expected turning joints, which URScript gives in rad")]
     Slide,
+    /// A pose to which no robot goes.
+    #[error(
+        "pose {pose}: expected {joints} joint values within a robot's range, one for each joint"
+    )]
+    Pose {
+        /// The pose, counted from 1.
+        pose: usize,
+        /// Number of joints.
+        joints: usize,
+    },
 }
 
 /// A program that goes from stop to stop. `title` stands in its first comment.
@@ -52,6 +63,14 @@ pub fn stops(
     stops: &[Stop],
 ) -> Result<String, WriteError> {
     let axes = Axes::new(robot);
+    let joints = axes.joints();
+    let is_value = |value: &f64| value.abs() <= LARGEST_JOINT_VALUE;
+    let goes = |q: &[f64]| q.len() == joints && q.iter().all(is_value);
+    let nowhere = |stop: &Stop| !goes(&stop.q) || stop.from.as_deref().is_some_and(|q| !goes(q));
+    if let Some(index) = stops.iter().position(nowhere) {
+        let pose = index + 1;
+        return Err(WriteError::Pose { pose, joints });
+    }
     let own = |name| match axes.own() {
         many if many > MOST_OWN => Err(WriteError::Axes(many, name)),
         _ => Ok(()),

@@ -1,8 +1,8 @@
 //! A session's deviations at the stages of the work, and the plots of them.
 
-use crate::compensation::Verification;
 use crate::compensation::verification::moved_by_correction;
-use crate::effects::JointValues;
+use crate::compensation::{Verification, VerifyError};
+use crate::effects::{Inputs, JointValues};
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
@@ -27,6 +27,8 @@ pub fn stages(
     verification: &Verification,
     floor_mm: Option<f64>,
 ) -> Result<Stages, ReportError> {
+    let session = &*session.whole().map_err(VerifyError::from)?;
+    calibration.sound().map_err(VerifyError::from)?;
     let mut all = as_measured(session, floor_mm);
     if !session.samples.observed.is_empty() {
         all.stages[0].deviations = verification.before.clone();
@@ -67,7 +69,12 @@ pub fn stages(
 }
 
 /// A session's samples as measured, held against the nominal robot.
+/// One that cannot be computed with ([`Session::checked`] says why) has none.
 pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
+    let Ok(session) = session.whole() else {
+        return without_samples(session, floor_mm);
+    };
+    let session = &*session;
     let problem = Problem::new(session, JointValues::Commanded);
     let nominal = base_model::nominal(&session.robot, session, &problem);
     // Deviations are shown over the joint that moved farthest, in its own unit.
@@ -101,6 +108,22 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             name: "As measured".to_owned(),
             stands: Stands::Before,
             deviations: deviations(&problem, &nominal),
+        }],
+        floor_mm,
+        tolerance_mm: session.tolerance_mm,
+    }
+}
+
+fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
+    Stages {
+        nominal: Model::nominal(session.robot.clone()).predict(&Inputs::at_poses(vec![], vec![])),
+        over: String::new(),
+        values: Vec::new(),
+        side: Vec::new(),
+        stages: vec![Stage {
+            name: "As measured".to_owned(),
+            stands: Stands::Before,
+            deviations: Deviations::default(),
         }],
         floor_mm,
         tolerance_mm: session.tolerance_mm,

@@ -50,7 +50,27 @@ const CHECKS: [Check; 6] = [
 ];
 
 /// Makes every check, one after the other.
+///
+/// A session that cannot be computed with ([`Session::checked`] says why) has none.
 pub fn check(session: &Session, values: JointValues) -> Checked<'_> {
+    match session.whole() {
+        Ok(Cow::Borrowed(session)) => checked(session, values),
+        Ok(Cow::Owned(completed)) => {
+            let Checked { session, problems } = checked(&completed, values);
+            Checked {
+                session: Cow::Owned(session.into_owned()),
+                problems,
+            }
+        }
+        Err(_) => Checked {
+            session: Cow::Borrowed(session),
+            problems: Vec::new(),
+        },
+    }
+}
+
+/// The same of a session that is whole.
+pub(crate) fn checked(session: &Session, values: JointValues) -> Checked<'_> {
     let mut checked = Checked {
         session: Cow::Borrowed(session),
         problems: Vec::new(),

@@ -6,15 +6,13 @@
 //! [`Session::checked`].
 
 use crate::text::Text;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitQuaternion};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
-use crate::document::ranges::short;
-use crate::kinematics::{JointKind, Robot};
-use crate::sessions::columns::{Quantity, Unit};
+use crate::kinematics::Robot;
+use crate::sessions::consistency::{self, error};
 use crate::sessions::domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target};
 use crate::sessions::format_v1::head::default_targets;
 use crate::sessions::validation;
@@ -98,11 +96,8 @@ impl Session {
     /// # Errors
     /// [`Rejected`] with everything for which a file would be refused.
     pub fn checked(mut self) -> Result<Self, Rejected> {
-        complete(&mut self);
-        let mut findings = inconsistent(&self);
-        if findings.is_empty() {
-            findings = out_of_range(&self);
-        }
+        consistency::complete(&mut self);
+        let mut findings = consistency::findings(&self);
         if findings.is_empty() {
             findings = validation::findings(&self, &Place::default());
         }
@@ -113,253 +108,6 @@ impl Session {
         }
         Ok(self)
     }
-
-    /// The session itself where it is whole, as one that was read is; else completed.
-    ///
-    /// # Errors
-    /// [`Rejected`] where it cannot be computed with.
-    pub(crate) fn whole(&self) -> Result<Cow<'_, Self>, Rejected> {
-        let mut whole = Cow::Borrowed(self);
-        if lacks_columns(self) {
-            complete(whole.to_mut());
-        }
-        let mut findings = inconsistent(&whole);
-        findings.extend(whole.robot.out_of_range(&Place::default()));
-        if findings.is_empty() {
-            Ok(whole)
-        } else {
-            Err(Rejected::of(findings))
-        }
-    }
-}
-
-/// Columns for each joint that every session has, even where nothing was recorded.
-fn lacks_columns(session: &Session) -> bool {
-    let joints = session.robot.joints.len();
-    let samples = &session.samples;
-    let columns = [&samples.q_read, &samples.dir, &samples.speed];
-    session.targets.is_empty() || columns.iter().any(|columns| columns.is_empty()) && joints > 0
-}
-
-fn complete(session: &mut Session) {
-    let joints = session.robot.joints.len();
-    let samples = &mut session.samples;
-    for columns in [&mut samples.q_read, &mut samples.dir, &mut samples.speed] {
-        if columns.is_empty() {
-            columns.resize(joints, None);
-        }
-    }
-    if session.targets.is_empty() {
-        session.targets = default_targets();
-    }
-}
-
-fn error(field: &str, found: Text, expected: Text) -> Diagnostic {
-    Diagnostic::error(Place::default().in_field(field), found, expected)
-}
-
-/// Columns of another length than the others, and indices of what is not declared.
-fn inconsistent(session: &Session) -> Vec<Diagnostic> {
-    let (samples, joints) = (&session.samples, session.robot.joints.len());
-    let rows = samples.x_mm.len();
-    let mut findings = Vec::new();
-    if joints == 0 {
-        let expected = text!("at least one joint");
-        findings.push(error("robot.joints", text!("no joints"), expected));
-    }
-    for (field, count) in [
-        ("samples.q", samples.q.len()),
-        ("samples.q_read", samples.q_read.len()),
-        ("samples.dir", samples.dir.len()),
-        ("samples.speed", samples.speed.len()),
-    ] {
-        if count != joints {
-            let expected = text!("{joints}, one for each joint", joints = joints);
-            findings.push(error(
-                field,
-                text!("{count} columns", count = count),
-                expected,
-            ));
-        }
-    }
-    for (field, count) in [
-        ("samples.torque_nm", samples.torque_nm.len()),
-        (
-            "samples.joint_temperature_c",
-            samples.joint_temperature_c.len(),
-        ),
-    ] {
-        if count > joints {
-            let expected = text!("at most {joints}, one for each joint", joints = joints);
-            findings.push(error(
-                field,
-                text!("{count} columns", count = count),
-                expected,
-            ));
-        }
-    }
-    for (field, length) in lengths(samples) {
-        if length != rows {
-            let expected = text!("{rows}, as many as points (x_mm)", rows = rows);
-            findings.push(error(
-                field,
-                text!("{length} values", length = length),
-                expected,
-            ));
-        }
-    }
-    let (targets, references) = (&session.targets, &session.instrument.references);
-    let observed = &samples.observed;
-    let beyond = |index: &Option<Vec<Option<u32>>>, count: usize| {
-        index
-            .iter()
-            .flatten()
-            .flatten()
-            .any(|k| *k as usize >= count)
-    };
-    let target = samples.target.iter().flatten();
-    let setups = samples.setups.as_ref();
-    for (field, wrong) in [
-        (
-            "samples.target",
-            target.copied().any(|k| k as usize >= targets.len()),
-        ),
-        (
-            "samples.setups",
-            setups.is_some_and(|s| s.index.iter().any(|k| *k as usize >= s.names.len())),
-        ),
-        (
-            "samples.observed.anchor",
-            beyond(&observed.anchor, references.anchors.len()),
-        ),
-        (
-            "samples.observed.station",
-            beyond(&observed.station, references.stations.len()),
-        ),
-        (
-            "samples.observed.plane",
-            beyond(&observed.plane, references.planes.len()),
-        ),
-        (
-            "samples.observed.socket",
-            beyond(&observed.socket, references.sockets.len()),
-        ),
-    ] {
-        if wrong {
-            let found = text!("an index of nothing that is declared");
-            findings.push(error(field, found, text!("indices that count from 0")));
-        }
-    }
-    findings
-}
-
-/// Every column that there is, with its number of values.
-fn lengths(samples: &Samples) -> Vec<(&'static str, usize)> {
-    let mut all = vec![("samples.y_mm", samples.y_mm.len())];
-    all.extend(samples.q.iter().map(|column| ("samples.q", column.len())));
-    let mut add = |field: &'static str, column: Option<&Vec<f64>>| {
-        all.extend(column.map(|column| (field, column.len())));
-    };
-    for (field, columns) in [
-        ("samples.q_read", &samples.q_read),
-        ("samples.dir", &samples.dir),
-        ("samples.speed", &samples.speed),
-        ("samples.torque_nm", &samples.torque_nm),
-        ("samples.joint_temperature_c", &samples.joint_temperature_c),
-    ] {
-        for column in columns {
-            add(field, column.as_ref());
-        }
-    }
-    let observed = &samples.observed;
-    for (field, column) in [
-        ("samples.z_mm", &samples.z_mm),
-        ("samples.load_kg", &samples.load_kg),
-        ("samples.temperature_c", &samples.temperature_c),
-        ("samples.time_s", &samples.time_s),
-        ("samples.observed.distance_mm", &observed.distance_mm),
-        ("samples.observed.azimuth", &observed.azimuth),
-        ("samples.observed.elevation", &observed.elevation),
-    ] {
-        add(field, column.as_ref());
-    }
-    for part in samples.orientation_wxyz.iter().flatten() {
-        add("samples.orientation_wxyz", Some(part));
-    }
-    let counted = |field, length: Option<usize>| length.map(|length| (field, length));
-    let setups = samples.setups.as_ref().map(|setups| setups.index.len());
-    all.extend(
-        [
-            counted("samples.target", samples.target.as_ref().map(Vec::len)),
-            counted("samples.setups", setups),
-            counted("samples.held_out", samples.held_out.as_ref().map(Vec::len)),
-            counted("samples.excluded", samples.excluded.as_ref().map(Vec::len)),
-            counted(
-                "samples.observed.anchor",
-                observed.anchor.as_ref().map(Vec::len),
-            ),
-            counted(
-                "samples.observed.station",
-                observed.station.as_ref().map(Vec::len),
-            ),
-            counted(
-                "samples.observed.plane",
-                observed.plane.as_ref().map(Vec::len),
-            ),
-            counted(
-                "samples.observed.socket",
-                observed.socket.as_ref().map(Vec::len),
-            ),
-        ]
-        .into_iter()
-        .flatten(),
-    );
-    all.extend(
-        samples
-            .unknown
-            .iter()
-            .map(|c| ("samples.unknown", c.cells.len())),
-    );
-    all
-}
-
-/// Numbers beyond any robot's range; a missing value is NaN, and nothing is infinite.
-fn out_of_range(session: &Session) -> Vec<Diagnostic> {
-    let joints = &session.robot.joints;
-    let mut findings = Vec::new();
-    for quantity in Quantity::all(joints.len()) {
-        let unit = match quantity {
-            Quantity::Commanded(joint) | Quantity::ReadBack(joint)
-                if joints[joint].kind == JointKind::Revolute =>
-            {
-                Unit::Angle(1.0)
-            }
-            _ => Unit::Fixed,
-        };
-        let range = quantity.range(unit);
-        let values = session.samples.numbers(quantity).unwrap_or_default();
-        if let Some(row) = values.iter().position(|value| value.abs() > range.largest) {
-            let field = quantity.heading(Some(quantity.written_in(joints)));
-            let found = text!(
-                "sample {row}: {row_2}",
-                row = row + 1,
-                row_2 = short(values[row])
-            );
-            findings.push(error(&field, found, range.expected.into()));
-        }
-    }
-    for target in &session.targets {
-        if !target
-            .position_mm
-            .iter()
-            .all(|x| x.abs() <= crate::units::LARGEST_LENGTH_MM)
-        {
-            let found = text!("a position that is not finite or too large");
-            let expected = text!("three lengths of at most 10 000 000 mm");
-            findings.push(error(&format!("targets.{}", target.name), found, expected));
-        }
-    }
-    findings
 }
 
 /// Gathers what a session is made of; see [`Session::builder`]. Every list has one entry for each sample.

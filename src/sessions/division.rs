@@ -39,6 +39,9 @@ pub enum RegionError {
         "all samples are at the same angle and the joint has no limits: there is no range to divide"
     )]
     NoRange,
+    /// A session that cannot be computed with.
+    #[error("{0}")]
+    Session(String),
 }
 
 /// More regions than this are a slip of the keyboard.

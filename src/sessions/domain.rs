@@ -200,15 +200,16 @@ impl Samples {
 
     /// Samples where the instrument says exactly (0, 0, 0): it had lost the reflector.
     pub fn lost_reflector(&self) -> Vec<usize> {
-        let z_is_zero = |i: usize| self.z_mm.as_ref().is_none_or(|z| z[i] == 0.0);
+        let z_is_zero = |i: usize| self.z_mm.as_ref().is_none_or(|z| cell(z, i) == 0.0);
         (0..self.len())
-            .filter(|&i| self.x_mm[i] == 0.0 && self.y_mm[i] == 0.0 && z_is_zero(i))
+            .filter(|&i| self.x_mm[i] == 0.0 && cell(&self.y_mm, i) == 0.0 && z_is_zero(i))
             .collect()
     }
 
     /// Whether a person took this sample out.
     pub fn is_excluded(&self, sample: usize) -> bool {
-        self.excluded.as_ref().is_some_and(|all| all[sample])
+        let out = self.excluded.as_ref().and_then(|all| all.get(sample));
+        out.copied().unwrap_or(false)
     }
 
     /// Samples that a person took out, in ascending order.
@@ -229,7 +230,7 @@ impl Samples {
             .filter(|&i| {
                 let point = self.coordinates(i).iter().any(|v| !v.is_nan());
                 let measured = point || self.observed.has(i) || self.is_turned(i);
-                self.q.iter().any(|q| q[i].is_nan()) || !measured
+                self.q.iter().any(|q| cell(q, i).is_nan()) || !measured
             })
             .collect()
     }
@@ -259,15 +260,20 @@ impl Samples {
 
     /// The coordinates of a sample; NaN where one is missing.
     pub(crate) fn coordinates(&self, sample: usize) -> [f64; 3] {
-        let z = self.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
-        [self.x_mm[sample], self.y_mm[sample], z]
+        let z = self.z_mm.as_ref().map_or(f64::NAN, |z| cell(z, sample));
+        [cell(&self.x_mm, sample), cell(&self.y_mm, sample), z]
     }
 
     /// Whether a sample has a measured orientation.
     pub(crate) fn is_turned(&self, sample: usize) -> bool {
         let parts = self.orientation_wxyz.as_ref();
-        parts.is_some_and(|parts| parts.iter().all(|part| !part[sample].is_nan()))
+        parts.is_some_and(|parts| parts.iter().all(|part| !cell(part, sample).is_nan()))
     }
+}
+
+/// A cell; one that the column does not reach is missing.
+fn cell(column: &[f64], sample: usize) -> f64 {
+    column.get(sample).copied().unwrap_or(f64::NAN)
 }
 
 /// Whether a column has a missing value: quicker than to ask which.

@@ -15,6 +15,7 @@ mod built;
 pub(crate) mod bundled;
 pub(crate) mod cells;
 pub(crate) mod columns;
+mod consistency;
 mod csv;
 pub(crate) mod division;
 mod domain;

@@ -168,8 +168,15 @@ impl ObservedColumns {
 
     /// Whether a sample has something here that can be used.
     pub fn has(&self, sample: usize) -> bool {
-        let number = |c: &Option<Vec<f64>>| c.as_ref().is_some_and(|v| !v[sample].is_nan());
-        let name = |c: &Option<Vec<Option<u32>>>| c.as_ref().is_some_and(|v| v[sample].is_some());
+        let number = |c: &Option<Vec<f64>>| {
+            c.as_ref()
+                .and_then(|v| v.get(sample))
+                .is_some_and(|v| !v.is_nan())
+        };
+        let name = |c: &Option<Vec<Option<u32>>>| {
+            let cell = c.as_ref().and_then(|v| v.get(sample));
+            cell.is_some_and(Option::is_some)
+        };
         let direction = number(&self.azimuth) && number(&self.elevation);
         number(&self.distance_mm) || direction || name(&self.plane) || name(&self.socket)
     }

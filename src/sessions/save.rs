@@ -21,6 +21,7 @@ use crate::atomic::{
 use crate::document::{Value, object, text_of, write_document, write_number};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
+use crate::sessions::consistency;
 use crate::sessions::domain::Session;
 use crate::sessions::file_hash::Hashed;
 use crate::sessions::format_v1::head;
@@ -101,6 +102,11 @@ fn save_pair(
     refuse_to_replace_inputs(path, replacing.inputs)?;
     refuse_to_replace_inputs(csv, replacing.inputs)?;
     let csv_name = name_of(path, csv)?;
+    let fits = columns_fit(session);
+    fits.map_err(|source| WriteError::Io {
+        path: path.to_path_buf(),
+        source,
+    })?;
     let mut sha256 = String::new();
     let samples = Prepared::write(csv, replacing.force, |output| {
         let mut hashed = Hashed::new(output);
@@ -160,6 +166,7 @@ fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
 /// # Errors
 /// What writing to `output` says.
 pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
+    columns_fit(session)?;
     let columns = ColumnsTwin(columns(session));
     let document = Document {
         head: head::write(session),
@@ -173,8 +180,15 @@ pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
 /// # Errors
 /// What writing to `output` says.
 pub fn write_csv(session: &Session, output: &mut dyn Write) -> io::Result<()> {
+    columns_fit(session)?;
     let progress = Progress::new(&unwatched);
     write_rows(session, output, progress.whole())
+}
+
+/// Columns of different lengths are no table, and half of one is not written.
+fn columns_fit(session: &Session) -> io::Result<()> {
+    let rejected = |rejected| io::Error::new(io::ErrorKind::InvalidInput, rejected);
+    consistency::columns_fit(session).map_err(rejected)
 }
 
 /// Rows that are written between two looks at whoever watches.

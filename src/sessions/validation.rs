@@ -65,7 +65,7 @@ pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>)
 }
 
 /// What a fit has parameters for is counted: its equations grow with the square of their number.
-fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     let references = &session.instrument.references;
     let setups = session.samples.setups.as_ref();
     let setups = setups.map_or(0, |setups| setups.names.len());

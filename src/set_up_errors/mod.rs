@@ -68,8 +68,28 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 }
 
 /// Checks the rows, tries the set-up errors and corrects what it finds.
+///
+/// A session that cannot be computed with ([`Session::checked`] says why) stays as it is.
 pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
-    let checked = row_checks::check(raw, joint_values);
+    match raw.whole() {
+        Ok(Cow::Borrowed(raw)) => mended(raw, joint_values),
+        Ok(Cow::Owned(completed)) => {
+            let Mended { session, problems } = mended(&completed, joint_values);
+            Mended {
+                session: Cow::Owned(session.into_owned()),
+                problems,
+            }
+        }
+        Err(_) => Mended {
+            session: Cow::Borrowed(raw),
+            problems: Vec::new(),
+        },
+    }
+}
+
+/// The same of a session that is whole.
+pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> Mended<'_> {
+    let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
     let mut made: Vec<Mend> = made_for(&problems).collect();
     // What is only said from here on was not made.
@@ -111,7 +131,7 @@ pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
 /// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
 /// joints is identified without set-up errors, one joint as it is.
 pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
-    let checked = row_checks::check(raw, joint_values);
+    let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
     let of_one_joint = if base_model::is_arm(&session) {
         if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {

@@ -113,6 +113,8 @@ pub fn simulate(
     if scenario.measure != [Measure::Point] || scenario.instrument.tracker.is_some() {
         measured::measure(scenario, &model, &mut session, &outliers, seed)?;
     }
+    // What it would be refused for when it is read is no session.
+    session.whole()?;
     let truth = Truth {
         name: session.name.clone(),
         seed,

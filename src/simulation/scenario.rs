@@ -226,10 +226,25 @@ impl Scenario {
     /// Everything that makes the scenario unusable (errors) or pointless in part (warnings). The
     /// reader of files has checked each value by itself; this looks at what they mean together.
     pub fn problems(&self) -> Vec<Diagnostic> {
-        let mut problems = Vec::new();
+        let mut problems = self.robot.out_of_range(&Place::default());
+        if self.robot.joints.is_empty() {
+            let place = field("robot.joints");
+            problems.push(Diagnostic::error(
+                place,
+                text!("no joints"),
+                text!("at least one joint"),
+            ));
+        }
+        // What follows speaks of joints that there are.
+        if !problems.is_empty() {
+            return problems;
+        }
         self.check_poses(&mut problems);
         self.check_numbers(&mut problems);
-        for (k, term) in self.effects.iter().enumerate() {
+        self.check_effects(&mut problems);
+        let joints = self.robot.joints.len();
+        let effects = self.effects.iter().enumerate();
+        for (k, term) in effects.filter(|(_, term)| term.joint < joints) {
             if let Some(reason) = self.why_idle(term) {
                 problems.push(Diagnostic::warning(
                     field(format!("effects[{k}]")),
@@ -259,7 +274,7 @@ impl Scenario {
         match &self.poses {
             Poses::Sweep(sweep) => {
                 if sweep.joint >= joints {
-                    let found = text!("joint {joint}", joint = sweep.joint + 1);
+                    let found = text!("joint {joint}", joint = sweep.joint.saturating_add(1));
                     wrong("poses.sweep.joint", found, phrase!("a joint of the robot"));
                     return;
                 }
@@ -316,6 +331,29 @@ impl Scenario {
         if !(1.0..=MOST_SAMPLES).contains(&samples) {
             let found = text!("{samples} samples", samples = samples);
             wrong("poses", found, phrase!("between 1 and 20 000 000 samples"));
+        }
+    }
+
+    /// Effects of joints that there are, with all of their coefficients.
+    fn check_effects(&self, problems: &mut Vec<Diagnostic>) {
+        let joints = self.robot.joints.len();
+        for (k, term) in self.effects.iter().enumerate() {
+            let at = format!("effects[{k}]");
+            if term.joint >= joints {
+                let found = text!("joint {joint}", joint = term.joint.saturating_add(1));
+                let expected = text!("a joint from 1 to {joints}", joints = joints);
+                problems.push(Diagnostic::error(field(&at), found, expected));
+            }
+            let (found, expected) = (
+                term.coefficients.len(),
+                term.effect.about().form.coefficients(),
+            );
+            let finite = term.coefficients.iter().all(|value| value.is_finite());
+            if found != expected || !finite {
+                let found = text!("{found} coefficients", found = found);
+                let expected = text!("{expected} finite ones", expected = expected);
+                problems.push(Diagnostic::error(field(&at), found, expected));
+            }
         }
     }
 

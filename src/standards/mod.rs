@@ -59,6 +59,8 @@ pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
 ) -> Result<Standards, VerifyError> {
+    let session = &*session.whole()?;
+    calibration.map_or(Ok(()), Calibration::sound)?;
     let points = Points::new(session, calibration)?;
     let samples = points.usable.iter().filter(|u| **u).count();
     let left_out = points.usable.len() - samples;

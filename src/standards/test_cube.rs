@@ -20,6 +20,7 @@ use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::compensation::pose::{Tools, commands_for_poses, conditioning, is_singular};
 use crate::diagnosis::NextPose;
+use crate::diagnostic::{Place as Field, Rejected};
 use crate::effects::Inputs;
 use crate::kinematics::inverse::{Goal, Inverse, REACHED_MM};
 use crate::kinematics::{Pose, Robot};
@@ -95,7 +96,16 @@ pub enum NoCube {
         /// How far the tool reaches, mm.
         reach_mm: f64,
     },
+    /// More joints than poses are looked for with.
+    #[error("a robot with {0} joints; poses are looked for with at most {MOST_JOINTS}")]
+    Joints(usize),
+    /// A robot that cannot be computed with.
+    #[error(transparent)]
+    Rejected(#[from] Rejected),
 }
+
+/// No machine has more, and the search takes the cube of them.
+const MOST_JOINTS: usize = 30;
 
 impl TestCube {
     /// The largest cube that fits.
@@ -103,6 +113,13 @@ impl TestCube {
     /// # Errors
     /// See [`NoCube`].
     pub fn of(robot: &Robot) -> Result<Self, NoCube> {
+        if robot.joints.len() > MOST_JOINTS {
+            return Err(NoCube::Joints(robot.joints.len()));
+        }
+        let problems = robot.out_of_range(&Field::default());
+        if !problems.is_empty() {
+            return Err(Rejected::of(problems).into());
+        }
         let search = Search::new(robot)?;
         let places = search.places();
         let fits = |side: &f64| {

@@ -19,7 +19,7 @@ fn data(name: &str) -> PathBuf {
 }
 
 fn text_of(name: &str) -> String {
-    fs::read_to_string(data(name)).unwrap()
+    String::from_utf8_lossy(&fs::read(data(name)).unwrap()).into_owned()
 }
 
 /// A program whose moves are those of one of the test data so many times, each time with names of their own.
@@ -67,6 +67,27 @@ fn repeated(name: &str, count: usize) -> String {
             };
             format!("DEF cell( )\n{}END\n", times(&moved))
         }
+        "cell.ls" => {
+            let (head, rest) = text.split_once("/MN\n").unwrap();
+            let positions = rest.split_once("/POS\n").unwrap().1;
+            let positions: Vec<&str> = positions.split_inclusive("};\n").collect();
+            // What stands behind its number in `P[3]{` or `P[2:"home"]{`.
+            let own: Vec<&str> = positions
+                .iter()
+                .filter_map(|text| text.split_once(']').map(|(_, rest)| rest))
+                .collect();
+            let number = |k: usize, n: usize| own.len() * k + n + 1;
+            let moved = |k: usize| {
+                let one = |n| format!("   {0}:J P[{0}] 100% FINE    ;\n", number(k, n));
+                (0..own.len()).map(one).collect::<String>()
+            };
+            let placed = |k: usize| {
+                let one = |(n, rest): (usize, &&str)| format!("P[{}]{rest}", number(k, n));
+                own.iter().enumerate().map(one).collect::<String>()
+            };
+            let (moved, placed) = (times(&moved), times(&placed));
+            format!("{head}/MN\n{moved}/POS\n{placed}/END\n")
+        }
         _ => {
             let moved = |_| {
                 let starts = ["movel(p[", "movej([", "movej(get"];
@@ -92,10 +113,11 @@ fn programs_of_every_language_cost_in_proportion() {
         ("cell.mod", "rapid"),
         ("cell.src", "krl"),
         ("cell.script", "urscript"),
+        ("cell.ls", "fanuc-ls"),
     ] {
         let run = |count: usize| {
             let text = repeated(name, count);
-            let moves = ["Move", "PTP", "move"].map(|word| text.matches(word).count());
+            let moves = ["Move", "PTP", "move", ":J P["].map(|word| text.matches(word).count());
             assert!(moves.iter().sum::<usize>() >= 12 * count, "{moves:?}");
             fs::write(folder.path().join(name), text).unwrap();
             let out = format!("out.{name}");

@@ -323,6 +323,16 @@ fn the_programs_that_are_to_be_damaged_are_corrected() {
     }
 }
 
+/// Found by fuzzing `compensate`: the promise counted lines by line feeds alone.
+#[test]
+fn a_carriage_return_alone_ends_a_line_of_a_program() {
+    let calibration = crate::exporting::admitted(&compensating::calibration());
+    let language = truepose::programs::find("urscript").unwrap();
+    let program = b"def m():\n x = [1,\r\r\r 2]\n movej([2.21,.54,-.13,-.69,-.37,-2.74])\nend\n";
+    let answer = compensating::compensated(&calibration, language, program, 2).unwrap();
+    assert_eq!(answer.targets[0].place.0, 6);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig {
         rng_seed: proptest::test_runner::RngSeed::Fixed(12),

@@ -197,3 +197,63 @@ fn numbers_of_instruments_and_scenarios_are_held_to_the_same_range() {
     );
     refused(&ran, "position_mm");
 }
+
+/// Names of tests between backquotes, as `file::test` or `src: module::tests::test`; one that ends in `…` is the
+/// beginning of the name.
+fn named_tests(page: &str) -> Vec<String> {
+    let quoted = page.split('`').skip(1).step_by(2);
+    let is_name = |c: char| c.is_ascii_alphanumeric() || "_:… ".contains(c);
+    let examples = ["file::test", "src: module::test"];
+    quoted
+        .filter(|name| name.contains("::") && name.chars().all(is_name))
+        .filter(|name| !examples.contains(name) && !name.starts_with(char::is_uppercase))
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn every_test_that_the_pages_name_is_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut functions = Vec::new();
+    let mut folders = vec![root.join("src"), root.join("tests")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                let text = fs::read_to_string(&path).unwrap();
+                let heads = text.lines().filter_map(|line| {
+                    let name = line.trim_start().strip_prefix("fn ")?;
+                    Some(name.split(['(', '<']).next()?.to_owned())
+                });
+                functions.extend(heads.map(|name| (path.clone(), name)));
+            }
+        }
+    }
+    let mut missing = Vec::new();
+    for page in ["SECURITY.md", "docs/faults.md"] {
+        let names = named_tests(&fs::read_to_string(root.join(page)).unwrap());
+        assert!(names.len() > 20, "{page}: {} names", names.len());
+        for name in names {
+            let path = name.trim_start_matches("src: ");
+            let (module, test) = path.rsplit_once("::").unwrap();
+            // `…::test` is of the module that stands before it.
+            let own = module.trim_end_matches("::tests").trim_end_matches('…');
+            let own = own.rsplit("::").next().unwrap_or_default();
+            let begins = test.strip_suffix('…');
+            let is_there = functions.iter().any(|(file, function)| {
+                let here = file.iter().any(|part| {
+                    let part = part.to_string_lossy();
+                    own.is_empty() || part.trim_end_matches(".rs") == own
+                });
+                let same = begins.map_or(function == test, |begins| function.starts_with(begins));
+                here && (same || test == "tests")
+            });
+            if !is_there {
+                missing.push(format!("{page}: {name}"));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}

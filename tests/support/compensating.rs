@@ -13,7 +13,7 @@ use truepose::kinematics::{Pose, Range, pose_from_parts};
 use truepose::model::{Calibration, Model};
 use truepose::pipeline;
 use truepose::programs::{
-    Answer, CompensateError, Holds, Language, ModelTool, ProgramFrames, Request,
+    Answer, CompensateError, Holds, Language, ModelTool, ProgramFrames, Request, Text,
 };
 use truepose::sessions::parse_robot;
 
@@ -155,7 +155,8 @@ pub fn compensated(
         Err(CompensateError::Several { .. }) => return None,
         Err(other) => panic!("{}: {other}", String::from_utf8_lossy(bytes)),
     };
-    let lines = bytes.split(|b| *b == b'\n').count() as u64;
+    // A carriage return alone ends a line too.
+    let lines = Text::new(bytes).lines().count() as u64;
     for target in &answer.targets {
         let (line, column) = target.place;
         assert!(

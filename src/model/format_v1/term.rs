@@ -140,7 +140,8 @@ fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<V
 /// What is written of an effect of this robot. Parameters stand in the order of the catalogue.
 pub(super) fn term_written(term: &Term, robot: &Robot) -> Value {
     let about = term.effect.about();
-    let kind = robot.joints[term.joint].kind;
+    let own = robot.joints.get(term.joint);
+    let kind = own.map_or(JointKind::Revolute, |joint| joint.kind);
     let mut all = vec![Member::new("effect", about.id)];
     if about.per_joint {
         all.push(Member::new("joint", term.joint + 1));
