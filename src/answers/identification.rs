@@ -200,7 +200,7 @@ impl Identification {
         by_hand.map(|l| l.sample).collect()
     }
 
-    /// The same in words; `None` where there is none.
+    /// The same in words, in the language of this thread; `None` where there is none.
     pub fn excluded_in_words(&self) -> Option<String> {
         const MOST: usize = 20;
         let excluded = self.excluded();
@@ -209,8 +209,12 @@ impl Identification {
         let more = if excluded.len() > MOST { ", …" } else { "" };
         let n = excluded.len();
         (n > 0).then(|| {
-            let samples = if n == 1 { "sample" } else { "samples" };
-            format!("{n} {samples} excluded by hand, in no figure: {numbers}{more}")
+            say!(
+                one "{count} sample excluded by hand, in no figure: {numbers}",
+                "{count} samples excluded by hand, in no figure: {numbers}",
+                count = n,
+                numbers = format!("{numbers}{more}")
+            )
         })
     }
 

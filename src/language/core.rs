@@ -13,10 +13,8 @@ use std::sync::OnceLock;
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::find;
-use crate::present::names as present;
+use crate::present::names::{on_joint, parameter, title, title_of};
 use crate::text::{Language, Text, current, known, known_in, within};
-
-use super::titles::{on_joint, title, title_of};
 
 const CONTEXT: &str = "core";
 /// What may be filled in, by name, and what stands for it where a sentence is taken apart.
@@ -88,12 +86,6 @@ pub(crate) fn finding(finding: &Diagnostic) -> String {
     }
 }
 
-/// A parameter in words, and its unit as it is written behind a number.
-pub(crate) fn parameter(name: &str) -> (String, &'static str) {
-    let (name, unit) = present::parameter(name);
-    (of_core(&name).into_owned(), unit)
-}
-
 /// Coefficients of a model that stand together, by their names in files: `link-geometry of joint 2: x_mm with
 /// measuring-frame: z_mm`.
 pub(crate) fn combination(text: &str) -> String {
@@ -139,6 +131,7 @@ fn translated(english: &str, deep: u32) -> Option<String> {
 }
 
 /// What the core says in these words, among those of this kind, where the language has it.
+#[cfg(feature = "gui")]
 pub(crate) fn known_words(kind: &str, english: &str) -> Option<String> {
     let as_written = |one: &&str| one.eq_ignore_ascii_case(english);
     let english = known(kind).find(as_written).unwrap_or(english);
@@ -227,9 +220,6 @@ impl Pattern {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::CATALOGUE;
-    use crate::effects::term::parameter_names;
-    use crate::present::names::parameter;
     use crate::text::choose;
 
     fn pattern(text: &'static str) -> Pattern {
@@ -266,20 +256,6 @@ mod tests {
         let german = "Maßstabsfehler des Gelenks von Gelenk 2 lässt 0.1 mm übrig: braucht eine mechanische Reparatur: \
                       die Werkzeugdaten in der Steuerung";
         assert_eq!(of_core(says), german);
-        choose(Language::English);
-    }
-
-    #[test]
-    fn the_parameters_of_every_effect_are_known_to_the_catalogues() {
-        choose(Language::German);
-        for effect in CATALOGUE {
-            let about = effect.about();
-            for name in parameter_names(effect) {
-                let (name, _) = parameter(name);
-                let known = name.len() == 1 || translated(&name, 0).is_some();
-                assert!(known, "{}: {name}", about.id);
-            }
-        }
         choose(Language::English);
     }
 }

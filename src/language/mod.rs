@@ -2,6 +2,7 @@
 
 mod core;
 pub(crate) mod names;
-mod titles;
 
-pub(crate) use core::{finding, known_words, of_core, spoken};
+#[cfg(feature = "gui")]
+pub(crate) use core::known_words;
+pub(crate) use core::{finding, of_core, spoken};

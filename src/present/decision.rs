@@ -1,21 +1,35 @@
 //! Whether a robot is within its tolerance, in words.
 
 use super::numbers::{mm, short};
-use crate::compensation::decision::{Measured, Rule};
+use crate::compensation::decision::{Measured, Outcome, Rule};
+use crate::text::Template;
+
+/// What a rule says, in words.
+pub fn title(outcome: Outcome) -> Template {
+    match outcome {
+        Outcome::Pass => phrase!("Pass"),
+        Outcome::Fail => phrase!("Fail"),
+        Outcome::Undecided => phrase!("Neither pass nor fail is proven"),
+    }
+}
 
 /// What a decision rests on.
 pub fn rests_on(measured: &Measured, rule: Rule, tolerance_mm: f64) -> String {
     let of = if measured.predicted {
-        "predicted with corrected commands"
+        say!("predicted with corrected commands")
     } else {
-        "as measured with the table active"
+        say!("as measured with the table active")
     };
-    format!(
-        "largest deviation {} ({of}), expanded uncertainty U = {} (k = 2), tolerance {} mm; \
-         decision rule: {}",
-        mm(measured.largest_mm),
-        mm(measured.expanded_mm),
-        short(tolerance_mm),
-        rule.title()
+    let rule = match rule {
+        Rule::Iso14253 => "ISO 14253-1",
+        Rule::Simple => say!("simple acceptance (JCGM 106, 8.2)"),
+    };
+    say!(
+        "largest deviation {largest} ({of}), expanded uncertainty U = {uncertainty} (k = 2), tolerance {tolerance} mm; decision rule: {rule}",
+        largest = mm(measured.largest_mm),
+        of = of,
+        uncertainty = mm(measured.expanded_mm),
+        tolerance = short(tolerance_mm),
+        rule = rule
     )
 }

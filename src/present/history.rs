@@ -6,18 +6,14 @@ use crate::numeric::extent;
 use std::path::Path;
 
 use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
-use super::names::parameter;
+use super::names::{parameter, title_on};
 use super::numbers::{grouped, plain, with_interval};
-use super::table::{Cell, Table};
+use super::table::{Cell, Column, Table};
 use crate::fit::Estimate;
-use crate::history::{Change, Entry, RobotHistory, changes, is_of_set_up, is_same};
+use crate::history::{Change, Entry, Order, RobotHistory, Source, changes, is_of_set_up, is_same};
 
 /// What stands behind a value that changed by more than its interval.
 pub const CHANGED: &str = "●";
-
-/// What an effect is called, with the joint, counted from 1, where the robot has as many as are given
-/// last: names of effects are in the language of the reader.
-pub type Titles = fn(&str, Option<usize>, usize) -> String;
 
 /// A parameter through all entries of a robot.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +39,7 @@ pub struct Value {
 }
 
 /// The parameters of a robot, in the order in which they occur.
-pub fn rows(robot: &RobotHistory, titles: Titles) -> Vec<Row<'_>> {
+pub fn rows(robot: &RobotHistory) -> Vec<Row<'_>> {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let all = robot.entries.iter().flat_map(|entry| &entry.parameters);
     let joints = all.filter_map(|one| one.joint).max().unwrap_or(1);
@@ -53,7 +49,7 @@ pub fn rows(robot: &RobotHistory, titles: Titles) -> Vec<Row<'_>> {
             let there = rows.iter().position(|row| is_same(row.of, one));
             let at = there.unwrap_or_else(|| {
                 rows.push(Row {
-                    name: name(one, joints, titles),
+                    name: name(one, joints),
                     unit: parameter(one.name).1,
                     values: vec![None; robot.entries.len()],
                     of: one,
@@ -72,12 +68,28 @@ pub fn rows(robot: &RobotHistory, titles: Titles) -> Vec<Row<'_>> {
 }
 
 /// A parameter's name with all that tells it from others.
-fn name(one: &Estimate, joints: usize, titles: Titles) -> String {
-    let mut name = titles(one.effect, one.joint, joints);
+fn name(one: &Estimate, joints: usize) -> String {
+    let mut name = title_on(one.effect, one.joint, joints);
     for place in [&one.setup, &one.target, &one.place].into_iter().flatten() {
         name += &format!(", {place}");
     }
     format!("{name}: {}", parameter(one.name).0)
+}
+
+/// By what the entries are ordered, in words.
+pub fn ordered_by(order: Order) -> &'static str {
+    match order {
+        Order::Time => say!(in "chart-word", "by the time of the first sample"),
+        Order::Name => say!(in "chart-word", "by file name, numbers in it by their value"),
+    }
+}
+
+/// What an entry comes from, in words.
+pub fn source(entry: &Entry) -> &'static str {
+    match entry.source {
+        Source::Session => say!(in "history-cell", "session"),
+        Source::Model => say!(in "history-cell", "model"),
+    }
 }
 
 /// An entry's name where there is little room: its file without the ending.
@@ -91,16 +103,21 @@ pub fn short_name(entry: &Entry) -> String {
 
 /// Sessions and models with their errors, the earliest first.
 pub fn entries(robot: &RobotHistory) -> Table {
-    let mut table = Table::headed(
-        "Session | From | >Samples | >RMS error nominal, mm \
- | >Model, mm | >With the earliest, mm | >Changed",
-    );
+    let mut table = Table::of([
+        Column::words(say!(in "history-heading", "Session")),
+        Column::words(say!(in "history-heading", "From")),
+        Column::numbers(say!(in "history-heading", "Samples")),
+        Column::numbers(say!(in "history-heading", "RMS error nominal, mm")),
+        Column::numbers(say!(in "history-heading", "Model, mm")),
+        Column::numbers(say!(in "history-heading", "With the earliest, mm")),
+        Column::numbers(say!(in "history-heading", "Changed")),
+    ]);
     let dash = || "–".to_owned();
     for entry in &robot.entries {
         let changed = entry.changes.iter().filter(|c| c.is_significant()).count();
         table.row([
             short_name(entry),
-            entry.source.name().to_owned(),
+            source(entry).to_owned(),
             entry.samples.map_or_else(dash, grouped),
             plain(entry.before_mm),
             plain(entry.after_mm),
@@ -108,7 +125,11 @@ pub fn entries(robot: &RobotHistory) -> Table {
             if entry.changes.is_empty() {
                 dash()
             } else {
-                format!("{changed} of {}", entry.changes.len())
+                say!(
+                    "{changed} of {all}",
+                    changed = changed,
+                    all = entry.changes.len()
+                )
             },
         ]);
     }
@@ -116,12 +137,15 @@ pub fn entries(robot: &RobotHistory) -> Table {
 }
 
 /// Parameters through these entries.
-pub fn parameters(robot: &RobotHistory, shown: &[usize], titles: Titles) -> Table {
+pub fn parameters(robot: &RobotHistory, shown: &[usize]) -> Table {
     let heads = shown.iter().filter_map(|k| robot.entries.get(*k));
-    let heads = heads.map(|entry| format!(">{}", shortened(&short_name(entry), 24)));
-    let fixed = ["Parameter".to_owned(), "Unit".to_owned()];
-    let mut table = Table::new(fixed.into_iter().chain(heads));
-    for row in rows(robot, titles) {
+    let heads = heads.map(|entry| Column::numbers(shortened(&short_name(entry), 24)));
+    let fixed = [
+        Column::words(say!(in "history-heading", "Parameter")),
+        Column::words(say!(in "history-heading", "Unit")),
+    ];
+    let mut table = Table::of(fixed.into_iter().chain(heads));
+    for row in rows(robot) {
         let cells = shown.iter().map(|k| row.values.get(*k).copied().flatten());
         let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| says(value)));
         let fixed = [row.name.into(), row.unit.into()];
@@ -140,11 +164,17 @@ fn says(value: Option<Value>) -> String {
 }
 
 /// One entry beside another: what was, what is, and whether that is a change.
-pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles) -> Option<Table> {
+pub fn compared(robot: &RobotHistory, before: usize, now: usize) -> Option<Table> {
     let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
     let joints = now.parameters.iter().filter_map(|one| one.joint).max();
-    let mut table =
-        Table::headed("Parameter | Unit | >Before | >After | >Difference | Beyond its interval");
+    let mut table = Table::of([
+        Column::words(say!(in "history-heading", "Parameter")),
+        Column::words(say!(in "history-heading", "Unit")),
+        Column::numbers(say!(in "history-heading", "Before")),
+        Column::numbers(say!(in "history-heading", "After")),
+        Column::numbers(say!(in "history-heading", "Difference")),
+        Column::words(say!(in "history-heading", "Beyond its interval")),
+    ]);
     for change in changes(before, now) {
         let one = &now.parameters[change.parameter];
         let was = before.parameters.iter().find(|other| is_same(other, one));
@@ -153,7 +183,7 @@ pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles)
         let [difference, about, _] = with_interval(change.difference, change.ci95);
         let (unit, verdict) = (parameter(one.name).1, verdict(&change));
         table.row([
-            name(one, joints.unwrap_or(1), titles),
+            name(one, joints.unwrap_or(1)),
             unit.to_owned(),
             format!("{was} {was_half}"),
             format!("{is} {half}"),
@@ -166,9 +196,11 @@ pub fn compared(robot: &RobotHistory, before: usize, now: usize, titles: Titles)
 
 fn verdict(change: &Change) -> String {
     match change.ci95 {
-        None => "not determined".to_owned(),
-        Some(_) if change.is_significant() => format!("{CHANGED} changed"),
-        Some(_) => "no".to_owned(),
+        None => say!(in "history-cell", "not determined").to_owned(),
+        Some(_) if change.is_significant() => {
+            format!("{CHANGED} {}", say!(in "history-cell", "changed"))
+        }
+        Some(_) => say!(in "history-cell", "no").to_owned(),
     }
 }
 
@@ -217,7 +249,7 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
     Chart {
         title: row.name.clone(),
         across: Axis {
-            label: robot.ordered_by.in_words().to_owned(),
+            label: ordered_by(robot.ordered_by).to_owned(),
             ticks: Ticks::Words(names.collect()),
         },
         upwards: Axis::numbers(row.unit),
@@ -227,8 +259,18 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
         ],
         items,
         legend: vec![
-            Named::new("value, 95 % interval", disc, Stands::After, true),
-            Named::new("changed", diamond, Stands::Before, true),
+            Named::new(
+                say!(in "chart-word", "value, 95 % interval"),
+                disc,
+                Stands::After,
+                true,
+            ),
+            Named::new(
+                say!(in "chart-word", "changed"),
+                diamond,
+                Stands::Before,
+                true,
+            ),
         ],
         note: String::new(),
     }

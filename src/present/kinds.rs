@@ -1,9 +1,11 @@
 //! Errors by kind of measurement: `kinds` in JSON, and as a table.
 
 use super::json::{Json, list, object};
+use super::names::word;
 use super::numbers::plain;
-use super::table::{Cell, Table};
+use super::table::{Cell, Column, Table};
 use crate::observations::figures::{Errors, KindFigures};
+use crate::sessions::Session;
 
 /// One row for each kind; numbers are in its `unit`, mm or mrad.
 pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
@@ -29,18 +31,45 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
     })
 }
 
+/// How many measurements of each kind a session has, where there are others than points.
+pub(crate) fn measured(session: &Session) -> Option<String> {
+    session.kinds_in_words()?;
+    let kinds = session.measured_kinds().into_iter();
+    let said = kinds.map(|kind| {
+        let count = kind.count;
+        match kind.called[0] {
+            "point" => say!(one "{count} point", "{count} points", count = count),
+            "orientation" => say!(one "{count} orientation", "{count} orientations", count = count),
+            "distance" => say!(one "{count} distance", "{count} distances", count = count),
+            "direction" => say!(one "{count} direction", "{count} directions", count = count),
+            "touch" => say!(one "{count} touch", "{count} touches", count = count),
+            _ => {
+                say!(one "{count} target in a socket", "{count} targets in sockets", count = count)
+            }
+        }
+    });
+    Some(said.collect::<Vec<_>>().join(", "))
+}
+
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
 pub(crate) fn table(kinds: &[KindFigures]) -> Table {
-    let mut table = Table::headed(
-        "Kind | >Number | Unit | >Nominal | >Model \
- | >Unseen | >Largest | >σ stated | >σ found",
-    );
+    let mut table = Table::of([
+        Column::words(say!("Kind")),
+        Column::numbers(say!("Number")),
+        Column::words(say!("Unit")),
+        Column::numbers(say!("Nominal")),
+        Column::numbers(say!("Model")),
+        Column::numbers(say!("Unseen")),
+        Column::numbers(say!("Largest")),
+        Column::numbers(say!("σ stated")),
+        Column::numbers(say!("σ found")),
+    ]);
     let number = |value| Cell::number(value, plain);
     for own in kinds {
         let fitted = own
             .fitted
             .as_ref()
-            .map(|errors| (own.kind.to_owned(), errors, own));
+            .map(|errors| (word(own.kind), errors, own));
         let open = KindFigures {
             unseen_rms: None,
             stated_sigma: None,
@@ -48,7 +77,10 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
             ..own.clone()
         };
         let held_out = own.held_out.as_ref();
-        let held_out = held_out.map(|errors| (format!("{}, held out", own.kind), errors, &open));
+        let held_out = held_out.map(|errors| {
+            let name = say!("{kind}, held out", kind = word(own.kind));
+            (name, errors, &open)
+        });
         for (name, errors, more) in fitted.into_iter().chain(held_out) {
             table.row([
                 name.into(),

@@ -4,8 +4,6 @@
 //! What never applies to such a robot is not said. A limit beyond the sizes that any machine has is no
 //! limit: the effect is not observable with these poses.
 
-use std::fmt::Write as _;
-
 use super::names::parameter;
 use super::numbers::significant;
 use crate::diagnosis::{Diagnosis, Limit, NotTestable, Sight};
@@ -19,6 +17,7 @@ pub(crate) struct Line {
     pub(crate) names: String,
     /// Whether it is about joints, not about the whole robot or the instrument.
     pub(crate) of_joints: bool,
+    /// In the language of this thread; the reasons of [`not_testable`] are the core's.
     pub(crate) says: String,
 }
 
@@ -36,8 +35,12 @@ pub(crate) fn joints_in_words(joints: &[usize]) -> String {
             [] => {}
         }
     }
-    let plural = if sorted.len() > 1 { "s" } else { "" };
-    format!("joint{plural} {}", parts.join(", "))
+    let joints = parts.join(", ");
+    if sorted.len() > 1 {
+        say!("joints {joints}", joints = joints)
+    } else {
+        say!("joint {joint}", joint = joints)
+    }
 }
 
 /// An effect with its joints; of a robot with one joint, or of an effect that belongs to none, the
@@ -173,7 +176,7 @@ fn limits_in_words(effect: &str, limits: &[&Limit]) -> String {
     }
     let mut parts = Vec::new();
     if without_noise {
-        parts.push("any size, there is no noise".to_owned());
+        parts.push(say!("any size, there is no noise").to_owned());
     }
     if !seen.is_empty() {
         let sizes: Vec<String> = seen.iter().map(Sizes::in_words).collect();
@@ -190,19 +193,18 @@ fn limits_in_words(effect: &str, limits: &[&Limit]) -> String {
 }
 
 fn hidden_in_words(hidden: &[(String, Option<usize>)], limits: &[&Limit], all: bool) -> String {
-    let mut says = "not observable with these poses".to_owned();
     if all {
-        return says;
+        return say!("not observable with these poses").to_owned();
     }
     let mut names: Vec<&str> = hidden.iter().map(|(name, _)| name.as_str()).collect();
     names.dedup();
     let joints: Vec<usize> = hidden.iter().filter_map(|(_, joint)| *joint).collect();
-    if limits.len() > 1 && !joints.is_empty() {
-        let _ = write!(says, ": {}", joints_in_words(&joints));
+    let which = if limits.len() > 1 && !joints.is_empty() {
+        joints_in_words(&joints)
     } else {
-        let _ = write!(says, ": {}", names.join(", "));
-    }
-    says
+        names.join(", ")
+    };
+    say!("not observable with these poses: {which}", which = which)
 }
 
 impl Sizes {
@@ -215,7 +217,7 @@ impl Sizes {
         let sizes = if from == to {
             from
         } else {
-            format!("{from} to {to}")
+            say!("{from} to {to}", from = from, to = to)
         };
         format!("{name} {sizes} {}", self.unit)
             .replace(" °", "°")

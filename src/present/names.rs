@@ -1,4 +1,4 @@
-//! What people call effects and their parameters.
+//! What people call effects and their parameters, in the language of this thread.
 
 use super::limits::sight;
 use super::numbers::significant;
@@ -6,16 +6,17 @@ use crate::diagnosis::{Limit, Sight};
 use crate::effects::find;
 use crate::effects::units::Unit;
 use crate::fit::Estimate;
+use crate::text::{current, known_in, spoken};
 
 /// The title of an effect; what is no effect stays as it is.
 pub(crate) fn title(id: &str) -> &str {
-    find(id).map_or(id, |effect| effect.about().title.english())
+    find(id).map_or(id, |effect| spoken(effect.about().title))
 }
 
 /// The title with the joint, counted from 1, where the robot has several.
 pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
     match joint.filter(|_| joints > 1) {
-        Some(joint) => format!("{}, joint {joint}", title(id)),
+        Some(joint) => on_joint(id, &joint.to_string()),
         None => title(id).to_owned(),
     }
 }
@@ -23,16 +24,35 @@ pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String 
 /// The title of a name that may end with its joint, `id joint`.
 pub(crate) fn title_of(name: &str) -> String {
     match name.split_once(' ') {
-        Some((id, joint)) => format!("{}, joint {joint}", title(id)),
+        Some((id, joint)) => on_joint(id, joint),
         None => title(name).to_owned(),
     }
 }
 
+/// The title of an effect on a joint, counted from 1.
+pub(crate) fn on_joint(id: &str, joint: &str) -> String {
+    say!("{effect}, joint {joint}", effect = title(id), joint = joint)
+}
+
 /// A parameter in words, and its unit as it is written behind a number.
 pub(crate) fn parameter(name: &str) -> (String, &'static str) {
+    let (words, unit) = parameter_in_english(name);
+    (word(&words), unit)
+}
+
+/// The same in English, as what other programs read has it.
+pub(crate) fn parameter_in_english(name: &str) -> (String, &'static str) {
     let (stem, unit) = Unit::of_name(name);
     let stem = if stem.is_empty() { "rate" } else { stem };
     (stem.replace('_', " "), unit.symbol)
+}
+
+/// A word of the core (of a name in files: of a parameter, of a kind of measurement) in the language of this thread;
+/// what no catalogue has stays as it is.
+pub(crate) fn word(english: &str) -> String {
+    let known = ["", "core"].into_iter();
+    let mut known = known.filter_map(|context| known_in(current(), context, english, &[]));
+    known.next().unwrap_or_else(|| english.to_owned())
 }
 
 /// A figure that is no parameter, in words; without a value where the samples do not show it.
@@ -40,13 +60,13 @@ pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
     let (name, unit) = parameter(name);
     match value {
         Some(value) => format!("{name} {} {unit}", significant(value, 3)),
-        None => format!("{name}: not determined by these samples"),
+        None => say!("{name}: not determined by these samples", name = name),
     }
 }
 
 /// What is said of a value that no machine has, with the usual size.
 pub(crate) fn usual_size(one: &Estimate) -> &'static str {
-    find(one.effect).map_or("", |effect| effect.about().usual_size.english())
+    find(one.effect).map_or("", |effect| spoken(effect.about().usual_size))
 }
 
 /// From which size (95 %) an effect would have been seen, parameter by parameter.
@@ -57,8 +77,8 @@ pub(crate) fn detection_limit(limit: &Limit) -> String {
             Sight::Above(size) => {
                 format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
             }
-            Sight::AtAnySize => format!("{name}: any size, there is no noise"),
-            Sight::AtNoSize => format!("{name}: not observable with these poses"),
+            Sight::AtAnySize => say!("{name}: any size, there is no noise", name = name),
+            Sight::AtNoSize => say!("{name}: not observable with these poses", name = name),
         }
     });
     sizes.collect::<Vec<_>>().join(", ")
@@ -69,6 +89,7 @@ mod tests {
     use super::*;
     use crate::effects::CATALOGUE;
     use crate::effects::term::parameter_names;
+    use crate::text::{Language, choose};
 
     #[test]
     fn units_come_from_names() {
@@ -88,5 +109,18 @@ mod tests {
                 assert_eq!(unit.is_empty(), pure, "{name}: {unit}");
             }
         }
+    }
+
+    #[test]
+    fn the_parameters_of_every_effect_are_known_to_the_catalogues() {
+        choose(Language::Marked);
+        for effect in CATALOGUE {
+            for name in parameter_names(effect) {
+                let (words, _) = parameter(name);
+                let is_known = words.starts_with('⟦') || words.chars().count() == 1;
+                assert!(is_known, "{}: {words}", effect.about().id);
+            }
+        }
+        choose(Language::English);
     }
 }

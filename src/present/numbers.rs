@@ -122,7 +122,7 @@ pub(crate) fn decimals_of(size: f64, digits: usize) -> usize {
 /// interval, and the interval itself: `−3.012`, `± 0.014`, `−3.026 … −2.998`.
 pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> [String; 3] {
     let Some([from, to]) = interval else {
-        let open = || "not determined".to_owned();
+        let open = || say!("not determined").to_owned();
         return [significant(value, 6), open(), open()];
     };
     let half = 0.5 * (to - from);

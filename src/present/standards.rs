@@ -1,7 +1,8 @@
 //! The figures of the standards, as terminal, window and report show them.
 
+use super::names::word;
 use super::numbers::fixed;
-use super::table::{Cell, Table};
+use super::table::{Cell, Column, Table};
 use crate::standards::axis::{AxisTest, Series};
 use crate::standards::pose::PoseTest;
 use crate::standards::{Positioning, Standards, at_least};
@@ -50,13 +51,17 @@ impl Group {
 
     /// The figures as a table.
     pub(crate) fn table(&self) -> Table {
-        let measured = format!(">As measured, {}", self.unit);
-        let mut table = Table::new(["Symbol", "Figure", &measured, ">Corrected commands"]);
+        let mut table = Table::of([
+            Column::words(say!("Symbol")),
+            Column::words(say!("Figure")),
+            Column::numbers(say!("As measured, {unit}", unit = self.unit)),
+            Column::numbers(say!("Corrected commands")),
+        ]);
         for row in &self.rows {
             let number = |value| Cell::number(value, |v| self.shown(v));
             table.row([
                 row.symbol.into(),
-                row.name.into(),
+                word(row.name).into(),
                 number(Some(row.before)),
                 number(row.after),
             ]);

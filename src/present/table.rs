@@ -12,6 +12,24 @@ pub struct Column {
     pub right: bool,
 }
 
+impl Column {
+    /// A column of words.
+    pub fn words(heading: impl Into<String>) -> Self {
+        Self {
+            heading: heading.into(),
+            right: false,
+        }
+    }
+
+    /// A column of numbers.
+    pub fn numbers(heading: impl Into<String>) -> Self {
+        Self {
+            heading: heading.into(),
+            right: true,
+        }
+    }
+}
+
 /// What stands in a column of a row.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
@@ -76,6 +94,14 @@ pub struct Table {
 }
 
 impl Table {
+    /// An empty table with these columns.
+    pub fn of(columns: impl IntoIterator<Item = Column>) -> Self {
+        Self {
+            columns: columns.into_iter().collect(),
+            rows: Vec::new(),
+        }
+    }
+
     /// An empty table; a heading that starts with `>` is that of a column of numbers.
     pub fn new<T: AsRef<str>>(headings: impl IntoIterator<Item = T>) -> Self {
         let column = |heading: T| {

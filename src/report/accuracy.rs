@@ -5,7 +5,8 @@ use crate::present::standards::{Group, groups};
 use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
 
-use super::document::{Block, Section, Table, clean};
+use super::document::{Block, Column, Section, Table, clean};
+use super::parts::{all_of_core, told};
 use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
@@ -13,32 +14,33 @@ const POSES: usize = 8;
 
 pub(super) fn section(standards: &Standards) -> Section {
     let mut blocks = vec![Block::Text(
-        "As measured, and as the same approaches would have come out with corrected commands; the \
-         definitions are those of ISO 230-2:2014 and ISO 9283:1998"
-            .to_owned(),
+        say!(
+            "As measured, and as the same approaches would have come out with corrected commands; the definitions are those of ISO 230-2:2014 and ISO 9283:1998"
+        )
+        .to_owned(),
     )];
     for group in groups(standards, 1) {
         group_blocks(&group, &mut blocks);
     }
     pose_blocks(&standards.poses, &mut blocks);
     if !standards.notes.is_empty() {
-        blocks.push(Block::List(standards.notes.clone()));
+        blocks.push(Block::List(all_of_core(&standards.notes)));
     }
-    Section::new("Accuracy and repeatability", blocks)
+    Section::new(say!("Accuracy and repeatability"), blocks)
 }
 
 fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
     blocks.push(Block::Heading(format!(
         "{}, {}",
-        clean(&group.title()),
+        told(&group.title()),
         group.standard
     )));
     if !group.rows.is_empty() {
-        blocks.push(Block::Text(clean(&group.says)));
+        blocks.push(Block::Text(told(&group.says)));
         blocks.push(Block::Table(group.table()));
     }
     if !group.missing.is_empty() {
-        blocks.push(Block::List(group.missing.clone()));
+        blocks.push(Block::List(all_of_core(&group.missing)));
     }
 }
 
@@ -53,14 +55,22 @@ fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
     worst.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
     let shown = worst.len().min(POSES);
     if test.poses.len() > shown {
-        blocks.push(Block::Text(format!(
-            "The {shown} poses of {} with the largest AP:",
-            test.poses.len()
+        blocks.push(Block::Text(say!(
+            "The {shown} poses of {all} with the largest AP:",
+            shown = shown,
+            all = test.poses.len()
         )));
     }
-    let mut table = Table::headed(
-        "Pose | Side | Reflector | >n | >AP, mm | >RP, mm | >AP corrected | >RP corrected",
-    );
+    let mut table = Table::of([
+        Column::words(say!("Pose")),
+        Column::words(say!("Side")),
+        Column::words(say!("Reflector")),
+        Column::numbers("n"),
+        Column::numbers("AP, mm"),
+        Column::numbers("RP, mm"),
+        Column::numbers(say!("AP corrected")),
+        Column::numbers(say!("RP corrected")),
+    ]);
     for k in worst.into_iter().take(shown) {
         let pose = &test.poses[k];
         let after = |pick: fn(&crate::standards::pose::Attained) -> f64| {

@@ -7,14 +7,16 @@ use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;
 
-use super::document::{Block, Figure, Report, Section, Table, clean};
+use super::document::{Block, Column, Figure, Report, Section, Table, clean};
 use super::parts::{
     details, fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
     tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::{Extras, history as past};
+use crate::present::chart::in_words;
 use crate::present::numbers::{mm, plain};
+use crate::text::current;
 
 impl Report {
     /// The report of a model file.
@@ -37,19 +39,20 @@ impl Report {
         sections.push(signatures(extras));
         let subject = or_unnamed(&calibration.session);
         Self {
-            title: "Calibration report of a model".to_owned(),
-            answer:
-                "What the model file holds; the evidence for it is in the session that it came \
-                     from"
-                    .to_owned(),
+            title: say!("Calibration report of a model").to_owned(),
+            answer: say!(
+                "What the model file holds; the evidence for it is in the session that it came from"
+            )
+            .to_owned(),
             logo: extras.details.logo.clone(),
             decision: extras.details.rule.map(|_| {
-                let because =
-                    "No decision: only a session has the measured positions that it needs";
-                (Outcome::Undecided, because.to_owned())
+                let because = say!("only a session has the measured positions that it needs");
+                let says = say!("No decision: {because}", because = because);
+                (Outcome::Undecided, says)
             }),
             headline: headline(calibration),
             foot: foot(&subject, &calibration.samples_hash),
+            language: current(),
             subject,
             sections,
         }
@@ -61,15 +64,15 @@ fn headline(c: &Calibration) -> Vec<Figure> {
         step.map(|s| Figure {
             name: name.to_owned(),
             value: mm(s.gap_mm),
-            beside: s
-                .held_out_mm
-                .map_or_else(String::new, |u| format!("{} cross-validated", mm(u))),
+            beside: s.held_out_mm.map_or_else(String::new, |u| {
+                say!("{size} cross-validated", size = mm(u))
+            }),
         })
     };
     let ends = [
-        step("RMS error, nominal robot", c.history.first()),
+        step(say!("RMS error, nominal robot"), c.history.first()),
         step(
-            "RMS error, model",
+            say!("RMS error, model"),
             c.history.last().filter(|_| c.history.len() > 1),
         ),
     ];
@@ -77,42 +80,56 @@ fn headline(c: &Calibration) -> Vec<Figure> {
 }
 
 fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
-    let mut facts = vec![fact("Session", or_unnamed(&c.session))];
+    let mut facts = vec![fact(say!("Session"), or_unnamed(&c.session))];
     facts.extend(robot_facts(&c.model.robot, &c.measured));
     facts.push(tolerance(tolerance_mm));
     if let Some(by) = &c.compensated_by {
         facts.push(fact(
-            "Measured with a table active",
-            format!("of model {}", clean(by)),
+            say!("Measured with a table active"),
+            say!("of model {model}", model = clean(by)),
         ));
     }
     facts.push(fact(
-        "Made by",
+        say!("Made by"),
         format!("truepose {}", clean(&c.program_version)),
     ));
     facts.push(fact(
-        "Reported by",
+        say!("Reported by"),
         format!("truepose {}", env!("CARGO_PKG_VERSION")),
     ));
-    facts.push(fact("Hash of robot and samples", clean(&c.samples_hash)));
-    facts.push(fact("Hash of the model", hash));
-    Section::new("Where the model comes from", vec![Block::Facts(facts)])
+    facts.push(fact(
+        say!("Hash of robot and samples"),
+        clean(&c.samples_hash),
+    ));
+    facts.push(fact(say!("Hash of the model"), hash));
+    Section::new(
+        say!("Where the model comes from"),
+        vec![Block::Facts(facts)],
+    )
 }
 
 fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
-    let mut table = Table::new(["Step", ">RMS error on the fit, mm", ">Cross-validated, mm"]);
+    let mut table = Table::of([
+        Column::words(say!("Step")),
+        Column::numbers(say!("RMS error on the fit, mm")),
+        Column::numbers(say!("Cross-validated, mm")),
+    ]);
     let mut steps = c.history.clone();
     for step in &mut steps {
         step.what = clean(&step.what);
-        table.row([step.what.clone(), plain(step.gap_mm), gap(step.held_out_mm)]);
+        table.row([
+            in_words(&step.what),
+            plain(step.gap_mm),
+            gap(step.held_out_mm),
+        ]);
     }
     Section {
-        title: "The gap step by step".to_owned(),
+        title: say!("The gap step by step").to_owned(),
         blocks: vec![
             Block::Table(table),
             Block::Plot(
                 gap_plot(&steps, None, tolerance_mm),
-                "Each step keeps what the ones before it brought".to_owned(),
+                say!("Each step keeps what the ones before it brought").to_owned(),
             ),
         ],
     }
@@ -123,15 +140,23 @@ pub(super) fn values(c: &Calibration) -> Section {
     let all = all_estimates(c, NORMAL_95);
     if !all.is_empty() {
         blocks.push(Block::Text(
-            "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
-             Intervals are from the model's covariance, for many samples"
-                .to_owned(),
+            say!(
+                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. Intervals are from the model's covariance, for many samples"
+            )
+            .to_owned(),
         ));
         blocks.push(parameters(all.iter(), &c.model.robot));
         blocks.extend(implausible(all.iter(), &c.model.robot));
     }
     if !c.regions.is_empty() {
-        let mut table = Table::headed("Region | >From, ° | >To, ° | >Samples | >Δθ, ° | >Δl1, mm");
+        let mut table = Table::of([
+            Column::words(say!("Region")),
+            Column::numbers(say!("From, °")),
+            Column::numbers(say!("To, °")),
+            Column::numbers(say!("Samples")),
+            Column::numbers("Δθ, °"),
+            Column::numbers("Δl1, mm"),
+        ]);
         for region in &c.regions {
             table.row([
                 clean(&region.name),
@@ -143,29 +168,32 @@ pub(super) fn values(c: &Calibration) -> Section {
             ]);
         }
         blocks.push(Block::Text(
-            "Corrections by region: what to add to the joint's command and along the radius at home"
-                .to_owned(),
+            say!(
+                "Corrections by region: what to add to the joint's command and along the radius at home"
+            )
+            .to_owned(),
         ));
         blocks.push(Block::Table(table));
     }
     if blocks.is_empty() {
         blocks.push(Block::Text(
-            "The model is the nominal robot: no effect is in it".to_owned(),
+            say!("The model is the nominal robot: no effect is in it").to_owned(),
         ));
     }
-    Section::new("Parameters of the real robot", blocks)
+    Section::new(say!("Parameters of the real robot"), blocks)
 }
 
 fn missing() -> Section {
     Section {
-        title: "What only a session can show".to_owned(),
+        title: say!("What only a session can show").to_owned(),
         blocks: vec![Block::List(
             [
-                "the evidence for each name: the chance that noise alone looks like it, the odds \
-                 over other names, what stays unexplained, what could not be tested",
-                "deviations in the workspace and over the joints",
-                "accuracy and repeatability after ISO 230-2 and ISO 9283",
-                "what corrected commands leave on measured samples",
+                say!(
+                    "the evidence for each name: the chance that noise alone looks like it, the odds over other names, what stays unexplained, what could not be tested"
+                ),
+                say!("deviations in the workspace and over the joints"),
+                say!("accuracy and repeatability after ISO 230-2 and ISO 9283"),
+                say!("what corrected commands leave on measured samples"),
             ]
             .map(str::to_owned)
             .to_vec(),

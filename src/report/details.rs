@@ -3,7 +3,7 @@
 //!
 //! Everything is optional. There is no clock here: dates are typed, and printed as they are.
 
-use crate::text::Text;
+use crate::text::{Template, Text, spoken};
 use std::path::Path as FilePath;
 
 use super::logo::Logo;
@@ -25,7 +25,7 @@ pub struct Line {
     /// Key in a document.
     pub key: &'static str,
     /// What it is called.
-    pub name: &'static str,
+    pub name: Template,
     /// The text.
     pub of: fn(&mut Details) -> &mut String,
 }
@@ -48,7 +48,7 @@ macro_rules! details {
             /// The lines of text in their order.
             pub const LINES: &'static [Line] = &[$(Line {
                 key: stringify!($key),
-                name: $name,
+                name: phrase!(in "details-field", $name),
                 of: |details| &mut details.$key,
             }),*];
         }
@@ -130,7 +130,7 @@ impl Details {
         let mut own = self.clone();
         let lines = Self::LINES.iter();
         lines
-            .map(|line| (line.name, std::mem::take((line.of)(&mut own))))
+            .map(|line| (spoken(line.name), std::mem::take((line.of)(&mut own))))
             .collect()
     }
 }

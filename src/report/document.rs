@@ -1,10 +1,11 @@
 //! What a report says, once, for every format: sections of a few kinds of blocks. Texts are already
-//! in the reader's units; whatever a user named has passed [`clean`].
+//! in the reader's units and language; whatever a user named has passed [`clean`].
 
 use super::logo::Logo;
 use crate::compensation::decision::Outcome;
 use crate::present::drawing::Drawing;
-pub use crate::present::table::Table;
+pub use crate::present::table::{Column, Table};
+use crate::text::Language;
 
 /// A report.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Report {
     pub sections: Vec<Section>,
     /// What stands at the foot of every page.
     pub foot: String,
+    /// The language that it is in: that of the thread which made it.
+    pub language: Language,
 }
 
 /// A figure with its name and what to hold it against.

@@ -3,13 +3,15 @@
 use crate::diagnosis::Found;
 use crate::effects;
 
-use super::document::{Block, Section, Table, clean};
-use super::parts::fact;
+use super::document::{Block, Column, Section, Table, clean};
+use super::parts::{fact, told};
 use super::session::{MOST_ROWS, Told};
+use crate::language::names::{combination, detection_limit, title_of, title_on};
+use crate::language::of_core;
 use crate::present::limits;
-use crate::present::names::{detection_limit, title_of, title_on};
 use crate::present::numbers::{mm, plain};
 use crate::present::poses::{new_reflectors, table};
+use crate::text::spoken;
 
 impl Told<'_> {
     pub(super) fn effects(&self) -> Option<Section> {
@@ -18,7 +20,7 @@ impl Told<'_> {
             return None;
         }
         Some(Section {
-            title: "Effects found".to_owned(),
+            title: say!("Effects found").to_owned(),
             blocks: found.iter().flat_map(|f| self.effect(f)).collect(),
         })
     }
@@ -27,22 +29,22 @@ impl Told<'_> {
         let about = effects::find(f.effect).map(effects::Effect::about);
         let percent = format!("{:.1} %", f.share * 100.0);
         let unseen = f.held_out_mm.map_or_else(
-            || "too few samples".to_owned(),
+            || say!("too few samples").to_owned(),
             |[before, after]| format!("{} → {} mm", plain(before), plain(after)),
         );
         let fit = format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1]));
         let mut facts = vec![
-            fact("Evidence", sentence(&f.says)),
+            fact(say!("Evidence"), sentence(&of_core(&f.says))),
             fact(
-                "RMS error, fit; cross-validated",
+                say!("RMS error, fit; cross-validated"),
                 format!("{fit}; {unseen}"),
             ),
-            fact("Share of what was explained", percent),
+            fact(say!("Share of what was explained"), percent),
         ];
         if let Some(about) = about {
-            facts.push(fact("Usual cause", about.cause.english()));
+            facts.push(fact(say!("Usual cause"), spoken(about.cause)));
         }
-        facts.push(fact("Check on the machine", f.check));
+        facts.push(fact(say!("Check on the machine"), of_core(f.check)));
         [
             Block::Heading(title_on(f.effect, f.joint, self.robot().joints.len())),
             Block::Facts(facts),
@@ -53,78 +55,91 @@ impl Told<'_> {
         let d = self.found;
         let mut blocks = Vec::new();
         for problem in &d.data_problems {
-            blocks.push(Block::Heading(format!("Data: {}", clean(&problem.what))));
+            blocks.push(Block::Heading(say!(
+                "Data: {problem}",
+                problem = told(&problem.what)
+            )));
             blocks.push(Block::Facts(vec![
-                fact("Evidence", clean(&problem.evidence)),
-                fact("Proposal", clean(&problem.proposal)),
+                fact(say!("Evidence"), told(&problem.evidence)),
+                fact(say!("Proposal"), told(&problem.proposal)),
             ]));
         }
         if d.unexplained.present {
-            blocks.push(Block::Heading("Left without a name".to_owned()));
+            blocks.push(Block::Heading(say!("Left without a name").to_owned()));
             let mut facts = vec![
                 fact(
-                    "Size",
-                    format!("{} root mean square", mm(d.unexplained.rms_mm)),
+                    say!("Size"),
+                    say!("{size} root mean square", size = mm(d.unexplained.rms_mm)),
                 ),
-                fact("Evidence", clean(&d.unexplained.says)),
+                fact(say!("Evidence"), told(&d.unexplained.says)),
             ];
             if let Some(place) = &d.unexplained.place {
-                facts.push(fact("Where", clean(&place.says())));
+                facts.push(fact(say!("Where"), told(&place.says())));
             }
             if !d.unexplained.resembles.is_empty() {
                 let names = d.unexplained.resembles.iter().map(|n| title_of(n));
                 facts.push(fact(
-                    "Resembles in part",
+                    say!("Resembles in part"),
                     names.collect::<Vec<_>>().join(", "),
                 ));
             }
             blocks.push(Block::Facts(facts));
         }
         if let Some(unnamed) = &d.unnamed {
-            blocks.push(Block::Heading("Predicts without a name".to_owned()));
-            blocks.push(Block::Facts(vec![fact("In the model", unnamed.says())]));
+            blocks.push(Block::Heading(say!("Predicts without a name").to_owned()));
+            blocks.push(Block::Facts(vec![fact(
+                say!("In the model"),
+                of_core(&unnamed.says()),
+            )]));
         }
         if !d.equivalent.is_empty() {
             blocks.push(Block::Heading(
-                "Names that the samples cannot tell apart".to_owned(),
+                say!("Names that the samples cannot tell apart").to_owned(),
             ));
-            let mut table =
-                Table::headed("In the model | Could be instead | >Odds against | What would tell");
+            let mut table = Table::of([
+                Column::words(say!("In the model")),
+                Column::words(say!("Could be instead")),
+                Column::numbers(say!("Odds against")),
+                Column::words(say!("What would tell")),
+            ]);
             for rival in &d.equivalent {
                 table.row([
-                    rival.explanation.join(" + "),
-                    rival.instead.join(" + "),
+                    titles(&rival.explanation),
+                    titles(&rival.instead),
                     format!("{:.1} : 1", rival.odds),
-                    clean(&rival.separate_by),
+                    told(&rival.separate_by),
                 ]);
             }
             blocks.push(Block::Table(table));
         }
         if !d.identification.not_identifiable.is_empty() {
-            blocks.push(Block::Heading("Not identifiable".to_owned()));
-            let mut table = Table::new(["Parameter or combination", "Why"]);
+            blocks.push(Block::Heading(say!("Not identifiable").to_owned()));
+            let mut table = Table::of([
+                Column::words(say!("Parameter or combination")),
+                Column::words(say!("Why")),
+            ]);
             for open in d.identification.not_identifiable.iter().take(4 * MOST_ROWS) {
-                table.row([clean(&open.combination), clean(&open.because)]);
+                table.row([combination(&clean(&open.combination)), told(&open.because)]);
             }
             blocks.push(Block::Table(table));
         }
         blocks.extend(self.next_poses());
         blocks.extend(self.outliers());
         if let Some(says) = d.identification.excluded_in_words() {
-            blocks.push(Block::Heading("Samples excluded by hand".to_owned()));
+            blocks.push(Block::Heading(say!("Samples excluded by hand").to_owned()));
             blocks.push(Block::Text(says));
         }
         if blocks.is_empty() {
-            let mut text =
-                "Nothing in these samples: no data problem, no rival explanation, nothing \
-                            left without a name, no outlier"
-                    .to_owned();
+            let mut text = say!(
+                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
+            )
+            .to_owned();
             if !self.given.note.trim().is_empty() {
-                text += ". The note says where they come from";
+                text += say!(". The note says where they come from");
             }
             blocks.push(Block::Text(text));
         }
-        Section::new("Open points", blocks)
+        Section::new(say!("Open points"), blocks)
     }
 
     fn next_poses(&self) -> Vec<Block> {
@@ -137,11 +152,17 @@ impl Told<'_> {
         for column in &mut table.columns {
             column.heading = sentence(&column.heading);
         }
-        for cell in table.rows.iter_mut().flatten() {
-            cell.shown = clean(&cell.shown);
+        for row in &mut table.rows {
+            for cell in row.iter_mut() {
+                cell.shown = clean(&cell.shown);
+            }
+            // Why, as the core says it.
+            if let Some(why) = row.last_mut() {
+                why.shown = of_core(&why.shown).into_owned();
+            }
         }
         let mut blocks = vec![
-            Block::Heading("Poses that would decide".to_owned()),
+            Block::Heading(say!("Poses that would decide").to_owned()),
             Block::Table(table),
         ];
         let new = new_reflectors(poses);
@@ -149,7 +170,8 @@ impl Told<'_> {
             blocks.push(Block::List(new.iter().map(|line| clean(line)).collect()));
         }
         if poses.len() > MOST_ROWS {
-            blocks.push(Block::Text(format!("and {} more", poses.len() - MOST_ROWS)));
+            let more = poses.len() - MOST_ROWS;
+            blocks.push(Block::Text(say!("and {more} more", more = more)));
         }
         blocks
     }
@@ -159,22 +181,30 @@ impl Told<'_> {
         if outliers.is_empty() {
             return Vec::new();
         }
-        let mut table = Table::new(["Sample", ">Off by, mm"]);
+        let mut table = Table::of([
+            Column::words(say!("Sample")),
+            Column::numbers(say!("Off by, mm")),
+        ]);
         for outlier in outliers.iter().take(MOST_ROWS) {
             table.row([
                 (outlier.sample + 1).to_string(),
                 plain(outlier.deviation_mm),
             ]);
         }
-        let mut text = "They count in the largest deviation and in no root mean square".to_owned();
+        let mut text =
+            say!("They count in the largest deviation and in no root mean square").to_owned();
         if outliers.len() > MOST_ROWS {
-            text += &format!("; {} of {} are listed", MOST_ROWS, outliers.len());
+            text += &say!(
+                "; {listed} of {all} are listed",
+                listed = MOST_ROWS,
+                all = outliers.len()
+            );
         }
         vec![
-            Block::Heading(format!(
-                "Excluded outliers: {} of {} samples",
-                outliers.len(),
-                self.found.samples
+            Block::Heading(say!(
+                "Excluded outliers: {excluded} of {all} samples",
+                excluded = outliers.len(),
+                all = self.found.samples
             )),
             Block::Text(text),
             Block::Table(table),
@@ -187,10 +217,12 @@ impl Told<'_> {
         let name = |effect: &str| title_on(effect, None, 1);
         let not_testable = limits::not_testable(d, name);
         if !not_testable.is_empty() {
-            blocks.push(Block::Heading("Not testable with this session".to_owned()));
-            let mut table = Table::new(["Effect", "Why"]);
+            blocks.push(Block::Heading(
+                say!("Not testable with this session").to_owned(),
+            ));
+            let mut table = Table::of([Column::words(say!("Effect")), Column::words(say!("Why"))]);
             for line in not_testable.into_iter().take(4 * MOST_ROWS) {
-                table.row([line.names, clean(&line.says)]);
+                table.row([line.names, told(&line.says)]);
             }
             blocks.push(Block::Table(table));
         }
@@ -206,9 +238,12 @@ impl Told<'_> {
         };
         if !rows.is_empty() {
             blocks.push(Block::Heading(
-                "Not found, with detection limits".to_owned(),
+                say!("Not found, with detection limits").to_owned(),
             ));
-            let mut table = Table::new(["Effect", "Detection limit (95 %)"]);
+            let mut table = Table::of([
+                Column::words(say!("Effect")),
+                Column::words(say!("Detection limit (95 %)")),
+            ]);
             for row in rows.into_iter().take(4 * MOST_ROWS) {
                 table.row(row);
             }
@@ -216,11 +251,17 @@ impl Told<'_> {
         }
         if blocks.is_empty() {
             blocks.push(Block::Text(
-                "Every effect of the catalogue is in the model".to_owned(),
+                say!("Every effect of the catalogue is in the model").to_owned(),
             ));
         }
-        Section::new("What the session could not show", blocks)
+        Section::new(say!("What the session could not show"), blocks)
     }
+}
+
+/// Names of effects, each with its joint, that explain something together.
+fn titles(names: &[String]) -> String {
+    let titles: Vec<String> = names.iter().map(|name| title_of(name)).collect();
+    titles.join(" + ")
 }
 
 fn sentence(text: &str) -> String {

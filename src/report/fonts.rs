@@ -12,6 +12,7 @@ use subsetter::GlyphRemapper;
 
 use super::pdf::PdfError;
 use crate::fonts::{Face, INTER, INTER_SEMI_BOLD, SystemFace, cff_table};
+use crate::present::chart::is_wide;
 
 /// Every bundled face, by its number.
 const FILES: [(&str, &[u8]); 4] = [
@@ -144,15 +145,22 @@ impl<'f> Fonts<'f> {
         self.runs(text, bold).iter().map(|r| r.width).sum::<f64>() * size
     }
 
-    /// A text in lines that are no wider than `width`; a word that is wider is cut.
+    /// A text in lines that are no wider than `width`; a word that is wider is cut. Letters of East Asian scripts are
+    /// words of their own, without spaces between them.
     pub(super) fn wrapped(&self, text: &str, size: f64, bold: bool, width: f64) -> Vec<String> {
         let space = self.width(" ", size, bold);
         let mut lines: Vec<String> = Vec::new();
         let mut line = String::new();
         let mut used = 0.0;
-        for word in text.split(' ').filter(|w| !w.is_empty()) {
+        let words = text.split(' ').filter(|w| !w.is_empty());
+        let parts = words.flat_map(|word| {
+            let parts = breakable(word).into_iter().enumerate();
+            parts.map(|(k, part)| (part, k == 0))
+        });
+        for (word, is_first) in parts {
             let long = self.width(word, size, bold);
-            if !line.is_empty() && used + space + long > width {
+            let apart = if is_first { space } else { 0.0 };
+            if !line.is_empty() && used + apart + long > width {
                 lines.push(std::mem::take(&mut line));
                 used = 0.0;
             }
@@ -168,7 +176,7 @@ impl<'f> Fonts<'f> {
                 }
                 continue;
             }
-            if !line.is_empty() {
+            if !line.is_empty() && is_first {
                 line.push(' ');
                 used += space;
             }
@@ -180,6 +188,25 @@ impl<'f> Fonts<'f> {
         }
         lines
     }
+}
+
+/// A word in the parts between which a line may end: beside a letter of an East Asian script, but not before what
+/// closes and not behind what opens (GB/T 15834: no mark at the beginning of a line but those that open).
+pub(super) fn breakable(word: &str) -> Vec<&str> {
+    const CLOSES: &str = "，。；：、？！）》」』”’,.;:)%…";
+    const OPENS: &str = "（《「『“‘(";
+    let mut parts = Vec::new();
+    let mut from = 0;
+    let letters = word.char_indices().zip(word.chars().skip(1));
+    for ((at, c), next) in letters {
+        let wide = is_wide(c) || is_wide(next);
+        if wide && !CLOSES.contains(next) && !OPENS.contains(c) {
+            parts.push(&word[from..at + c.len_utf8()]);
+            from = at + c.len_utf8();
+        }
+    }
+    parts.push(&word[from..]);
+    parts
 }
 
 /// The glyphs of one face that a document uses, under their numbers in the embedded part.
@@ -287,5 +314,17 @@ mod tests {
         let letters = |s: &str| s.chars().filter(|c| *c != ' ').collect::<String>();
         assert_eq!(letters(&lines.concat()), letters(text));
         assert_eq!(fonts.wrapped("", 9.0, false, 60.0), [""]);
+    }
+
+    #[test]
+    fn lines_end_beside_letters_of_east_asian_scripts() {
+        let parts = breakable("在 0.2 mm 以内");
+        assert_eq!(parts, ["在", " 0.2 mm ", "以", "内"]);
+        assert_eq!(
+            breakable("误差（均方根）。"),
+            ["误", "差", "（均", "方", "根）。"]
+        );
+        assert_eq!(breakable("cross-validated"), ["cross-validated"]);
+        assert_eq!(breakable(""), [""]);
     }
 }

@@ -2,8 +2,7 @@
 
 use super::document::{Block, Section};
 use crate::history::History;
-use crate::present::history::{CHANGED, chart, entries, parameters, rows};
-use crate::present::names::title_on;
+use crate::present::history::{CHANGED, chart, entries, ordered_by, parameters, rows};
 
 /// Sessions whose values stand side by side on a page.
 const MOST: usize = 4;
@@ -16,19 +15,19 @@ pub(super) fn section(history: &History, robot: &str) -> Option<Section> {
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let mut blocks = vec![
-        Block::Text(format!(
-            "Every session is identified in the same way (full model with its usual effects), {}",
-            robot.ordered_by.in_words()
+        Block::Text(say!(
+            "Every session is identified in the same way (full model with its usual effects), {order}",
+            order = ordered_by(robot.ordered_by)
         )),
         Block::Table(entries(robot)),
-        Block::Text(format!(
-            "Parameters of the last {} with half their 95 % intervals; {CHANGED}: changed by more than \
-             the interval of the difference since the one before",
-            shown.len()
+        Block::Text(say!(
+            "Parameters of the last {shown} with half their 95 % intervals; {mark}: changed by more than the interval of the difference since the one before",
+            shown = shown.len(),
+            mark = CHANGED
         )),
-        Block::Table(parameters(robot, &shown, title_on)),
+        Block::Table(parameters(robot, &shown)),
     ];
-    let rows = rows(robot, title_on);
+    let rows = rows(robot);
     let changed = rows
         .iter()
         .filter(|row| row.values.iter().flatten().any(|value| value.changed));
@@ -36,8 +35,8 @@ pub(super) fn section(history: &History, robot: &str) -> Option<Section> {
         let drawing = chart(robot, row).in_page(150.0);
         blocks.push(Block::Plot(
             drawing,
-            format!("{} over the sessions", row.name),
+            say!("{parameter} over the sessions", parameter = row.name),
         ));
     }
-    Some(Section::new("History of the machine", blocks))
+    Some(Section::new(say!("History of the machine"), blocks))
 }

@@ -7,6 +7,8 @@ use super::document::{Block, Report, Table};
 use super::logo::{LOGO, Logo};
 use super::svg::svg;
 use crate::compensation::decision::Outcome;
+use crate::present::decision::title;
+use crate::text::{Language, Text};
 
 const STYLE: &str = include_str!("style.css");
 const REGULAR: &[u8] = include_bytes!("../../assets/fonts/Inter-Regular.ttf");
@@ -17,16 +19,18 @@ pub fn html(report: &Report) -> String {
     let mut out = String::with_capacity(512 * 1024);
     let _ = write!(
         out,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
          style-src 'unsafe-inline'; font-src data:{}\">\n\
-         <title>{}: {}</title>\n<style>\n{}{}{STYLE}</style>\n</head>\n<body>\n<main>\n",
+         <title>{}: {}</title>\n<style>\n{}{}{STYLE}{}</style>\n</head>\n<body>\n<main>\n",
+        report.language.code(),
         report.logo.as_ref().map_or("", |_| "; img-src data:"),
         escape(&report.title),
         escape(&report.subject),
         face(400, REGULAR),
-        face(600, SEMI_BOLD)
+        face(600, SEMI_BOLD),
+        numbered(report.language)
     );
     head(report, &mut out);
     for section in &report.sections {
@@ -52,7 +56,10 @@ fn head(report: &Report, out: &mut String) {
         escape(&report.title),
         escape(&report.subject),
         escape(&report.answer),
-        report.decision.as_ref().map_or_else(String::new, decision)
+        report
+            .decision
+            .as_ref()
+            .map_or_else(String::new, |own| decision(own, report.language))
     );
     for figure in &report.headline {
         let _ = writeln!(
@@ -76,13 +83,14 @@ fn picture(logo: &Logo) -> String {
     )
 }
 
-fn decision((outcome, says): &(Outcome, String)) -> String {
+fn decision((outcome, says): &(Outcome, String), language: Language) -> String {
     let class = match outcome {
         Outcome::Pass => "pass",
         Outcome::Fail => "fail",
         Outcome::Undecided => "undecided",
     };
-    let (title, says) = (outcome.title(), escape(says));
+    let title = Text::from(title(*outcome)).spoken_in(language);
+    let (title, says) = (escape(&title), escape(says));
     format!("<p class=\"decision {class}\"><b>{title}</b> {says}</p>\n")
 }
 
@@ -151,6 +159,16 @@ fn write_table(table: &Table, out: &mut String) {
         out.push_str("</tr>\n");
     }
     out.push_str("</tbody></table></div>\n");
+}
+
+/// The number of a page where the report is printed.
+fn numbered(language: Language) -> String {
+    let [number, of] = ["\" counter(page) \"", "\" counter(pages) \""];
+    let says = text!("page {number} of {of}", number = number, of = of).spoken_in(language);
+    format!(
+        "@page {{ size: A4; margin: 18mm 18mm 20mm; @bottom-right {{ content: \"{says}\"; \
+         font: 8pt \"Inter\", sans-serif; color: #5b6472; }} }}\n"
+    )
 }
 
 fn face(weight: u16, font: &[u8]) -> String {

@@ -26,6 +26,8 @@ mod calibration;
 mod findings;
 mod fonts;
 mod history;
+#[cfg(test)]
+mod languages;
 mod logo;
 mod parts;
 mod session;

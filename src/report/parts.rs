@@ -4,42 +4,41 @@ use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
-use super::document::{Block, Section, Table, clean};
+use super::document::{Block, Column, Section, Table, clean};
 use super::{Details, Extras};
-use crate::present::names::{parameter, title_on, usual_size};
+use crate::language::names::{parameter, title_on, usual_size};
+use crate::language::of_core;
 use crate::present::numbers::{plain, short, with_interval};
 
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
-    let mut facts = vec![("Robot".to_owned(), or_unnamed(&robot.name))];
+    let mut facts = vec![fact(say!("Robot"), or_unnamed(&robot.name))];
     for (k, joint) in robot.joints.iter().enumerate() {
         let kind = match joint.kind {
-            JointKind::Revolute => "turns",
-            JointKind::Prismatic => "slides",
+            JointKind::Revolute => say!("turns"),
+            JointKind::Prismatic => say!("slides"),
         };
         let mut about = format!("{}, {kind}", or_unnamed(&joint.name));
         let range = |range: &Range| {
             let unit = joint.kind.sign();
-            format!(
-                "{}{unit} to {}{unit}",
-                short(joint.kind.outer(range.from)),
-                short(joint.kind.outer(range.to))
-            )
+            let [from, to] =
+                [range.from, range.to].map(|end| format!("{}{unit}", short(joint.kind.outer(end))));
+            say!("{from} to {to}", from = from, to = to)
         };
         if let Some(limits) = &joint.limits {
-            about += &format!(", travel {}", range(limits));
+            about += &say!(", travel {range}", range = range(limits));
         }
         if let Some(measured) = measured.get(k).filter(|r| r.from.is_finite()) {
-            about += &format!(", measured {}", range(measured));
+            about += &say!(", measured {range}", range = range(measured));
         }
-        facts.push((format!("Joint {}", k + 1), about));
+        facts.push((say!("Joint {joint}", joint = k + 1), about));
     }
     facts
 }
 
 pub(super) fn or_unnamed(name: &str) -> String {
     if name.trim().is_empty() {
-        "not named".to_owned()
+        say!("not named").to_owned()
     } else {
         clean(name)
     }
@@ -48,11 +47,19 @@ pub(super) fn or_unnamed(name: &str) -> String {
 /// The instrument with its noise.
 pub(super) fn instrument(instrument: &Instrument) -> String {
     let noise = match instrument.sigma_mm {
-        None => "noise not stated".to_owned(),
-        Some(Sigma::Overall(s)) => format!("noise {} mm (one standard deviation)", short(s)),
+        None => say!("noise not stated").to_owned(),
+        Some(Sigma::Overall(s)) => say!(
+            "noise {sigma} mm (one standard deviation)",
+            sigma = short(s)
+        ),
         Some(Sigma::PerAxis(s)) => {
             let [x, y, z] = s.map(short);
-            format!("noise {x}, {y}, {z} mm along x, y, z (one standard deviation)")
+            say!(
+                "noise {x}, {y}, {z} mm along x, y, z (one standard deviation)",
+                x = x,
+                y = y,
+                z = z
+            )
         }
     };
     format!("{}, {noise}", or_unnamed(&instrument.name))
@@ -63,13 +70,19 @@ pub(super) fn parameters<'a>(
     estimates: impl Iterator<Item = &'a Estimate>,
     robot: &Robot,
 ) -> Block {
-    let mut table = Table::headed("Effect | Parameter | >Value | Unit | >95 % interval");
+    let mut table = Table::of([
+        Column::words(say!("Effect")),
+        Column::words(say!("Parameter")),
+        Column::numbers(say!("Value")),
+        Column::words(say!("Unit")),
+        Column::numbers(say!("95 % interval")),
+    ]);
     let mut last = String::new();
     for estimate in estimates {
         let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
         let (mut parameter, unit) = parameter(estimate.name);
         if let Some(setup) = &estimate.setup {
-            parameter += &format!(", setup {}", clean(setup));
+            parameter += &say!(", setup {setup}", setup = clean(setup));
         }
         let (value, interval) = if estimate.is_whole_number() {
             (short(estimate.value), String::new())
@@ -97,7 +110,7 @@ pub(super) fn implausible<'a>(
         let usual = usual_size(one);
         let name = title_on(one.effect, one.joint, robot.joints.len());
         let (parameter, _) = parameter(one.name);
-        format!("{name}, {parameter}: {IMPLAUSIBLE} ({usual})")
+        format!("{name}, {parameter}: {} ({usual})", of_core(IMPLAUSIBLE))
     };
     let remarks: Vec<String> = estimates
         .filter(|one| one.is_implausible())
@@ -119,27 +132,27 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
     let mut blocks = Vec::new();
     for table in &extras.tables {
         let belongs = if table.model_hash == model_hash {
-            "made from the model of this report"
+            say!("made from the model of this report")
         } else if table.samples_hash == samples_hash {
-            "made from the samples of this report, by a model with other hash"
+            say!("made from the samples of this report, by a model with other hash")
         } else {
-            "NOT made from this report's samples"
+            say!("NOT made from this report's samples")
         };
         blocks.push(Block::Heading(clean(&table.name)));
         blocks.push(Block::Facts(vec![
-            ("Format".to_owned(), format_in_words(&table.format)),
-            ("Joint".to_owned(), clean(&table.joint)),
-            ("Origin".to_owned(), belongs.to_owned()),
-            ("SHA-256 of the file".to_owned(), table.hash.clone()),
-            ("Model".to_owned(), clean(&table.model_hash)),
+            fact(say!("Format"), format_in_words(&table.format)),
+            fact(say!("Joint"), clean(&table.joint)),
+            fact(say!("Origin"), belongs),
+            fact(say!("SHA-256 of the file"), table.hash.clone()),
+            fact(say!("Model"), clean(&table.model_hash)),
         ]));
     }
-    Some(Section::new("Tables for the controller", blocks))
+    Some(Section::new(say!("Tables for the controller"), blocks))
 }
 
 /// What a table's format is called among people, where its sidecar names a known one.
 fn format_in_words(id: &str) -> String {
-    crate::export::find(id).map_or_else(|| clean(id), |format| format.title.to_owned())
+    crate::export::find(id).map_or_else(|| clean(id), |format| of_core(format.title).into_owned())
 }
 
 /// What the certificate states besides its measurements, if it states anything; what is empty is
@@ -153,7 +166,7 @@ pub(super) fn details(own: &Details) -> Option<Section> {
         .into_iter()
         .map(|(name, text)| fact(name, clean(&text)));
     Some(Section::new(
-        "Report details",
+        say!("Report details"),
         vec![Block::Facts(facts.collect())],
     ))
 }
@@ -163,16 +176,21 @@ pub(super) fn signatures(extras: &Extras) -> Section {
     let own = &extras.details;
     let line = |name: &str| (name.to_owned(), String::new());
     Section {
-        title: "Signatures".to_owned(),
+        title: say!("Signatures").to_owned(),
         blocks: vec![
-            Block::Text("The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions".to_owned()),
+            Block::Text(
+                say!(
+                    "The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions"
+                )
+                .to_owned(),
+            ),
             Block::Sign(vec![
-                ("Calibrated by (name)".to_owned(), clean(&own.operator)),
-                line("Accepted by (name)"),
-                ("Place, date".to_owned(), clean(&own.date)),
-                line("Place, date"),
-                line("Signature"),
-                line("Signature"),
+                fact(say!("Calibrated by (name)"), clean(&own.operator)),
+                line(say!("Accepted by (name)")),
+                fact(say!("Place, date"), clean(&own.date)),
+                line(say!("Place, date")),
+                line(say!("Signature")),
+                line(say!("Signature")),
             ]),
         ],
     }
@@ -181,10 +199,25 @@ pub(super) fn signatures(extras: &Extras) -> Section {
 /// What stands at the foot of every page.
 pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
     let hash: String = samples_hash.chars().take(12).collect();
-    format!(
-        "truepose {} · {subject} · samples {hash}",
-        env!("CARGO_PKG_VERSION")
+    say!(
+        "truepose {version} · {subject} · samples {hash}",
+        version = env!("CARGO_PKG_VERSION"),
+        subject = subject,
+        hash = hash
     )
+}
+
+/// What the core says, line by line, in the language of this thread.
+pub(super) fn all_of_core(lines: &[String]) -> Vec<String> {
+    lines
+        .iter()
+        .map(|line| of_core(line).into_owned())
+        .collect()
+}
+
+/// What the core says with a user's names in it, in the language of this thread.
+pub(super) fn told(english: &str) -> String {
+    of_core(&clean(english)).into_owned()
 }
 
 /// A tolerance or a floor beside a name.
@@ -194,7 +227,10 @@ pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
 
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {
     fact(
-        "Tolerance",
-        tolerance_mm.map_or_else(|| "not stated".to_owned(), |mm| format!("{} mm", short(mm))),
+        say!("Tolerance"),
+        tolerance_mm.map_or_else(
+            || say!("not stated").to_owned(),
+            |mm| format!("{} mm", short(mm)),
+        ),
     )
 }

@@ -9,21 +9,24 @@ use crate::export::Job;
 use crate::export::sidecar::measured_poses;
 use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
+use crate::language::names::{figure, title, title_on};
+use crate::language::of_core;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::numeric::extent;
+use crate::present::chart::in_words;
 use crate::present::decision::rests_on;
 use crate::present::kinds;
-use crate::present::names::{figure, title, title_on};
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::Standards;
+use crate::text::current;
 
 use super::accuracy;
 use super::calibration::values;
-use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
+use super::document::{Block, Column, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
     details, fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts,
-    signatures, tables, tolerance,
+    signatures, tables, told, tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
@@ -69,7 +72,7 @@ impl Report {
         let calibration = in_use.unwrap_or(all_found);
         let verification = &evidence.verification;
         let hash = hash_of_samples(given);
-        let told = Told {
+        let known = Told {
             session,
             given,
             found,
@@ -79,9 +82,9 @@ impl Report {
             model_hash: model_hash(calibration),
         };
         let mut sections: Vec<Section> = details(&extras.details).into_iter().collect();
-        sections.extend([told.measured(&hash), told.result(), told.parameters()]);
-        sections.extend(told.effects());
-        sections.push(told.open());
+        sections.extend([known.measured(&hash), known.result(), known.parameters()]);
+        sections.extend(known.effects());
+        sections.push(known.open());
         let stages = stages(session, calibration, verification, Some(found.floor.mm))?;
         sections.push(deviations_of(&stages));
         sections.push(match &evidence.standards {
@@ -90,17 +93,18 @@ impl Report {
         });
         let history = extras.history.as_ref();
         sections.extend(history.and_then(|h| history::section(h, &given.robot.name)));
-        sections.push(told.limits());
-        sections.extend(tables(extras, &hash, &told.model_hash));
+        sections.push(known.limits());
+        sections.extend(tables(extras, &hash, &known.model_hash));
         sections.push(signatures(extras));
         let subject = or_unnamed(&given.name);
         Ok(Self {
-            title: "Calibration report".to_owned(),
-            answer: told.answer(),
+            title: say!("Calibration report").to_owned(),
+            answer: known.answer(),
             logo: extras.details.logo.clone(),
-            decision: extras.details.rule.map(|rule| told.decision(rule)),
-            headline: told.headline(),
+            decision: extras.details.rule.map(|rule| known.decision(rule)),
+            headline: known.headline(),
             foot: foot(&subject, &hash),
+            language: current(),
             subject,
             sections,
         })
@@ -113,7 +117,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
         return None;
     }
     if !model.regions.is_empty() {
-        return Some("corrections by region".to_owned());
+        return Some(say!("corrections by region").to_owned());
     }
     let ids = |c: &Calibration| -> Vec<&'static str> {
         c.model
@@ -123,15 +127,16 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
             .collect()
     };
     let (has, had) = (ids(model), ids(found));
-    let lacks = |these: &[&'static str], all: &[&'static str], word: &str| {
+    let lacks = |these: &[&'static str], all: &[&'static str]| {
         let names = all.iter().filter(|id| !these.contains(id));
         let names: Vec<&str> = names.map(|id| title(id)).collect();
-        (!names.is_empty()).then(|| format!("{word} {}", names.join(", ")))
+        (!names.is_empty()).then(|| names.join(", "))
     };
-    let parts = [lacks(&has, &had, "without"), lacks(&had, &has, "with")];
-    let said: Vec<String> = parts.into_iter().flatten().collect();
+    let less = lacks(&has, &had).map(|names| say!("without {names}", names = names));
+    let more = lacks(&had, &has).map(|names| say!("with {what}", what = names));
+    let said: Vec<String> = [less, more].into_iter().flatten().collect();
     Some(if said.is_empty() {
-        "the same effects with other values".to_owned()
+        say!("the same effects with other values").to_owned()
     } else {
         said.join(", ")
     })
@@ -157,30 +162,33 @@ impl Told<'_> {
     fn answer(&self) -> String {
         let d = self.found;
         let found = match d.verdict {
-            Verdict::Noise => "Nothing is missing in the model: the remaining error is noise",
-            Verdict::Explained => "Explained: the remaining error is at the noise floor",
+            Verdict::Noise => {
+                say!("Nothing is missing in the model: the remaining error is noise")
+            }
+            Verdict::Explained => say!("Explained: the remaining error is at the noise floor"),
             Verdict::PartlyExplained => {
-                "Partly explained: an error is left that no effect of the catalogue explains"
+                say!("Partly explained: an error is left that no effect of the catalogue explains")
             }
             Verdict::Unexplained => {
-                "Not explained: an error is left that no effect of the catalogue explains"
+                say!("Not explained: an error is left that no effect of the catalogue explains")
             }
         };
         let mut answer = found.to_owned();
         if !d.tested_anything() {
-            answer += "; but the samples can show no effect, so that says nothing about the robot";
+            answer +=
+                say!("; but the samples can show no effect, so that says nothing about the robot");
         }
         if !d.equivalent.is_empty() {
-            answer += "; the samples cannot decide between some names";
+            answer += say!("; the samples cannot decide between some names");
         }
         if !d.data_problems.is_empty() {
-            answer += "; the data had problems, which are named below";
+            answer += say!("; the data had problems, which are named below");
         }
         if !d.identification.quality.converged {
-            answer += "; the fit did not converge";
+            answer += say!("; the fit did not converge");
         }
         if let Some(other) = &self.other {
-            answer += &format!("; the model in use is another one: {other}");
+            answer += &say!("; the model in use is another one: {other}", other = other);
         }
         answer
     }
@@ -193,12 +201,15 @@ impl Told<'_> {
             held_out_mm: d.held_out.gaps.map(|g| g.end_mm),
             floor_mm: Some(d.floor.mm),
         };
-        let none = |because: &str| (Outcome::Undecided, format!("No decision: {because}"));
+        let none = |because: &str| {
+            let says = say!("No decision: {because}", because = because);
+            (Outcome::Undecided, says)
+        };
         let Some(tolerance) = self.session.tolerance_mm else {
-            return none("no tolerance is stated");
+            return none(say!("no tolerance is stated"));
         };
         match Measured::of(self.session, self.verification, fitted) {
-            Err(because) => none(because),
+            Err(because) => none(&of_core(because)),
             Ok(measured) => (
                 measured.decided(rule, tolerance),
                 rests_on(&measured, rule, tolerance),
@@ -214,34 +225,44 @@ impl Told<'_> {
             beside,
         };
         let unseen = d.held_out.gaps.map_or_else(
-            || "too few samples to hold any out".to_owned(),
-            |g| format!("{} cross-validated", mm(g.end_mm)),
+            || say!("too few samples to hold any out").to_owned(),
+            |g| say!("{size} cross-validated", size = mm(g.end_mm)),
         );
         let mut figures = vec![
             figure(
-                "RMS error, nominal robot",
+                say!("RMS error, nominal robot"),
                 mm(d.gap.start_mm),
-                format!("largest {}", mm(v.nominal.max_mm)),
+                say!("largest {size}", size = mm(v.nominal.max_mm)),
             ),
             if self.other.is_some() {
-                let all = format!("{} with everything that was found", mm(d.gap.end_mm));
-                figure("RMS error, model in use", mm(v.model.rms_mm), all)
+                let all = say!(
+                    "{size} with everything that was found",
+                    size = mm(d.gap.end_mm)
+                );
+                figure(say!("RMS error, model in use"), mm(v.model.rms_mm), all)
             } else {
-                figure("RMS error, model", mm(d.gap.end_mm), unseen)
+                figure(say!("RMS error, model"), mm(d.gap.end_mm), unseen)
             },
-            figure("Noise floor", mm(d.floor.mm), self.floor_from().to_owned()),
+            figure(
+                say!("Noise floor"),
+                mm(d.floor.mm),
+                self.floor_from().to_owned(),
+            ),
         ];
         figures.push(match (&v.within_tolerance, self.session.tolerance_mm) {
             (Some(within), Some(tolerance)) => figure(
-                &format!("Within {} mm", short(tolerance)),
-                format!("{} of {}", within.after, within.of),
-                format!("with the model; {} as measured", within.before),
+                &say!("Within {tolerance} mm", tolerance = short(tolerance)),
+                say!("{after} of {all}", after = within.after, all = within.of),
+                say!(
+                    "with the model; {before} as measured",
+                    before = within.before
+                ),
             ),
             _ => figure(
-                "Corrected commands",
+                say!("Corrected commands"),
                 v.compensated
                     .map_or_else(|| "–".to_owned(), |c| mm(c.gap.rms_mm)),
-                "RMS error left by the table".to_owned(),
+                say!("RMS error left by the table").to_owned(),
             ),
         });
         figures
@@ -249,61 +270,62 @@ impl Told<'_> {
 
     fn floor_from(&self) -> &'static str {
         match self.found.floor.from {
-            FloorFrom::Repeats => "from returns to the same pose",
-            FloorFrom::Instrument => "from the instrument's noise",
-            FloorFrom::Estimated => "estimated from what is left",
+            FloorFrom::Repeats => say!("from returns to the same pose"),
+            FloorFrom::Instrument => say!("from the instrument's noise"),
+            FloorFrom::Estimated => say!("estimated from what is left"),
         }
     }
 
     fn measured(&self, hash: &str) -> Section {
         let s = self.given;
-        let mut facts = vec![fact("Session", or_unnamed(&s.name))];
+        let mut facts = vec![fact(say!("Session"), or_unnamed(&s.name))];
         if !s.note.trim().is_empty() {
-            facts.push(fact("Note", clean_note(&s.note)));
+            facts.push(fact(say!("Note"), clean_note(&s.note)));
         }
         let inputs = Inputs::new(s, JointValues::Commanded);
         facts.extend(robot_facts(self.robot(), &measured_ranges(&inputs)));
-        facts.push(fact("Instrument", instrument(&s.instrument)));
+        facts.push(fact(say!("Instrument"), instrument(&s.instrument)));
         let targets: Vec<String> = s
             .targets
             .iter()
             .take(MOST_ROWS)
             .map(|t| {
                 let p = t.position_mm;
-                format!(
-                    "{} at ({}, {}, {}) mm",
-                    clean(&t.name),
-                    short(p.x),
-                    short(p.y),
-                    short(p.z)
+                say!(
+                    "{reflector} at ({x}, {y}, {z}) mm",
+                    reflector = clean(&t.name),
+                    x = short(p.x),
+                    y = short(p.y),
+                    z = short(p.z)
                 )
             })
             .collect();
-        facts.push(fact("Reflectors in the tool", targets.join("; ")));
-        facts.push(fact("Samples", self.samples()));
-        if let Some(measured) = s.kinds_in_words() {
-            facts.push(fact("Measured", measured));
+        facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
+        facts.push(fact(say!("Samples"), self.samples()));
+        if let Some(measured) = kinds::measured(s) {
+            facts.push(fact(say!("Measured"), measured));
         }
-        facts.push(fact("Conditions", self.conditions()));
+        facts.push(fact(say!("Conditions"), self.conditions()));
         facts.push(tolerance(s.tolerance_mm));
         if let Some(by) = &s.compensated_by {
             facts.push(fact(
-                "Measured with a table active",
-                format!("of model {}", clean(by)),
+                say!("Measured with a table active"),
+                say!("of model {model}", model = clean(by)),
             ));
         }
         facts.push(fact(
-            "Method",
-            "robust nonlinear least squares over the effects of the catalogue, found by a forward \
-             search with family-wise significance; intervals allow for the search",
+            say!("Method"),
+            say!(
+                "robust nonlinear least squares over the effects of the catalogue, found by a forward search with family-wise significance; intervals allow for the search"
+            ),
         ));
         facts.push(fact(
-            "Program",
+            say!("Program"),
             format!("truepose {}", env!("CARGO_PKG_VERSION")),
         ));
-        facts.push(fact("Hash of robot and samples", hash));
-        facts.push(fact("Hash of the model", self.model_hash.clone()));
-        Section::new("What was measured", vec![Block::Facts(facts)])
+        facts.push(fact(say!("Hash of robot and samples"), hash));
+        facts.push(fact(say!("Hash of the model"), self.model_hash.clone()));
+        Section::new(say!("What was measured"), vec![Block::Facts(facts)])
     }
 
     fn samples(&self) -> String {
@@ -311,17 +333,17 @@ impl Told<'_> {
         let used = self.verification.samples;
         let mut text = format!("{all}");
         if used < all {
-            text += &format!(", of which {} cannot be used", all - used);
+            text += &say!(", of which {lost} cannot be used", lost = all - used);
         }
         if let Some(held) = &self.session.samples.held_out {
             let held = held.iter().filter(|h| **h).count();
-            text += &format!(", {held} held out by the file");
+            text += &say!(", {held} held out by the file", held = held);
         }
         let z = self.session.samples.z_mm.is_some();
         if !self.session.samples.observed.is_empty() {
             return text;
         }
-        text += if z { "; x, y, z" } else { "; x, y only" };
+        text += if z { "; x, y, z" } else { say!("; x, y only") };
         text
     }
 
@@ -330,29 +352,43 @@ impl Told<'_> {
         let range = |column: &[f64], unit: &str| {
             let [low, high] = extent(column.iter());
             if low > high {
-                "not known".to_owned()
+                say!("not known").to_owned()
             } else if low == high {
                 format!("{} {unit}", short(low))
             } else {
-                format!("{} to {} {unit}", short(low), short(high))
+                say!(
+                    "{from} to {to}",
+                    from = short(low),
+                    to = format!("{} {unit}", short(high))
+                )
             }
         };
-        let column = |name: &str, column: Option<&Vec<f64>>, unit: &str| {
-            let value = column.map_or_else(|| "not recorded".to_owned(), |c| range(c, unit));
-            format!("{name} {value}")
+        let value = |column: Option<&Vec<f64>>, unit: &str| {
+            column.map_or_else(|| say!("not recorded").to_owned(), |c| range(c, unit))
         };
         [
-            column("load", samples.load_kg.as_ref(), "kg"),
-            column("temperature", samples.temperature_c.as_ref(), "°C"),
-            column("time", samples.time_s.as_ref(), "s"),
+            say!(
+                "load {value}",
+                value = value(samples.load_kg.as_ref(), "kg")
+            ),
+            say!(
+                "temperature {value}",
+                value = value(samples.temperature_c.as_ref(), "°C")
+            ),
+            say!("time {value}", value = value(samples.time_s.as_ref(), "s")),
         ]
         .join("; ")
     }
 
     fn result(&self) -> Section {
         let (d, v) = (self.found, self.verification);
-        let mut table =
-            Table::headed("RMS error, mm | >Fit | >Cross-validated | >Largest | >Over the floor");
+        let mut table = Table::of([
+            Column::words(say!("RMS error, mm")),
+            Column::numbers(say!("Fit")),
+            Column::numbers(say!("Cross-validated")),
+            Column::numbers(say!("Largest")),
+            Column::numbers(say!("Over the floor")),
+        ]);
         let times = |mm: f64| {
             if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
@@ -371,21 +407,21 @@ impl Told<'_> {
             ]);
         };
         row(
-            "nominal robot, as measured",
+            say!("nominal robot, as measured"),
             d.gap.start_mm,
             held.map(|g| g.start_mm),
             Some(v.nominal.max_mm),
         );
         row(
-            &d.history
-                .get(1)
-                .map_or(String::new(), |step| format!("with {}", clean(&step.what))),
+            &d.history.get(1).map_or(String::new(), |step| {
+                say!("with {what}", what = in_words(&clean(&step.what)))
+            }),
             d.gap.identified_mm,
             held.map(|g| g.identified_mm),
             None,
         );
         row(
-            "with everything that was found",
+            say!("with everything that was found"),
             d.gap.end_mm,
             held.map(|g| g.end_mm),
             Some(v.model.max_mm).filter(|_| self.other.is_none()),
@@ -393,7 +429,7 @@ impl Told<'_> {
         if let Some(other) = &self.other {
             let (rms, max) = (v.model.rms_mm, v.model.max_mm);
             row(
-                &format!("with the model in use, {other}"),
+                &say!("with the model in use, {other}", other = other),
                 rms,
                 None,
                 Some(max),
@@ -401,16 +437,16 @@ impl Told<'_> {
         }
         if let Some(c) = v.compensated {
             row(
-                "with corrected commands only",
+                say!("with corrected commands only"),
                 c.gap.rms_mm,
                 None,
                 Some(c.gap.max_mm),
             );
         }
         let mut blocks = vec![
-            Block::Text(format!(
-                "{}. Noise alone leaves the floor",
-                self.what_the_gap_is()
+            Block::Text(say!(
+                "{error}. Noise alone leaves the floor",
+                error = self.what_the_gap_is()
             )),
             Block::Table(table),
         ];
@@ -418,45 +454,45 @@ impl Told<'_> {
         blocks.push(Block::List(self.remarks()));
         blocks.push(Block::Plot(
             gap_plot(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
-            "The gap step by step; each step keeps what the ones before it brought".to_owned(),
+            say!("The gap step by step; each step keeps what the ones before it brought")
+                .to_owned(),
         ));
-        Section::new("Result", blocks)
+        Section::new(say!("Result"), blocks)
     }
 
     /// What belongs to the table of the result.
     fn remarks(&self) -> Vec<String> {
         let (d, v) = (self.found, self.verification);
-        let mut remarks = vec![format!(
-            "cross-validation: {}",
-            if d.held_out.gaps.is_some() {
-                clean(&d.held_out.how)
-            } else {
-                "none, there are too few samples".to_owned()
-            }
-        )];
+        let mut remarks = vec![if d.held_out.gaps.is_some() {
+            say!("cross-validation: {how}", how = told(&d.held_out.how))
+        } else {
+            say!("cross-validation: none, there are too few samples").to_owned()
+        }];
         if let Some(c) = v.compensated {
-            remarks.push(format!(
-                "not correctable by joint commands: {}",
-                mm(c.cannot_be_removed_by_joints_mm)
+            remarks.push(say!(
+                "not correctable by joint commands: {size}",
+                size = mm(c.cannot_be_removed_by_joints_mm)
             ));
             let homes = measured_poses(&Job::new(self.calibration, "report"));
             remarks.extend(
                 Remainder::new(self.calibration, &homes)
                     .says()
                     .iter()
-                    .map(|s| clean(s)),
+                    .map(|s| told(s)),
             );
         }
         remarks.extend(self.noise());
-        remarks.extend(v.notes.iter().map(|n| clean(n)));
+        remarks.extend(v.notes.iter().map(|n| told(n)));
         remarks
     }
 
     fn what_the_gap_is(&self) -> &'static str {
         if self.session.samples.observed.is_empty() {
-            "RMS error is the root mean square of the distance between measured and simulated points"
+            say!(
+                "RMS error is the root mean square of the distance between measured and simulated points"
+            )
         } else {
-            "RMS error is the root mean square of the residuals, as lengths"
+            say!("RMS error is the root mean square of the residuals, as lengths")
         }
     }
 
@@ -468,9 +504,10 @@ impl Told<'_> {
         }
         vec![
             Block::Text(
-                "By kind of measurement, root mean square; an angle counts in the gap as the length \
-                 across which it is seen"
-                    .to_owned(),
+                say!(
+                    "By kind of measurement, root mean square; an angle counts in the gap as the length across which it is seen"
+                )
+                .to_owned(),
             ),
             Block::Table(kinds::table(kinds)),
         ]
@@ -481,14 +518,20 @@ impl Told<'_> {
         let d = self.found;
         let mut lines = Vec::new();
         if let Some(noise) = &d.unexplained.noise {
-            lines.push(format!("measurement noise: {}", noise.says()));
+            lines.push(say!(
+                "measurement noise: {noise}",
+                noise = of_core(&noise.says())
+            ));
         }
         if let Some(slow) = &d.noise.slow {
-            lines.push(format!("slow noise: {}", slow.says()));
+            lines.push(say!("slow noise: {slow}", slow = of_core(&slow.says())));
         }
         let quality = &d.identification.quality;
         if !quality.converged {
-            lines.push(format!("the fit did not converge: {}", quality.stopped));
+            lines.push(say!(
+                "the fit did not converge: {stopped}",
+                stopped = of_core(quality.stopped)
+            ));
         }
         lines
     }
@@ -502,9 +545,10 @@ impl Told<'_> {
         let all = d.identified.iter().chain(found);
         let mut blocks = vec![
             Block::Text(
-                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
-                 What was commanded has to be corrected by the opposite"
-                    .to_owned(),
+                say!(
+                    "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. What was commanded has to be corrected by the opposite"
+                )
+                .to_owned(),
             ),
             parameters(all.clone(), self.robot()),
         ];
@@ -518,6 +562,6 @@ impl Told<'_> {
             said.collect::<Vec<_>>()
         });
         blocks.extend(figures.map(Block::Text));
-        Section::new("Parameters of the real robot", blocks)
+        Section::new(say!("Parameters of the real robot"), blocks)
     }
 }

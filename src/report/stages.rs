@@ -54,13 +54,13 @@ pub fn stages(
             }
         }
         more.push(Stage {
-            name: "With corrected commands".to_owned(),
+            name: say!("With corrected commands").to_owned(),
             stands: Stands::Corrected,
             deviations: corrected,
         });
     }
     more.push(Stage {
-        name: "Against the model".to_owned(),
+        name: say!(in "chart-word", "Against the model").to_owned(),
         stands: Stands::After,
         deviations: verification.after.clone(),
     });
@@ -91,12 +91,13 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
     let n = session.samples.len();
     Stages {
         nominal: nominal.predict(&problem.inputs),
-        over: format!(
-            "joint {} ({}), {}",
-            k + 1,
-            shortened(&or_unnamed(&joints[k].name), 40),
-            joints[k].kind.sign().trim()
+        over: say!(
+            "joint {joint} ({name}), {unit}",
+            joint = k + 1,
+            name = shortened(&or_unnamed(&joints[k].name), 40),
+            unit = joints[k].kind.sign().trim()
         ),
+        in_degrees: joints[k].kind.sign().trim() == "°",
         values: problem.inputs.q[k]
             .iter()
             .map(|q| joints[k].kind.outer(*q))
@@ -105,7 +106,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
             .collect(),
         stages: vec![Stage {
-            name: "As measured".to_owned(),
+            name: say!(in "chart-word", "As measured").to_owned(),
             stands: Stands::Before,
             deviations: deviations(&problem, &nominal),
         }],
@@ -137,22 +138,21 @@ pub(super) fn section(stages: &Stages) -> Section {
     let mut blocks = Vec::new();
     let (places, magnification) = workspace(stages);
     let corrected = stages.stages.len() > 2;
-    let caption = format!(
-        "Measured points with their deviations, magnified {} times{}",
-        short(magnification),
-        if corrected {
-            "; corrected commands act through the joints alone, the model holds what a \
-             controller can be told besides"
-        } else {
-            ""
-        }
+    let mut caption = say!(
+        "Measured points with their deviations, magnified {magnification} times",
+        magnification = short(magnification)
     );
+    if corrected {
+        caption += say!(
+            "; corrected commands act through the joints alone, the model holds what a controller can be told besides"
+        );
+    }
     if points {
         blocks.push(Block::Plot(places, caption));
     }
     blocks.push(Block::Plot(
         deviation(stages),
-        "Length of the deviation; the scales differ from panel to panel".to_owned(),
+        say!("Length of the deviation; the scales differ from panel to panel").to_owned(),
     ));
-    Section::new("Deviations", blocks)
+    Section::new(say!("Deviations"), blocks)
 }

@@ -61,6 +61,12 @@ impl Language {
         offered.map(|(language, ..)| *language)
     }
 
+    /// Its code of ISO 639; English for the languages of the tests.
+    pub fn code(self) -> &'static str {
+        let offered = LANGUAGES.iter().find(|(language, ..)| *language == self);
+        offered.map_or("en", |(_, code, _)| code)
+    }
+
     /// Its own name.
     pub fn own_name(self) -> &'static str {
         let offered = LANGUAGES.iter().find(|(language, ..)| *language == self);

@@ -3,14 +3,11 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::gui::help;
-use crate::language::names::title_of;
-use crate::language::of_core;
 use crate::gui::view::Step;
 use crate::model::GapStep;
 use crate::present::chart::{gap, in_words};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
-use crate::text::within;
 
 pub(crate) struct Gap;
 
@@ -50,7 +47,7 @@ impl Kind for Gap {
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
         let mut chart = chart.ok_or(Missing::new(say!("nothing is identified yet"), ""))?;
         say!("RMS over the fitted samples").clone_into(&mut chart.note);
-        let says = |s: &GapStep| format!("{} {}", said(&s.what), number(s.gap_mm));
+        let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {
             chart,
@@ -66,13 +63,5 @@ impl Kind for Gap {
             table.row([Cell::from(in_words(&step.what)), step.gap_mm.into()]);
         }
         table
-    }
-}
-
-/// A step in the language of the window.
-fn said(what: &str) -> String {
-    match what.strip_prefix("with ") {
-        Some(name) => format!("{} {}", of_core("with"), within(&title_of(name))),
-        None => of_core(what).into_owned(),
     }
 }

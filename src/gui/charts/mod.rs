@@ -4,7 +4,6 @@
 //! draws.
 
 mod scene;
-mod words;
 
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
@@ -88,10 +87,7 @@ pub(crate) trait Kind: Sync {
 
 /// A chart as it is shown, in the language of the window.
 pub(crate) fn shown<'a>(kind: &dyn Kind, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-    kind.show(scene).map(|shown| Shown {
-        chart: words::translated(shown.chart),
-        ..shown
-    })
+    kind.show(scene)
 }
 
 /// The chart of this name.
@@ -195,8 +191,7 @@ mod tests {
         for entry in std::fs::read_dir(folder).expect("the folder") {
             let path = entry.expect("an entry").path();
             let file = path.file_stem().and_then(|s| s.to_str()).expect("a name");
-            let there = ["mod", "scene", "words"].contains(&file)
-                || code.contains(&format!("    {file}: "));
+            let there = ["mod", "scene"].contains(&file) || code.contains(&format!("    {file}: "));
             assert!(there, "{file} is not in the register");
         }
     }

@@ -11,6 +11,7 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::language::known_words;
 use crate::report::Details;
+use crate::text::spoken;
 
 /// Widest, points.
 const WIDE: f32 = 560.0;
@@ -37,9 +38,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 } else {
                     ""
                 };
-                let name = known_words("details-field", line.name);
-                let name = name.as_deref().unwrap_or(line.name);
-                text(ui, name, (line.of)(&mut stated.details), hint);
+                text(ui, spoken(line.name), (line.of)(&mut stated.details), hint);
                 ui.end_row();
             }
             let name = say!("Logo");

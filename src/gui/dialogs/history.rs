@@ -11,7 +11,7 @@ use crate::history::{Entry, Order, RobotHistory};
 use crate::language::known_words;
 use crate::language::names::{title_on, with_parameter};
 use crate::present::history::{
-    CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name,
+    CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name, source,
 };
 use crate::present::numbers::mm;
 use crate::present::table::Table;
@@ -114,12 +114,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// All sessions: their errors, their parameters, and one of these as a chart.
 fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &mut Choice) {
     widgets::section(ui, say!("Errors"));
-    let errors = translated(entries(robot), usize::MAX, &[1, 6]);
-    table(ui, "errors", &errors, None);
-    let mut rows = rows(robot, title_on);
-    for row in &mut rows {
-        row.name = with_parameter(&row.name);
-    }
+    table(ui, "errors", &entries(robot), None);
+    let rows = rows(robot);
     let is_changed = |row: &Row<'_>| row.values.iter().flatten().any(|value| value.changed);
     let changed = || rows.iter().position(is_changed);
     let mut charted = choice.row.or_else(changed).unwrap_or(0);
@@ -130,7 +126,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-    let all = translated(parameters(robot, &shown, title_on), 2, &[]);
+    let all = parameters(robot, &shown);
     table(ui, "parameters", &all, Some((&mut charted, &names)));
     if rows.get(charted).is_some_and(|now| now.name != row.name) {
         choice.row = Some(charted);
@@ -148,12 +144,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     }
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);
-    let mut chart = chart_of(robot, row);
-    // Its other words are names of sessions.
-    translate("chart-word", &mut chart.across.label);
-    for entry in &mut chart.legend {
-        translate("chart-word", &mut entry.name);
-    }
+    let chart = chart_of(robot, row);
     let room = vec2(ui.available_width(), CHART);
     let layout = egui::Layout::top_down(egui::Align::Min);
     ui.allocate_ui_with_layout(room, layout, |ui| {
@@ -182,7 +173,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
             ends[k] = next;
         }
     }
-    let Some(both) = compared(robot, ends[0], ends[1], title_on) else {
+    let Some(both) = compared(robot, ends[0], ends[1]) else {
         return;
     };
     if both.rows.is_empty() {
@@ -198,7 +189,6 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
         all = both.rows.len()
     );
     ui.label(RichText::new(says).font(strong(size::BODY)));
-    let both = translated(both, usize::MAX, &[5]);
     table(ui, "before and after", &both, None);
     for (end, key) in ends
         .into_iter()
@@ -211,9 +201,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
 }
 
 fn title(entry: &Entry) -> String {
-    let source = entry.source.name();
-    let source = known_words("history-cell", source).unwrap_or_else(|| source.to_owned());
-    format!("{} ({source})", short_name(entry))
+    format!("{} ({})", short_name(entry), source(entry))
 }
 
 /// A list with its name before it; what was chosen.
@@ -235,41 +223,6 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
         widgets::label(&list.response, name);
     });
     chosen.filter(|k| *k != now)
-}
-
-/// The table with the first of its headings, and what is in these of its columns, in the language of
-/// the window. What else is in it are names of sessions and numbers.
-fn translated(mut table: Table, headings: usize, columns: &[usize]) -> Table {
-    for column in table.columns.iter_mut().take(headings) {
-        translate("history-heading", &mut column.heading);
-    }
-    for row in &mut table.rows {
-        if let Some(first) = row.first_mut() {
-            first.shown = with_parameter(&first.shown);
-        }
-        for k in columns {
-            let Some(cell) = row.get_mut(*k) else {
-                continue;
-            };
-            if let Some((changed, all)) = cell.shown.split_once(" of ") {
-                cell.shown = say!("{changed} of {all}", changed = changed, all = all);
-            } else if let Some(word) = cell.shown.strip_prefix(CHANGED) {
-                let mut word = word.trim().to_owned();
-                translate("history-cell", &mut word);
-                cell.shown = format!("{CHANGED} {word}");
-            } else {
-                translate("history-cell", &mut cell.shown);
-            }
-        }
-    }
-    table
-}
-
-/// What the table of texts does not know stays as it is.
-fn translate(kind: &str, text: &mut String) {
-    if let Some(known) = known_words(kind, text) {
-        *text = known;
-    }
 }
 
 /// A table; where its rows have names, one of them can be chosen.

@@ -6,13 +6,14 @@ use std::time::Duration;
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
 use crate::diagnosis::{Diagnosis, NextPose, Sight};
+use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::style::tokens::{size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
 use crate::present::limits::sight;
-use crate::present::names::{parameter, title};
+use crate::present::names::parameter_in_english as parameter;
 use crate::present::table::{Cell, Table};
 use crate::units::deg_from_rad;
 
@@ -77,6 +78,11 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
             .interactable(false)
             .show(|ui| ui.label(say!("Copied")));
     }
+}
+
+/// The title of an effect: what is copied is English, as files are.
+fn title(id: &str) -> &str {
+    find(id).map_or(id, |effect| effect.about().title.english())
 }
 
 /// The columns of a parameter with its interval.

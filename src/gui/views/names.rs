@@ -9,7 +9,6 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::language::names::{combination, parameter, title_of, title_on, usual_size};
 use crate::language::of_core;
-use crate::present::names;
 use crate::text::within;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
@@ -39,7 +38,7 @@ pub(in crate::gui::views) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
             "{}: {} ({})",
             parameter(one.name).0,
             of_core(IMPLAUSIBLE),
-            usual_size(names::usual_size(one))
+            usual_size(one)
         );
         ui.label(RichText::new(text).color(warning));
     }

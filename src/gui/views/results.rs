@@ -15,8 +15,10 @@ use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::language::names::{parameter, title_on};
 use crate::language::of_core;
+use crate::present::decision::title as title_of_decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::present::units::Units;
+use crate::text::spoken;
 use crate::units::deg_from_rad;
 
 use super::names::{implausible, not_identifiable, title};
@@ -192,9 +194,9 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
                 Conformity::Fail => palette.outside,
                 Conformity::Undecided => palette.warning,
             };
-            let title = RichText::new(of_core(outcome.title())).font(strong(size::BODY));
+            let title = RichText::new(spoken(title_of_decision(outcome))).font(strong(size::BODY));
             ui.label(title.color(color));
-            widgets::hint(ui, with_minus_signs(&of_core(&says)));
+            widgets::hint(ui, with_minus_signs(&says));
         }
     }
 }

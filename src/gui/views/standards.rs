@@ -7,6 +7,7 @@ use crate::gui::cache::figures::{Made, as_text};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
+use crate::present::names::word;
 use crate::present::standards::Group;
 
 use super::copies;
@@ -60,7 +61,7 @@ fn legend(group: &Group) -> String {
     let sides = |symbol: &str| symbol.ends_with(['↑', '↓']);
     let rows = group.rows.iter().filter(|row| !sides(row.symbol));
     let mut names: Vec<String> = rows
-        .map(|row| format!("{} {}", row.symbol, row.name))
+        .map(|row| format!("{} {}", row.symbol, word(row.name)))
         .collect();
     if group.rows.iter().any(|row| sides(row.symbol)) {
         names.push(say!("↑ from below, ↓ from above").to_owned());
@@ -86,7 +87,7 @@ fn table(ui: &mut Ui, group: &Group) {
                 let after = row.after.map_or_else(|| "–".to_owned(), |v| group.shown(v));
                 ui.label(row.symbol).on_hover_ui(|ui| {
                     ui.set_max_width(space::TIP);
-                    ui.label(RichText::new(row.name).font(strong(size::BODY)));
+                    ui.label(RichText::new(word(row.name)).font(strong(size::BODY)));
                     ui.label(help::figure(row.symbol).unwrap_or_default());
                 });
                 widgets::cell_right(ui, RichText::new(before));

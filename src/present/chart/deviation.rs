@@ -53,15 +53,19 @@ impl Deviation<'_> {
         let mut legend: Vec<Entry> = self.series.iter().map(|s| s.entry.clone()).collect();
         if self.sides {
             let way = |name: &str, form| Entry::new(name, Sign::Mark(form), Stands::Noise, false);
-            legend.push(way("moving positive", Form::Forwards));
-            legend.push(way("negative", Form::Backwards));
+            legend.push(way(
+                say!(in "chart-word", "moving positive"),
+                Form::Forwards,
+            ));
+            legend.push(way(say!(in "chart-word", "negative"), Form::Backwards));
         }
         if let Some(tolerance) = self.tolerance_mm {
             let low = if self.is_length { 0.0 } else { -tolerance };
             if low > mm[0] || tolerance < mm[1] {
                 let band = [low.max(mm[0]), tolerance.min(mm[1])].map(value);
                 items.push(Item::Band(band, Stands::Tolerance));
-                legend.push(Entry::new("tolerance", Sign::Band, Stands::Tolerance, true));
+                let name = say!(in "chart-word", "tolerance");
+                legend.push(Entry::new(name, Sign::Band, Stands::Tolerance, true));
             }
         }
         for at in &self.boundaries {
@@ -73,7 +77,8 @@ impl Deviation<'_> {
         if let Some(floor) = self.floor_mm.filter(|floor| *floor < mm[1]) {
             items.push(Item::Line(across(floor), Stands::Noise, 1.4, true));
             let name = format!(
-                "noise floor {} {}",
+                "{} {} {}",
+                say!(in "chart-word", "noise floor"),
                 (self.lengths.number)(floor),
                 self.lengths.unit
             );

@@ -2,9 +2,11 @@
 //! is the RMS error of the samples that were fitted, a diamond that of samples that no fit has seen.
 
 use super::{Axis, Chart, Entry, Form, Item, Lengths, Mark, Sign, Stands, Ticks, Word, shortened};
-use crate::effects::{Effect, find};
+use crate::effects::find;
 use crate::model::GapStep;
 use crate::present::drawing::Anchor;
+use crate::present::names::{title_of, word};
+use crate::text::within;
 
 /// Steps that are drawn; a longer history is drawn from its ends.
 const MOST: usize = 24;
@@ -81,28 +83,38 @@ pub fn gap(
             if dashed {
                 items.push(Item::Word(Word {
                     at: [value(mm), ends[1] - 0.5 * FOOT],
-                    text: format!("noise floor {}", says(mm)),
+                    text: format!("{} {}", say!(in "chart-word", "noise floor"), says(mm)),
                     anchor: Anchor::Start,
                     below: false,
                 }));
             } else {
-                let name = format!("tolerance {}", says(mm));
-                let entry = Entry::new("tolerance", Sign::Line, stands, true);
-                legend.push(entry.on_paper(name));
+                let name = say!(in "chart-word", "tolerance");
+                let entry = Entry::new(name, Sign::Line, stands, true);
+                legend.push(entry.on_paper(format!("{name} {}", says(mm))));
             }
         }
     }
     let room = if marks.is_empty() { 0.0 } else { NUMBERS[1] };
     if !marks.is_empty() {
         let sign = Sign::Mark(Form::Diamond);
-        let entry = Entry::new("cross-validated", sign, Stands::Curve, false);
-        legend.push(entry.on_paper("on samples that no fit has seen"));
+        let entry = Entry::new(
+            say!(in "chart-word", "cross-validated"),
+            sign,
+            Stands::Curve,
+            false,
+        );
+        let name = say!(in "chart-word", "on samples that no fit has seen");
+        legend.push(entry.on_paper(name));
         items.push(Item::Marks(marks, Stands::Curve, false));
     }
     let named = |(k, step): (usize, &&GapStep)| (-(k as f64), row(&step.what));
     Some(Chart {
-        title: "the gap step by step".to_owned(),
-        across: Axis::numbers(format!("RMS error, {}", lengths.unit)),
+        title: say!(in "chart-word", "the gap step by step").to_owned(),
+        across: Axis::numbers(format!(
+            "{}, {}",
+            say!(in "chart-word", "RMS error"),
+            lengths.unit
+        )),
         upwards: Axis {
             label: String::new(),
             ticks: Ticks::Words(shown.iter().enumerate().map(named).collect()),
@@ -128,23 +140,31 @@ fn ends(steps: &[GapStep]) -> Vec<&GapStep> {
 
 /// A step as its row is called: the bars need the room more than the words.
 fn row(what: &str) -> String {
-    let words = in_words(what);
-    let words = words.strip_prefix("with ").unwrap_or(&words);
-    let first = words.split(':').next().unwrap_or(words);
-    shortened(&first.replace("link length", "length"), 24)
+    let name = what.strip_prefix("with ").unwrap_or(what);
+    let words = match name.split(':').next().unwrap_or(name) {
+        "nominal robot" => say!(in "chart-word", "nominal robot").to_owned(),
+        "full model" => say!(in "chart-word", "full model").to_owned(),
+        "by region" => say!(in "chart-word", "by region").to_owned(),
+        "geometry" => say!(in "chart-word", "geometry").to_owned(),
+        "regional identification" => say!("regional identification").to_owned(),
+        first => step(first),
+    };
+    shortened(&words.replace("link length", "length"), 24)
 }
 
-/// A step of the history with the effect's name in words.
+/// A step of the history, in words: what a model was begun with, or what it got.
 pub fn in_words(what: &str) -> String {
-    let effect = what.strip_prefix("with ").and_then(find);
-    let name = |effect: &Effect| format!("with {}", in_a_sentence(effect.about().title.english()));
-    effect.map_or_else(|| what.to_owned(), name)
+    match what.strip_prefix("with ") {
+        Some(name) => say!("with {what}", what = step(name)),
+        None => step(what),
+    }
 }
 
-/// A name as it stands within a sentence.
-pub fn in_a_sentence(title: &str) -> String {
-    let mut letters = title.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_lowercase().chain(letters).collect()
-    })
+/// What a model was begun with, or the effect that it got, `id` or `id joint`.
+fn step(name: &str) -> String {
+    let id = name.split(' ').next().unwrap_or(name);
+    match find(id) {
+        Some(_) => within(&title_of(name)).into_owned(),
+        None => word(name),
+    }
 }

@@ -12,7 +12,7 @@ mod paper;
 mod ticks;
 
 pub use deviation::{Deviation, LEAST_SPAN, Series};
-pub use gap::{gap, in_a_sentence, in_words};
+pub use gap::{gap, in_words};
 pub(crate) use ticks::among;
 #[cfg(feature = "gui")]
 pub(crate) use ticks::decade;
@@ -169,13 +169,15 @@ impl Entry {
     pub fn before(sign: Sign) -> Self {
         Self {
             may_go: true,
-            ..Self::new("before", sign, Stands::Before, false).on_paper("As measured")
+            ..Self::new(say!(in "chart-word", "before"), sign, Stands::Before, false)
+                .on_paper(say!(in "chart-word", "As measured"))
         }
     }
 
     /// What the model leaves.
     pub fn after(sign: Sign) -> Self {
-        Self::new("after", sign, Stands::After, true).on_paper("Against the model")
+        Self::new(say!(in "chart-word", "after"), sign, Stands::After, true)
+            .on_paper(say!(in "chart-word", "Against the model"))
     }
 
     /// The same with another name on paper.
@@ -259,6 +261,11 @@ pub struct Lengths<'a> {
     pub per_mm: f64,
     /// A length in mm as a number.
     pub number: &'a dyn Fn(f64) -> String,
+}
+
+/// Whether a letter is as wide as it is high, as those of East Asian scripts with their marks are.
+pub(crate) fn is_wide(c: char) -> bool {
+    matches!(c, '\u{2e80}'..='\u{9fff}' | '\u{ac00}'..='\u{d7a3}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ff60}' | '\u{20000}'..='\u{3fffd}')
 }
 
 /// A name that leaves room for the rest of a label.

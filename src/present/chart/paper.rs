@@ -1,7 +1,7 @@
 //! A chart on paper.
 
 use super::panel::{FULL_WIDTH, Panel, SMALL};
-use super::{Chart, Entry, Form, Item, Sign, Stands, Ticks};
+use super::{Chart, Entry, Form, Item, Sign, Stands, Ticks, is_wide};
 use crate::present::drawing::{
     self, AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, INK, Label, MUTED, Shape, Stroke,
     TOLERANCE,
@@ -184,11 +184,17 @@ impl Chart {
             let name = &entry.on_paper;
             let label = Label::new([right, line], name, SMALL, MUTED);
             drawing.text(label.anchored(Anchor::End));
-            right -= 3.7 * name.chars().count() as f64 + 8.0;
+            right -= width(name) + 8.0;
             drawing.items.push(sign(entry, [right, line - 2.5]));
             right -= 14.0;
         }
     }
+}
+
+/// About how wide a small text is, points.
+fn width(text: &str) -> f64 {
+    let letter = |c: char| if is_wide(c) { SMALL } else { 3.7 };
+    text.chars().map(letter).sum()
 }
 
 fn sign(entry: &Entry, [x, y]: [f64; 2]) -> drawing::Item {

@@ -126,7 +126,9 @@ impl Writer {
             self.font(&mut pdf, font, face, fonts, used)?;
         }
         let mut root = pdf.catalog(catalog);
-        root.pages(tree).outlines(outline).lang(TextStr("en"));
+        root.pages(tree)
+            .outlines(outline)
+            .lang(TextStr(report.language.code()));
         root.viewer_preferences().display_doc_title(true);
         root.finish();
         let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);

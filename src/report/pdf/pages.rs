@@ -1,14 +1,16 @@
 //! From blocks to pages of A4: every page is a drawing.
 
-use super::super::fonts::Fonts;
+use super::super::fonts::{Fonts, breakable};
 use crate::compensation::decision::Outcome;
 use crate::present::chart::FULL_WIDTH;
+use crate::present::decision::title;
 use crate::present::drawing::{
     AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE,
     Stroke,
 };
 use crate::report::document::{Block, Figure, Report, Table};
 use crate::report::logo::LOGO;
+use crate::text::Text;
 
 /// A4, points.
 pub(super) const PAGE: [f64; 2] = [595.28, 841.89];
@@ -70,25 +72,26 @@ pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>)
     }
     let count = flow.pages.len();
     for (k, page) in flow.pages.iter_mut().enumerate() {
-        foot(page, &report.foot, k + 1, count, fonts);
+        foot(page, report, k + 1, count, fonts);
     }
     (flow.pages, marks)
 }
 
-fn foot(page: &mut Drawing, text: &str, number: usize, of: usize, fonts: &Fonts) {
+fn foot(page: &mut Drawing, report: &Report, number: usize, of: usize, fonts: &Fonts) {
     let y = PAGE[1] - 36.0;
     page.line(
         [LEFT, y - 12.0],
         [LEFT + FULL_WIDTH, y - 12.0],
         Stroke::new(0.5, RULE),
     );
-    let lines = fonts.wrapped(text, 7.2, false, FULL_WIDTH - 80.0);
+    let lines = fonts.wrapped(&report.foot, 7.2, false, FULL_WIDTH - 80.0);
     let mut shown = lines.first().cloned().unwrap_or_default();
     if lines.len() > 1 {
         shown.push('…');
     }
     page.text(Label::new([LEFT, y], shown, 7.2, MUTED));
-    let number = format!("page {number} of {of}");
+    let number = text!("page {number} of {of}", number = number, of = of);
+    let number = number.spoken_in(report.language);
     let label = Label::new([LEFT + FULL_WIDTH, y], number, 7.2, MUTED);
     page.text(label.anchored(Anchor::End));
 }
@@ -162,7 +165,8 @@ impl Flow<'_> {
                 Outcome::Undecided => BEFORE,
             };
             self.y += 6.0;
-            self.line_of(outcome.title(), 11.5, 16.0, true, colour, LEFT);
+            let title = Text::from(title(*outcome)).spoken_in(report.language);
+            self.line_of(&title, 11.5, 16.0, true, colour, LEFT);
             self.paragraph(says, TEXT, LINE, INK);
         }
         self.y += 10.0;
@@ -178,10 +182,17 @@ impl Flow<'_> {
         let width = FULL_WIDTH / figures.len().max(4) as f64;
         let top = self.y;
         let mut lowest = top;
-        for (k, figure) in figures.iter().enumerate() {
+        let name = |figure: &Figure| self.fonts.wrapped(&figure.name, 7.6, false, width - 14.0);
+        let names: Vec<Vec<String>> = figures.iter().map(name).collect();
+        // The values stand beside each other, however long the names are.
+        let most = names.iter().map(Vec::len).max().unwrap_or(1);
+        for (k, (figure, name)) in figures.iter().zip(&names).enumerate() {
             let x = LEFT + width * k as f64 + 8.0;
             self.y = top;
-            self.line_of(&figure.name, 7.6, 11.0, false, MUTED, x);
+            for line in name {
+                self.line_of(line, 7.6, 11.0, false, MUTED, x);
+            }
+            self.y = top + 11.0 * most as f64;
             self.line_of(&figure.value, 13.0, 18.0, true, INK, x);
             for line in self.fonts.wrapped(&figure.beside, 7.2, false, width - 14.0) {
                 self.line_of(&line, 7.2, 9.6, false, MUTED, x);
@@ -418,7 +429,10 @@ impl Flow<'_> {
                     .fold(0.0, f64::max);
                 // A heading may break over two lines.
                 let heading = &table.columns[k].heading;
-                let words = heading.split(' ').map(|w| wide(w, true));
+                let words = heading
+                    .split(' ')
+                    .flat_map(breakable)
+                    .map(|w| wide(w, true));
                 widest
                     .max(words.fold(0.0, f64::max))
                     .max(wide(heading, true) * 0.6)

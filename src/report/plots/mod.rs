@@ -39,6 +39,8 @@ pub struct Stages {
     pub nominal: Positions,
     /// The joint over whose value deviations are shown, as the axis is labelled.
     pub over: String,
+    /// Whether its values are in degrees.
+    pub in_degrees: bool,
     /// That joint's values, degrees or mm.
     pub values: Vec<f64>,
     /// Side from which it came; 0 where it is not known.
@@ -99,9 +101,9 @@ pub fn deviation(stages: &Stages) -> Drawing {
         let sample = |i: usize| (stages.values[i], lengths[i], stages.side[i]);
         let sign = Sign::Mark(chart::Form::Disc);
         let made = Deviation {
-            component: "length",
+            component: say!("length"),
             is_length: true,
-            across: Axis::turning(&stages.over, stages.over.ends_with('°')),
+            across: Axis::turning(&stages.over, stages.in_degrees),
             lengths: Lengths {
                 unit: "mm",
                 per_mm: 1.0,
@@ -114,7 +116,7 @@ pub fn deviation(stages: &Stages) -> Drawing {
             floor_mm: stages.floor_mm,
             boundaries: Vec::new(),
             series: vec![Series {
-                entry: Entry::new("measured", sign, stage.stands, true),
+                entry: Entry::new(say!("measured"), sign, stage.stands, true),
                 samples: kept.into_iter().map(sample).collect(),
             }],
         };

@@ -25,8 +25,7 @@ pub(super) fn show(
     title(ui, say!("Measure these poses next"));
     let table = table(poses, robot);
     let rows = &table.rows[..table.rows.len().min(MOST)];
-    let headings: Vec<_> = table.columns.iter().map(|c| of_core(&c.heading)).collect();
-    let headings: Vec<&str> = headings.iter().map(AsRef::as_ref).collect();
+    let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();
     let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
     let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
     if is_narrower(ui, &shown, &headings, rows) {
@@ -35,7 +34,7 @@ pub(super) fn show(
         side_by_side(ui, &shown, &headings, rows);
     }
     for line in new_reflectors(poses) {
-        widgets::hint(ui, of_core(&line));
+        widgets::hint(ui, line);
     }
     let shown = &poses[..poses.len().min(MOST)];
     if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
@@ -91,7 +90,7 @@ fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cel
             ui.end_row();
             for row in rows {
                 for k in shown {
-                    let label = ui.label(of_core(&row[*k].shown));
+                    let label = ui.label(&row[*k].shown);
                     if *k == 0 {
                         label.on_hover_text(of_core(&row[SHOWN].shown));
                     }
@@ -107,7 +106,7 @@ fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
         let pose = Label::new(&row[0].shown).wrap();
         ui.add(pose).on_hover_text(of_core(&row[SHOWN].shown));
         let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
-        let rest = rest.map(|k| format!("{} {}", headings[k], of_core(&row[k].shown)));
+        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
         widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
     }
 }
