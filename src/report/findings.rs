@@ -11,7 +11,7 @@ use crate::language::of_core;
 use crate::present::limits;
 use crate::present::numbers::{mm, plain};
 use crate::present::poses::{new_reflectors, table};
-use crate::text::spoken;
+use crate::text::{spoken, within};
 
 impl Told<'_> {
     pub(super) fn effects(&self) -> Option<Section> {
@@ -34,7 +34,7 @@ impl Told<'_> {
         );
         let fit = format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1]));
         let mut facts = vec![
-            fact(say!("Evidence"), sentence(&of_core(&f.says))),
+            fact(say!("Evidence"), sentence(&self.evidence(f))),
             fact(
                 say!("RMS error, fit; cross-validated"),
                 format!("{fit}; {unseen}"),
@@ -49,6 +49,37 @@ impl Told<'_> {
             Block::Heading(title_on(f.effect, f.joint, self.robot().joints.len())),
             Block::Facts(facts),
         ]
+    }
+
+    /// Why a name is believed: as [`Found::says`] has it, in the language of the report.
+    fn evidence(&self, f: &Found) -> String {
+        let chance = say!(
+            "p {sign} {p} (chance that noise alone looks like this)",
+            sign = if f.p_family.bound { '<' } else { '=' },
+            p = f.p_family.p
+        );
+        let next = f.next.as_ref().map(|next| title_of(next));
+        let over = match next.as_deref().map(within) {
+            Some(next) if f.odds_over_next > 1000.0 => say!(
+                "more than 1000 times likelier than the next candidate ({next})",
+                next = next
+            ),
+            Some(next) => say!(
+                "{odds} times likelier than the next candidate ({next})",
+                odds = format!("{:.1}", f.odds_over_next),
+                next = next
+            ),
+            None => say!("no other effect was a candidate").to_owned(),
+        };
+        let unseen = f.held_out_mm.map_or_else(String::new, |[before, after]| {
+            say!(
+                "; cross-validated RMS error {before} → {after} mm, floor {floor}",
+                before = plain(before),
+                after = plain(after),
+                floor = plain(self.found.floor.mm)
+            )
+        });
+        format!("{chance}; {over}{unseen}")
     }
 
     pub(super) fn open(&self) -> Section {

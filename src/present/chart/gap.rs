@@ -147,7 +147,11 @@ fn row(what: &str) -> String {
         "by region" => say!(in "chart-word", "by region").to_owned(),
         "geometry" => say!(in "chart-word", "geometry").to_owned(),
         "regional identification" => say!("regional identification").to_owned(),
-        first => step(first),
+        first => match first.split_once(' ').filter(|(id, _)| find(id).is_some()) {
+            // The number of the joint is not what is cut.
+            Some((id, joint)) => format!("{} {joint}", shortened(&step(id), 21)),
+            None => step(first),
+        },
     };
     shortened(&words.replace("link length", "length"), 24)
 }
