@@ -14,9 +14,9 @@ use crate::sessions::{Session, load};
 use crate::text::{Language, choose};
 
 /// Units, axes, and the symbols and names of standards.
-const SYMBOLS: [&str; 14] = [
-    "mm", "kg", "ppm", "rad", "mrad", "µrad", "arcsec", "ISO", "AP", "RP", "vAP", "AT", "RT",
-    "mean",
+const SYMBOLS: [&str; 15] = [
+    "mm", "kg", "ppm", "deg", "rad", "mrad", "µrad", "arcsec", "ISO", "AP", "RP", "vAP", "AT",
+    "RT", "mean",
 ];
 
 /// What the core says and no catalogue has, and why.
