@@ -120,9 +120,10 @@ fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
         nominal: Model::nominal(session.robot.clone()).predict(&Inputs::at_poses(vec![], vec![])),
         over: String::new(),
         values: Vec::new(),
+        in_degrees: false,
         side: Vec::new(),
         stages: vec![Stage {
-            name: "As measured".to_owned(),
+            name: say!(in "chart-word", "As measured").to_owned(),
             stands: Stands::Before,
             deviations: Deviations::default(),
         }],

@@ -9,7 +9,6 @@ use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::known_words;
 use crate::report::Details;
 use crate::text::spoken;
 

@@ -8,8 +8,6 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::history::{Entry, Order, RobotHistory};
-use crate::language::known_words;
-use crate::language::names::{title_on, with_parameter};
 use crate::present::history::{
     CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name, source,
 };

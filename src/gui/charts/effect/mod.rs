@@ -11,9 +11,7 @@ use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
-use crate::present::chart::{
-    Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands, in_a_sentence,
-};
+use crate::present::chart::{Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands};
 use crate::present::table::{Cell, Table};
 
 use curve::{EffectCurve, Spot};
@@ -91,6 +89,7 @@ impl Kind for Effect {
         table
     }
 }
+use crate::text::{spoken, within};
 
 fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, Missing> {
     let found: &Option<EffectCurve> = scene.found().ok_or_else(Missing::yet)?;
@@ -130,7 +129,7 @@ fn name(curve: &EffectCurve) -> String {
     let effect = crate::effects::find(curve.effect);
     effect.map_or_else(
         || curve.effect.to_owned(),
-        |e| in_a_sentence(e.about().title.english()),
+        |e| within(spoken(e.about().title)).into_owned(),
     )
 }
 
