@@ -1,12 +1,12 @@
 //! `truepose compensate`: the targets of a table or a robot program, corrected in place.
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use crate::kinematics::{Pose, Robot};
+use crate::language::{of_core, spoken};
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document, SAID_RAD, Summary};
 use crate::programs::{
@@ -14,9 +14,11 @@ use crate::programs::{
     Request, find, language_of,
 };
 use crate::sessions::read_whole;
+use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
+use super::words::{any_of, line};
 
 /// Correct the targets of a table or a robot program, so that the real tool goes where the nominal
 /// robot would
@@ -103,7 +105,8 @@ impl From<CompensateError> for Failure {
     fn from(error: CompensateError) -> Self {
         match error {
             CompensateError::ReadBack(_) => Self::Failed(error.into()),
-            _ => Self::WrongInput(error.to_string()),
+            CompensateError::Rejected(rejected) => rejected.into(),
+            other => Self::refused(&other),
         }
     }
 }
@@ -115,8 +118,11 @@ impl Compensate {
         if let Some(load) = self.load
             && !(load.is_finite() && load >= 0.0)
         {
-            return Err(Failure::WrongInput(format!(
-                "--load {load}: expected a mass in kg, zero or more"
+            return Err(Failure::WrongInput(text!(
+                "{option} {given}: expected {expected}",
+                option = "--load",
+                given = load,
+                expected = text!("a mass in kg, zero or more")
             )));
         }
         let calibration = pipeline::load_model(&self.model)?;
@@ -141,9 +147,10 @@ impl Compensate {
             measured_frame: self.measured_frame,
         })
         .map_err(|error| match error {
-            CompensateError::Differs(differences) => {
-                Failure::WrongInput(format!("{}: {differences}", self.targets.display()))
-            }
+            CompensateError::Differs(differences) => Failure::WrongAt(
+                self.targets.display().to_string(),
+                Text::verbatim(differences.to_string()),
+            ),
             other => other.into(),
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
@@ -203,11 +210,11 @@ impl Compensate {
         };
         found.ok_or_else(|| {
             let all: Vec<&str> = LANGUAGES.iter().map(|l| l.id).collect();
-            Failure::WrongInput(format!(
-                "{}: neither its ending nor its content tells the language; expected --as {}",
-                self.targets.display(),
-                all.join(" or ")
-            ))
+            let options = text!(
+                "neither its ending nor its content tells the language; expected --as {languages}",
+                languages = any_of(&all)
+            );
+            Failure::WrongAt(self.targets.display().to_string(), options)
         })
     }
 
@@ -239,20 +246,25 @@ impl Compensate {
 
 /// A position in mm and, perhaps, an orientation in a language's numbers or as a quaternion.
 fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failure> {
-    let wrong = |what: &str| {
-        let expected = "X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite";
-        Failure::WrongInput(format!("{option}: {what}; expected {expected}"))
+    let wrong = |found: Text| {
+        let expected = text!("X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite");
+        Failure::WrongInput(text!(
+            "{option}: {found}; expected {expected}",
+            option = option,
+            found = found,
+            expected = expected
+        ))
     };
     if !numbers.iter().all(|number| number.is_finite()) {
-        return Err(wrong("a number that is not finite"));
+        return Err(wrong(text!("a number that is not finite")));
     }
     let (at, turn) = match numbers {
         [x, y, z] => ([*x, *y, *z], &[0.0; 3][..]),
         [x, y, z, turn @ ..] if matches!(turn.len(), 3 | 4) => ([*x, *y, *z], turn),
-        _ => return Err(wrong(&format!("{} numbers", numbers.len()))),
+        _ => return Err(wrong(text!("{numbers} numbers", numbers = numbers.len()))),
     };
     let turn = turns.read(turn);
-    let turn = turn.ok_or_else(|| wrong("a quaternion of no length"))?;
+    let turn = turn.ok_or_else(|| wrong(text!("a quaternion of no length")))?;
     Ok(Pose::from_parts(at.into(), turn))
 }
 
@@ -270,75 +282,98 @@ fn inner(robot: &Robot, start: &[f64]) -> Vec<f64> {
 fn in_words(answer: &Answer, file: &Path, orientation: bool) -> String {
     let summary = Summary::new(answer);
     let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "{}: {} of {} targets corrected",
-        file.display(),
-        summary.corrected,
-        summary.targets
+    let corrected = say!(
+        "{file}: {corrected} of {all} targets corrected",
+        file = file.display(),
+        corrected = summary.corrected,
+        all = summary.targets
     );
+    line(&mut text, corrected);
     if summary.corrected > 0 {
-        let _ = writeln!(
-            text,
-            "RMS position error, as the model predicts it: {:.4} mm (largest {:.4}) before, {:.4} mm (largest \
-             {:.4}) corrected",
-            summary.before_mm, summary.max_before_mm, summary.after_mm, summary.max_after_mm
+        let four = |mm: f64| format!("{mm:.4}");
+        let error = say!(
+            "RMS position error, as the model predicts it: {before} mm (largest {max_before}) before, {after} mm \
+             (largest {max_after}) corrected",
+            before = four(summary.before_mm),
+            max_before = four(summary.max_before_mm),
+            after = four(summary.after_mm),
+            max_after = four(summary.max_after_mm)
         );
+        line(&mut text, error);
     }
     if summary.turned > 0 && orientation {
-        let _ = writeln!(
-            text,
-            "orientation corrected in part at {} targets (more would take large moves of the joints), largest \
-             {:.3} mrad left",
-            summary.turned,
-            1e3 * summary.max_after_rad
+        let turned = say!(
+            "orientation corrected in part at {turned} targets (more would take large moves of the joints), largest \
+             {largest} mrad left",
+            turned = summary.turned,
+            largest = format!("{:.3}", 1e3 * summary.max_after_rad)
         );
+        line(&mut text, turned);
     }
     for target in &answer.targets {
         if let Ok(written) = &target.result
             && written.rotation_rad[1] > SAID_RAD
             && orientation
         {
-            let (line, column) = target.place;
-            let [before, after] = written.rotation_rad.map(|rad| 1e3 * rad);
-            let _ = writeln!(
-                text,
-                "orientation in part: line {line}, column {column}: {}: {after:.3} mrad left of {before:.3}",
-                target.name
+            let [before, after] = written.rotation_rad.map(|rad| format!("{:.3}", 1e3 * rad));
+            let says = say!(
+                "{target}: {after} mrad left of {before}",
+                target = target.name,
+                after = after,
+                before = before
+            );
+            line(
+                &mut text,
+                say!(
+                    "orientation in part: {says}",
+                    says = at(target.place, &says)
+                ),
             );
         }
     }
-    for (line, column, says) in &answer.at_run_time {
-        let _ = writeln!(text, "not corrected: line {line}, column {column}: {says}");
+    for (row, column, says) in &answer.at_run_time {
+        let says = at((*row, *column), &spoken(says));
+        line(&mut text, say!("not corrected: {says}", says = says));
     }
-    for (line, column, says) in &answer.remarks {
-        let _ = writeln!(text, "note: line {line}, column {column}: {says}");
+    for (row, column, says) in &answer.remarks {
+        let says = at((*row, *column), &spoken(says));
+        line(&mut text, say!("note: {note}", note = says));
     }
     for note in &answer.notes {
-        let _ = writeln!(text, "note: {note}");
+        line(&mut text, say!("note: {note}", note = of_core(note)));
     }
     text
+}
+
+/// What is said of a place in the file.
+fn at((row, column): (u64, u64), says: &str) -> String {
+    say!(
+        "line {line}, column {column}: {says}",
+        line = row,
+        column = column,
+        says = says
+    )
 }
 
 /// Names every target that was left as it is; the status says so as well.
 fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
     for target in &answer.targets {
         if let Err(left) = &target.result {
-            let (line, column) = target.place;
-            output::messages(&[format!(
-                "{}, line {line}, column {column}: {} is left as it is ({}): {}",
-                file.display(),
-                target.name,
-                left.reason.name(),
-                left.says
-            )]);
+            let says = say!(
+                "{target} is left as it is ({reason}): {left}",
+                target = target.name,
+                reason = of_core(left.reason.name()),
+                left = spoken(&left.says)
+            );
+            output::messages(&[format!("{}, {}", file.display(), at(target.place, &says))]);
         }
     }
     match answer.left() {
         0 => Ok(()),
-        left => Err(Failure::Failed(anyhow::anyhow!(
-            "{left} of {} targets were left as they are",
-            answer.targets.len()
-        ))),
+        left => Err(Failure::Failed(anyhow::Error::msg(text!(
+            "{left} of {all} targets were left as they are",
+            left = left,
+            all = answer.targets.len()
+        )))),
     }
 }

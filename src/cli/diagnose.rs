@@ -1,6 +1,5 @@
 //! `truepose diagnose`: what is missing, its name, and how sure that is.
 
-use std::fmt::Write as _;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -9,21 +8,24 @@ use clap::{Args, ValueEnum};
 use crate::diagnosis::{
     Allowed, DiagnoseError, Diagnosis, Limit, Options, Progress, Sight, Stopped, Verdict, Watch,
 };
-use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
+use crate::language::names::{combination, figure};
+use crate::language::of_core;
 use crate::paper::RegionalStart;
 use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::present::kinds;
 use crate::present::limits;
-use crate::present::names::figure;
 use crate::present::numbers::significant;
 use crate::present::table::Table;
 use crate::sessions::Session;
+use crate::set_up_errors::DataProblem;
 
 use super::failure::Failure;
 use super::identify::Values;
 use super::interrupt::Stopping;
 use super::progress_line::ProgressLine;
+use super::words::{effect, effect_with_id, effects, line, of_core_table, parameter, value};
 use super::{fleet, geometry, output};
 
 /// Rivals, outliers and combinations that are listed; an answer about an arm fits on a page.
@@ -95,7 +97,10 @@ enum Start {
 
 impl From<DiagnoseError> for Failure {
     fn from(error: DiagnoseError) -> Self {
-        Self::WrongInput(error.to_string())
+        match error {
+            DiagnoseError::Rejected(rejected) => rejected.into(),
+            other => Self::refused(&other),
+        }
     }
 }
 
@@ -150,8 +155,9 @@ impl Diagnose {
             sessions => {
                 for (given, option) in [(self.json, "--json"), (self.out.is_some(), "--out")] {
                     if given {
-                        return Err(Failure::WrongInput(format!(
-                            "{option} is for one session; expected --json-lines, or nothing for a table"
+                        return Err(Failure::WrongInput(text!(
+                            "{option} is for one session; expected --json-lines, or nothing for a table",
+                            option = option
                         )));
                     }
                 }
@@ -193,24 +199,33 @@ fn answer_of(
 /// What is being done, and how far it is.
 fn doing(progress: &Progress) -> String {
     match progress {
-        Progress::Checking => "checking for set-up errors".to_owned(),
-        Progress::Preparing => "fitting the geometry, preparing the candidates".to_owned(),
+        Progress::Checking => say!("checking for set-up errors").to_owned(),
+        Progress::Preparing => say!("fitting the geometry, preparing the candidates").to_owned(),
         Progress::Searching { found, percent } => {
             let names = if found.is_empty() {
-                "nothing found yet".to_owned()
+                say!("nothing found yet").to_owned()
             } else {
-                format!("{} found so far: {}", found.len(), found.join(", "))
+                say!(
+                    "{count} found so far: {names}",
+                    count = found.len(),
+                    names = effects(found, ", ")
+                )
             };
-            format!("searching, {percent} % of the budget: {names}")
+            say!(
+                "searching, {percent} % of the budget: {names}",
+                percent = percent,
+                names = names
+            )
         }
-        Progress::Comparing => "comparing with other explanations".to_owned(),
-        Progress::Planning => "looking for poses to measure next".to_owned(),
+        Progress::Comparing => say!("comparing with other explanations").to_owned(),
+        Progress::Planning => say!("looking for poses to measure next").to_owned(),
     }
 }
 
 fn start_in_words(start: &RegionalStart) -> String {
-    let mut table =
-        Table::headed("region | >Δθ rad | >Δl1 mm | >of one error: Δθ rad | >Δl1 mm | >after mm");
+    let mut table = Table::headed(say!(
+        "region | >Δθ rad | >Δl1 mm | >of one error: Δθ rad | >Δl1 mm | >after mm"
+    ));
     for (region, (theta, l1)) in start.regional.regions.iter().zip(&start.of_one_error) {
         let c = &region.correction;
         let seven = |value: f64| format!("{value:.7}");
@@ -223,52 +238,42 @@ fn start_in_words(start: &RegionalStart) -> String {
             format!("{:.4}", region.rms_after_mm),
         ]);
     }
-    format!("start: {}\n\n{}\n", start.says, table.aligned(0))
+    let start = say!("start: {start}", start = of_core(&start.says));
+    format!("{start}\n\n{}\n", table.aligned(0))
 }
 
 fn in_words(d: &Diagnosis) -> String {
     let mut text = String::new();
-    let _ = writeln!(text, "{}: {} samples", d.session, d.samples);
+    let samples = say!(
+        "{session}: {samples} samples",
+        session = d.session,
+        samples = d.samples
+    );
+    line(&mut text, samples);
     for problem in &d.data_problems {
-        let _ = writeln!(
-            text,
-            "data: {}\n  {}\n  {}",
-            problem.what, problem.evidence, problem.proposal
-        );
+        line(&mut text, data_problem(problem));
     }
     let verdict = match d.verdict {
-        Verdict::Noise => "nothing is missing: the remaining error is noise",
-        Verdict::Explained => "explained: the remaining error is at the noise floor",
-        Verdict::PartlyExplained => "partly explained: something is left that no name explains",
-        Verdict::Unexplained => "something is left that no name explains",
+        Verdict::Noise => say!("nothing is missing: the remaining error is noise"),
+        Verdict::Explained => say!("explained: the remaining error is at the noise floor"),
+        Verdict::PartlyExplained => {
+            say!("partly explained: something is left that no name explains")
+        }
+        Verdict::Unexplained => say!("something is left that no name explains"),
     };
-    let _ = writeln!(text, "{verdict}");
+    line(&mut text, verdict);
     if d.stopped == Some(Stopped::Asked) {
-        let _ = writeln!(
-            text,
-            "stopped on request: this is what was proven until then"
-        );
+        let stopped = say!("stopped on request: this is what was proven until then");
+        line(&mut text, stopped);
     }
     if !d.tested_anything() {
-        let _ = writeln!(
-            text,
-            "but these samples can show no effect, so that says nothing about the robot"
-        );
+        let nothing =
+            say!("but these samples can show no effect, so that says nothing about the robot");
+        line(&mut text, nothing);
     }
-    let _ = writeln!(
-        text,
-        "RMS error: nominal {:.4} mm, identified {:.4} mm, with found effects {:.4} mm; noise floor {:.4} mm",
-        d.gap.start_mm, d.gap.identified_mm, d.gap.end_mm, d.floor.mm
-    );
-    if let Some(gaps) = &d.held_out.gaps {
-        let _ = writeln!(
-            text,
-            "cross-validated {:.4} mm, {:.4} mm, {:.4} mm ({})",
-            gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
-        );
-    }
+    errors_in_words(&mut text, d);
     if !d.identification.kinds.is_empty() {
-        text += &kinds::table(&d.identification.kinds).aligned(0);
+        text += &of_core_table(kinds::table(&d.identification.kinds), 0).aligned(0);
     }
     noise_in_words(&mut text, d);
     let arm = geometry::is_of_an_arm(&d.identified);
@@ -277,89 +282,136 @@ fn in_words(d: &Diagnosis) -> String {
     }
     for estimate in &d.identified {
         if !(arm && geometry::is_in_table(estimate)) {
-            let _ = writeln!(text, "{}", estimate_in_words(estimate));
+            line(&mut text, estimate_in_words(estimate));
         }
     }
     found_in_words(&mut text, d, arm);
     for rival in d.equivalent.iter().take(MOST_RIVALS) {
-        let _ = writeln!(
-            text,
-            "or {} instead of {} (odds {:.1} : 1 against): {}",
-            rival.instead.join(" + "),
-            rival.explanation.join(" + "),
-            rival.odds,
-            rival.separate_by
+        let rival = say!(
+            "or {instead} instead of {explanation} (odds {odds} : 1 against): {separate_by}",
+            instead = effects(&rival.instead, " + "),
+            explanation = effects(&rival.explanation, " + "),
+            odds = format!("{:.1}", rival.odds),
+            separate_by = of_core(&rival.separate_by)
         );
+        line(&mut text, rival);
     }
-    and_more(&mut text, d.equivalent.len(), MOST_RIVALS, "rival");
+    match d.equivalent.len().saturating_sub(MOST_RIVALS) {
+        0 => {}
+        more => {
+            let more = say!(one "and {count} rival more: --json lists it", "and {count} rivals more: --json lists them", count = more);
+            line(&mut text, format!("  {more}"));
+        }
+    }
     unexplained_in_words(&mut text, d);
     limits_in_words(&mut text, d, arm);
     left_out_in_words(&mut text, d);
-    if !d.next_poses.is_empty() {
-        let _ = writeln!(
-            text,
-            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
-            d.next_poses.len(),
-            if d.equivalent.is_empty() {
-                "make more testable"
-            } else {
-                "decide"
-            }
+    let poses = d.next_poses.len();
+    if poses > 0 && d.equivalent.is_empty() {
+        let poses = say!(
+            "{poses} poses would make more testable; --json lists them, `truepose plan` makes a measuring list",
+            poses = poses
         );
+        line(&mut text, poses);
+    } else if poses > 0 {
+        let poses = say!(
+            "{poses} poses would decide; --json lists them, `truepose plan` makes a measuring list",
+            poses = poses
+        );
+        line(&mut text, poses);
     }
     text
+}
+
+/// A problem of the data: what it is, what shows it, what to do.
+pub(super) fn data_problem(problem: &DataProblem) -> String {
+    let what = say!("data: {what}", what = of_core(&problem.what));
+    let evidence = of_core(&problem.evidence);
+    format!("{what}\n  {evidence}\n  {}", of_core(&problem.proposal))
+}
+
+fn errors_in_words(text: &mut String, d: &Diagnosis) {
+    let four = |mm: f64| format!("{mm:.4}");
+    let errors = say!(
+        "RMS error: nominal {nominal} mm, identified {identified} mm, with found effects {found} mm; noise floor {floor} mm",
+        nominal = four(d.gap.start_mm),
+        identified = four(d.gap.identified_mm),
+        found = four(d.gap.end_mm),
+        floor = four(d.floor.mm)
+    );
+    line(text, errors);
+    if let Some(gaps) = &d.held_out.gaps {
+        let errors = say!(
+            "cross-validated {nominal} mm, {identified} mm, {found} mm ({how})",
+            nominal = four(gaps.start_mm),
+            identified = four(gaps.identified_mm),
+            found = four(gaps.end_mm),
+            how = of_core(&d.held_out.how)
+        );
+        line(text, errors);
+    }
 }
 
 /// The effects that were found, each with its parameters, its evidence and what to check.
 fn found_in_words(text: &mut String, d: &Diagnosis, arm: bool) {
     for found in &d.found {
         let joint = found.joint.filter(|_| d.model.robot.joints.len() > 1);
-        let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
-        let _ = writeln!(text, "found {}{place}", found.effect);
+        let name = effect_with_id(found.effect);
+        let found_line = match joint {
+            Some(joint) => say!(
+                "found {effect}, joint {joint}",
+                effect = name,
+                joint = joint
+            ),
+            None => say!("found {effect}", effect = name),
+        };
+        line(text, found_line);
         if arm {
-            let parameters = found.parameters.iter().map(|estimate| {
-                let says = estimate_in_words(estimate);
-                let own = says
-                    .strip_prefix(estimate.effect)
-                    .map(|rest| rest.trim_start_matches(": "));
-                own.unwrap_or(&says).to_owned()
-            });
+            let parameters = found.parameters.iter().map(value_in_words);
             let parameters = parameters.collect::<Vec<_>>().join("; ");
-            let _ = writeln!(text, "  {parameters}");
+            line(text, format!("  {parameters}"));
         } else {
             for estimate in &found.parameters {
-                let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+                line(text, format!("  {}", estimate_in_words(estimate)));
             }
         }
         for one in &found.figures {
-            let _ = writeln!(text, "  {}", figure(*one));
+            line(text, format!("  {}", figure(*one)));
         }
-        let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
+        line(text, format!("  {}", of_core(&found.says)));
+        let check = say!("check: {check}", check = of_core(found.check));
+        line(text, format!("  {check}"));
     }
 }
 
 /// What could not be tested and what was not found; of several joints a line for each reason.
 fn limits_in_words(text: &mut String, d: &Diagnosis, arm: bool) {
-    let plain = |effect: &str| effect.to_owned();
+    let not_testable = |name: &str, because: &str| {
+        say!(
+            "{effect}: not testable, {because}",
+            effect = name,
+            because = of_core(because)
+        )
+    };
+    let plain = |name: &str| effect(name).into_owned();
     if arm {
-        for line in limits::not_testable(d, plain) {
-            let _ = writeln!(text, "{}: not testable, {}", line.names, line.says);
+        for one in limits::not_testable(d, plain) {
+            line(text, not_testable(&of_core(&one.names), &one.says));
         }
         let lines = limits::limits(d, plain);
         if !lines.is_empty() {
-            let _ = writeln!(text, "not found; detection limits (95 %):");
+            line(text, say!("not found; detection limits (95 %):"));
         }
         let (of_joints, others): (Vec<_>, Vec<_>) =
             lines.into_iter().partition(|line| line.of_joints);
-        for line in of_joints {
-            let _ = writeln!(text, "  {}: {}", line.names, line.says);
+        let says = |one: limits::Line| format!("{}: {}", one.names, one.says);
+        for one in of_joints {
+            line(text, format!("  {}", says(one)));
         }
-        let others = others
-            .into_iter()
-            .map(|line| format!("{}: {}", line.names, line.says));
+        let others = others.into_iter().map(says);
         let others = others.collect::<Vec<_>>().join("; ");
         if !others.is_empty() {
-            let _ = writeln!(text, "  {others}");
+            line(text, format!("  {others}"));
         }
     } else {
         let robot = &d.model.robot;
@@ -369,11 +421,14 @@ fn limits_in_words(text: &mut String, d: &Diagnosis, arm: bool) {
             .filter(|one| limits::applies(robot, one))
         {
             let name = named(d, one.effect, one.joint);
-            let _ = writeln!(text, "{name}: not testable, {}", one.because);
+            line(text, not_testable(&effect(&name), &one.because));
         }
         for limit in &d.not_found {
             let name = named(d, limit.effect, limit.joint);
-            let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
+            line(
+                text,
+                format!("{}: {}", effect(&name), limit_in_words(limit)),
+            );
         }
     }
 }
@@ -386,105 +441,130 @@ pub(crate) fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String
     }
 }
 
-/// Says how many are not listed.
-fn and_more(text: &mut String, count: usize, listed: usize, what: &str) {
-    match count.saturating_sub(listed) {
-        0 => {}
-        1 => {
-            let _ = writeln!(text, "  and 1 {what} more: --json lists it");
-        }
-        more => {
-            let _ = writeln!(text, "  and {more} {what}s more: --json lists them");
-        }
-    }
-}
-
 /// What the samples do not determine, and which of them were not fitted.
 fn left_out_in_words(text: &mut String, d: &Diagnosis) {
     let open = &d.identification.not_identifiable;
     let arm = geometry::is_of_an_arm(&d.identified);
     if arm && open.len() > MOST_OPEN {
-        let _ = writeln!(
-            text,
-            "not identifiable: {} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
-            open.len()
+        let open = say!(
+            "not identifiable: {combinations} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
+            combinations = open.len()
         );
-    }
-    let listed = if arm && open.len() > MOST_OPEN {
-        0
+        line(text, open);
     } else {
-        open.len()
-    };
-    for open in &open[..listed] {
-        let _ = writeln!(
-            text,
-            "not identifiable: {}: {}",
-            open.combination, open.because
-        );
+        for open in open {
+            line(text, not_identifiable(open));
+        }
     }
     if !d.outliers.is_empty() {
-        let _ = writeln!(
-            text,
-            "excluded outliers: {} of {} samples",
-            d.outliers.len(),
-            d.samples
-        );
+        line(text, excluded_outliers(d.outliers.len(), d.samples));
     }
     if let Some(says) = d.identification.excluded_in_words() {
-        let _ = writeln!(text, "{says}");
+        line(text, of_core(&says));
     }
     for outlier in d.outliers.iter().take(MOST_OUTLIERS) {
-        let _ = writeln!(
-            text,
-            "  sample {}: {:.3} mm from the model",
-            outlier.sample + 1,
-            outlier.deviation_mm
+        let outlier = say!(
+            "sample {sample}: {deviation} mm from the model",
+            sample = outlier.sample + 1,
+            deviation = format!("{:.3}", outlier.deviation_mm)
         );
+        line(text, format!("  {outlier}"));
     }
-    and_more(text, d.outliers.len(), MOST_OUTLIERS, "outlier");
+    match d.outliers.len().saturating_sub(MOST_OUTLIERS) {
+        0 => {}
+        more => {
+            let more = say!(one "and {count} outlier more: --json lists it", "and {count} outliers more: --json lists them", count = more);
+            line(text, format!("  {more}"));
+        }
+    }
+}
+
+/// What the samples do not determine.
+pub(super) fn not_identifiable(open: &NotIdentifiable) -> String {
+    say!(
+        "not identifiable: {combination}: {because}",
+        combination = combination(&open.combination),
+        because = of_core(&open.because)
+    )
+}
+
+/// How many samples count as outliers.
+pub(super) fn excluded_outliers(excluded: usize, all: usize) -> String {
+    say!(
+        "excluded outliers: {excluded} of {all} samples",
+        excluded = excluded,
+        all = all
+    )
 }
 
 /// What there is to say of the noise, and of a fit that cannot be relied on.
 fn noise_in_words(text: &mut String, d: &Diagnosis) {
     if let Some(noise) = &d.unexplained.noise {
-        let _ = writeln!(text, "measurement noise: {}", noise.says());
+        line(
+            text,
+            say!("measurement noise: {noise}", noise = of_core(&noise.says())),
+        );
     }
     if let Some(slow) = &d.noise.slow {
-        let _ = writeln!(text, "slow noise: {}", slow.says());
+        line(
+            text,
+            say!("slow noise: {slow}", slow = of_core(&slow.says())),
+        );
     }
     let quality = &d.identification.quality;
     if !quality.converged {
-        let _ = writeln!(text, "the fit did not converge: {}", quality.stopped);
+        let stopped = say!(
+            "the fit did not converge: {stopped}",
+            stopped = of_core(&quality.stopped.to_string())
+        );
+        line(text, stopped);
     }
 }
 
 /// What no name explains, and its correction where one was asked for.
 fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
     if d.unexplained.present {
-        let _ = writeln!(
-            text,
-            "unexplained: {:.4} mm, {}",
-            d.unexplained.rms_mm, d.unexplained.says
+        let unexplained = say!(
+            "unexplained: {rms} mm, {says}",
+            rms = format!("{:.4}", d.unexplained.rms_mm),
+            says = of_core(&d.unexplained.says)
         );
+        line(text, unexplained);
         if !d.unexplained.resembles.is_empty() {
-            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+            let resembles = say!(
+                "resembles {effects}",
+                effects = effects(&d.unexplained.resembles, ", ")
+            );
+            line(text, format!("  {resembles}"));
         }
     }
     if let Some(unnamed) = &d.unnamed {
-        let _ = writeln!(text, "unnamed: {}", unnamed.says());
+        let unnamed = say!("unnamed: {says}", says = of_core(&unnamed.says()));
+        line(text, unnamed);
     }
     text.push_str(&super::levels::expected_in_words(&d.identification));
     match &d.unexplained.correction {
         None => {}
         Some(Ok(correction)) => {
-            let _ = writeln!(
-                text,
-                "added under the name unexplained: {}\n  RMS error {:.4} → {:.4} mm; cross-validated: {}",
-                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
+            let added = say!(
+                "added under the name unexplained: {says}",
+                says = of_core(&correction.says)
             );
+            line(text, added);
+            let error = say!(
+                "RMS error {before} → {after} mm; cross-validated: {how}",
+                before = format!("{:.4}", correction.gap_mm[0]),
+                after = format!("{:.4}", correction.gap_mm[1]),
+                how = of_core(&correction.how)
+            );
+            line(text, format!("  {error}"));
         }
         Some(Err(because)) => {
-            let _ = writeln!(text, "no smooth correction was added: {because}");
+            let none = say!(
+                "no smooth correction was added: {because}",
+                because = of_core(&because.to_string())
+            );
+            line(text, none);
         }
     }
 }
@@ -494,45 +574,54 @@ fn limit_in_words(limit: &Limit) -> String {
     let (mut above, mut never) = (Vec::new(), Vec::new());
     for (name, size) in &limit.sizes {
         match limits::sight(limit.effect, name, *size) {
-            Sight::Above(size) => above.push(format!("{name} {}", significant(size, 3))),
-            Sight::AtAnySize => above.push(format!("{name} 0")),
-            Sight::AtNoSize => never.push(*name),
+            Sight::Above(size) => above.push(value(name, &significant(size, 3))),
+            Sight::AtAnySize => above.push(value(name, "0")),
+            Sight::AtNoSize => never.push(parameter(name)),
         }
     }
     let mut parts = Vec::new();
     let at_any = |(_, size): &(&str, f64)| Sight::of(*size) == Sight::AtAnySize;
     if limit.sizes.iter().all(at_any) {
-        parts.push("detection limit 0: there is no noise".to_owned());
+        parts.push(say!("detection limit 0: there is no noise").to_owned());
     } else if !above.is_empty() {
-        parts.push(format!("detection limit {} (95 %)", above.join(", ")));
+        parts.push(say!(
+            "detection limit {sizes} (95 %)",
+            sizes = above.join(", ")
+        ));
     }
     if !never.is_empty() {
-        parts.push(format!(
-            "not observable with these poses: {}",
-            never.join(", ")
+        parts.push(say!(
+            "not observable with these poses: {which}",
+            which = never.join(", ")
         ));
     }
     parts.join("; ")
 }
 
 fn estimate_in_words(estimate: &Estimate) -> String {
-    let Estimate {
-        effect,
-        name,
-        value,
-        ..
-    } = estimate;
+    format!("{}: {}", effect(estimate.effect), value_in_words(estimate))
+}
+
+/// A parameter with its value and interval.
+fn value_in_words(estimate: &Estimate) -> String {
     let mut text = if estimate.is_whole_number() {
-        format!("{effect}: {name} {value}")
+        value(estimate.name, &estimate.value.to_string())
     } else {
         let interval = estimate.ci95.map_or_else(
-            || "not determined".to_owned(),
-            |[low, high]| format!("95 % from {low:.6} to {high:.6}"),
+            || say!("not determined").to_owned(),
+            |[low, high]| {
+                say!(
+                    "95 % from {from} to {to}",
+                    from = format!("{low:.6}"),
+                    to = format!("{high:.6}")
+                )
+            },
         );
-        format!("{effect}: {name} {value:.6} ({interval})")
+        let value = value(estimate.name, &format!("{:.6}", estimate.value));
+        format!("{value} ({interval})")
     };
     if estimate.is_implausible() {
-        let _ = write!(text, ", {IMPLAUSIBLE}");
+        text += &format!(", {}", of_core(IMPLAUSIBLE));
     }
     text
 }

@@ -4,10 +4,13 @@ use clap::Args;
 
 use crate::effects::term::parameter_names;
 use crate::effects::{CATALOGUE, Effect};
+use crate::language::of_core;
 use crate::present::effects_v1::document;
+use crate::text::spoken;
 
 use super::failure::Failure;
 use super::output;
+use super::words::{padded, parameter, wide_of};
 
 /// List the effects that the program knows, with what causes them and what to check
 #[derive(Debug, Args)]
@@ -29,21 +32,29 @@ impl Effects {
 
 fn in_words(effect: &Effect) -> String {
     let about = effect.about();
-    let needs: Vec<&str> = about.needs.iter().map(|need| need.what).collect();
-    format!(
-        "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  needs          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
-        about.id,
-        about.title.english(),
-        about.equation,
-        parameter_names(effect).join(", "),
-        about.cause.english(),
-        if needs.is_empty() {
-            "nothing beside the poses".to_owned()
-        } else {
-            needs.join("; ")
-        },
-        about.usual_size.english(),
-        about.confused_with,
-        about.check.english(),
-    )
+    let needs: Vec<_> = about.needs.iter().map(|need| of_core(need.what)).collect();
+    let needs = if needs.is_empty() {
+        say!("nothing beside the poses").to_owned()
+    } else {
+        needs.join("; ")
+    };
+    let parameters = parameter_names(effect);
+    let parameters: Vec<_> = parameters.iter().map(|name| parameter(name)).collect();
+    let title = spoken(about.title);
+    let lines = [
+        (say!("parameters"), parameters.join(", ")),
+        (say!("cause"), spoken(about.cause).to_owned()),
+        (say!("needs"), needs),
+        (say!("usual size"), spoken(about.usual_size).to_owned()),
+        (
+            say!("confused with"),
+            of_core(about.confused_with).into_owned(),
+        ),
+        (say!("check"), spoken(about.check).to_owned()),
+    ];
+    let lines: String = lines
+        .iter()
+        .map(|(label, said)| format!("  {}{said}\n", padded(label, wide_of(&lines))))
+        .collect();
+    format!("{} ({title})\n  {}\n{lines}\n", about.id, about.equation)
 }

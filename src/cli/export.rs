@@ -9,7 +9,9 @@ use serde_json::json;
 
 use crate::export::{EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros};
 use crate::kinematics::DhConvention;
+use crate::language::spoken;
 use crate::pipeline;
+use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -67,16 +69,15 @@ impl Export {
         let calibration = pipeline::load_model(&self.model)?;
         let file_name = self.out.file_name().and_then(|name| name.to_str());
         let Some(file_name) = file_name else {
-            return Err(Failure::WrongInput(format!(
-                "{}: expected the name of a file, in UTF-8",
-                self.out.display()
-            )));
+            let expected = text!("expected the name of a file, in UTF-8");
+            return Err(Failure::WrongAt(self.out.display().to_string(), expected));
         };
         let joints = calibration.model.robot.joints.len();
         if self.joint == 0 || self.joint > joints {
-            return Err(Failure::WrongInput(format!(
-                "--joint {}: the robot has joints 1 to {joints}",
-                self.joint
+            return Err(Failure::WrongInput(text!(
+                "--joint {joint}: the robot has joints 1 to {joints}",
+                joint = self.joint,
+                joints = joints
             )));
         }
         let to_stdout = output::is_standard_output(Some(&self.out));
@@ -95,32 +96,35 @@ impl Export {
         };
         let failure = |error| match error {
             ExportError::ReadBack(_) => Failure::Failed(anyhow::Error::from(error)),
-            _ => Failure::WrongInput(error.to_string()),
+            _ => Failure::refused(&error),
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
-        let (export, notes);
+        let told = |notes: &[String]| notes.to_vec().into_iter().map(Text::verbatim);
+        let (export, notes): (_, Vec<Text>);
         if let Some(path) = &self.session {
             let loaded = output::session(path)?;
             inputs.extend(loaded.files);
             let session = loaded.session;
             let checked = pipeline::export_for(&self.to, &job, &session).map_err(failure)?;
             let says = match checked.gaps {
-                Some([_, gap]) => format!(
-                    "of '{}' it leaves an RMS error of {:.6} mm (largest {:.6})",
-                    session.name, gap.rms_mm, gap.max_mm
+                Some([_, gap]) => text!(
+                    "of '{session}' it leaves an RMS error of {rms} mm (largest {largest})",
+                    session = &session.name,
+                    rms = format!("{:.6}", gap.rms_mm),
+                    largest = format!("{:.6}", gap.max_mm)
                 ),
-                None => format!(
-                    "what it leaves of '{}' cannot be said: another robot, no complete sample, or \
-                     measured with a table active",
-                    session.name
+                None => text!(
+                    "what it leaves of '{session}' cannot be said: another robot, no complete sample, or measured \
+                     with a table active",
+                    session = &session.name
                 ),
             };
             export = checked.export;
-            notes = [export.notes.clone(), vec![says]].concat();
+            notes = told(&export.notes).chain([says]).collect();
         } else {
             export = pipeline::export(&self.to, &job).map_err(failure)?;
-            notes = export.notes.clone();
+            notes = told(&export.notes).collect();
         }
         let beside = self.out.parent().map(PathBuf::from).unwrap_or_default();
         let places = export.documents.iter().enumerate().map(|(k, document)| {
@@ -143,7 +147,7 @@ impl Export {
                 output::document(place, &document.bytes, self.force, &inputs)?;
             }
         }
-        output::messages(&notes);
+        output::messages(&notes.iter().map(spoken).collect::<Vec<_>>());
         if self.json {
             return output::json(&json!({
                 "format": "truepose-exported/1",
@@ -151,7 +155,8 @@ impl Export {
                 "to": self.to,
                 "joint": self.joint,
                 "files": places,
-                "notes": notes,
+                // A document is English.
+                "notes": notes.iter().map(Text::to_string).collect::<Vec<_>>(),
             }));
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! How a command fails, and what the terminal and the exit status say then.
 
+use std::error::Error;
 use std::fmt;
 use std::io::Write;
 use std::process::ExitCode;
@@ -8,6 +9,8 @@ use crate::atomic::WriteError;
 use crate::compensation::NotHandedOut;
 use crate::diagnostic::Rejected;
 use crate::fit::IdentifyError;
+use crate::language::{finding, of_core, spoken};
+use crate::text::Text;
 
 use super::output::plain;
 
@@ -16,33 +19,76 @@ pub(crate) const WRONG_INPUT: u8 = 2;
 /// The program could not do its job.
 const FAILED: u8 = 1;
 
-/// See the module.
+/// See the module. `Display` is English, as documents have it.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The user can mend it.
-    WrongInput(String),
+    WrongInput(Text),
+    /// The same, of this file or option.
+    WrongAt(String, Text),
+    /// The user can mend the places of files that are named.
+    Rejected(Rejected),
     /// The user cannot.
     Failed(anyhow::Error),
 }
 
 impl Failure {
+    /// An input that the core refused, in its words.
+    pub(super) fn refused(error: &dyn Error) -> Self {
+        Self::WrongInput(in_words(error))
+    }
+
     /// Tells the user, once, and gives the exit status.
     pub(crate) fn report(&self) -> ExitCode {
         let status = match self {
-            Self::WrongInput(_) => WRONG_INPUT,
+            Self::WrongInput(_) | Self::WrongAt(..) | Self::Rejected(_) => WRONG_INPUT,
             Self::Failed(_) => FAILED,
         };
         let mut stderr = std::io::stderr().lock();
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {}", plain(&self.to_string()));
+        let _ = writeln!(stderr, "truepose: {}", plain(&self.spoken()));
         ExitCode::from(status)
     }
+
+    /// In the language of this thread.
+    pub(super) fn spoken(&self) -> String {
+        match self {
+            Self::WrongInput(text) => spoken(text),
+            Self::WrongAt(place, text) => match text.words() {
+                // An error of the core may have several lines.
+                Some(words) => {
+                    let lines: Vec<_> = words.lines().map(of_core).collect();
+                    format!("{place}: {}", lines.join("\n"))
+                }
+                None => format!("{place}: {}", text.spoken()),
+            },
+            Self::Rejected(rejected) => {
+                let findings: Vec<String> = rejected.diagnostics.iter().map(finding).collect();
+                findings.join("\n")
+            }
+            Self::Failed(error) => {
+                let own = error.downcast_ref::<Text>().map(spoken);
+                let own = own.unwrap_or_else(|| of_core(&error.to_string()).into_owned());
+                let causes = error.chain().skip(1);
+                let causes = causes.map(|cause| of_core(&cause.to_string()).into_owned());
+                let all: Vec<String> = [own].into_iter().chain(causes).collect();
+                all.join(": ")
+            }
+        }
+    }
+}
+
+/// What an error of the core says.
+pub(super) fn in_words(error: &dyn Error) -> Text {
+    Text::verbatim(error.to_string())
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::WrongInput(text) => f.write_str(text),
+            Self::WrongInput(text) => text.fmt(f),
+            Self::WrongAt(place, text) => write!(f, "{place}: {text}"),
+            Self::Rejected(rejected) => rejected.fmt(f),
             Self::Failed(error) => write!(f, "{error:#}"),
         }
     }
@@ -50,13 +96,16 @@ impl fmt::Display for Failure {
 
 impl From<Rejected> for Failure {
     fn from(rejected: Rejected) -> Self {
-        Self::WrongInput(rejected.to_string())
+        Self::Rejected(rejected)
     }
 }
 
 impl From<IdentifyError> for Failure {
     fn from(error: IdentifyError) -> Self {
-        Self::WrongInput(error.to_string())
+        match error {
+            IdentifyError::Rejected(rejected) => rejected.into(),
+            other => Self::refused(&other),
+        }
     }
 }
 
@@ -69,7 +118,7 @@ impl From<NotHandedOut> for Failure {
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         if error.is_refusal() {
-            Self::WrongInput(error.to_string())
+            Self::refused(&error)
         } else {
             Self::Failed(error.into())
         }

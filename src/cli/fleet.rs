@@ -4,6 +4,7 @@
 //! where none could be diagnosed). Lines come in the order of the arguments and are the same on any
 //! number of threads. No more sessions than threads are in memory at a time.
 
+use std::borrow::Cow;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
@@ -12,20 +13,23 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::anyhow;
+use anyhow::Error;
 
 use crate::diagnosis::Diagnosis;
+use crate::language::{finding, of_core};
 use crate::pipeline::{load, sessions_of_folder};
 use crate::present::diagnosis_v1::document;
 use crate::present::json::{Json, keyed};
-use crate::present::numbers::number_of;
+use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::sessions::Session;
+use crate::text::{choose, current};
 
 use super::diagnose::{Asked, named};
 use super::failure::Failure;
 use super::in_order::in_order;
 use super::output;
+use super::words::{effect, effects};
 
 /// What is said of one session.
 struct Answer {
@@ -78,7 +82,11 @@ pub(crate) fn run(
     let cores = std::thread::available_parallelism();
     let jobs = jobs.or(cores.ok()).map_or(1, usize::from);
     let stopped = AtomicBool::new(false);
-    let work = |k: usize| one(&files[k], asked, &stopped);
+    let language = current();
+    let work = |k: usize| {
+        choose(language);
+        one(&files[k], asked, &stopped)
+    };
     let mut summary = Summary::new();
     let ended = in_order(files.len(), jobs, &work, &mut |answer: Answer| {
         output::messages(&answer.findings);
@@ -108,7 +116,7 @@ fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
     let mut findings = Vec::new();
     let told = guarded(path, || {
         let loaded = load(path)?;
-        findings.extend(loaded.findings.iter().map(ToString::to_string));
+        findings.extend(loaded.findings.iter().map(finding));
         let session = &loaded.session;
         let (answer, start) = asked.of(session, &|_| !stopped.load(Ordering::Relaxed))?;
         let document = document(&answer, session, start.as_ref());
@@ -118,6 +126,7 @@ fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
     let (document, row) = match told {
         Ok((document, row)) => (document, Ok(row)),
         Err(failure) => {
+            // A document is English; the table's reader is told in the language of this thread.
             let because = Json::from(failure.to_string());
             (keyed([("error", because)]), Err(failure))
         }
@@ -133,7 +142,11 @@ fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
 
 /// Does the work for one session. A fault of the program in it must not take the answers of the others along.
 fn guarded<T>(path: &Path, work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-    let broke_down = |_| Err(anyhow!("{}: the diagnosis broke down", path.display()).into());
+    let broke_down = |_| {
+        let file = path.display();
+        let text = text!("{file}: the diagnosis broke down", file = file.to_string());
+        Err(Error::msg(text).into())
+    };
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(broke_down)
 }
 
@@ -142,7 +155,7 @@ struct Summary {
     table: Table,
     diagnosed: usize,
     /// How many there are of each verdict, and of each name.
-    verdicts: BTreeMap<String, usize>,
+    verdicts: BTreeMap<&'static str, usize>,
     names: BTreeMap<String, usize>,
     machines: BTreeSet<String>,
     failed: usize,
@@ -152,10 +165,10 @@ struct Summary {
 
 impl Summary {
     fn new() -> Self {
-        let headings = ["file", "machine", "verdict", "found"];
-        let errors = [">nominal, mm", ">with found effects", ">noise floor"];
         Self {
-            table: Table::new(headings.into_iter().chain(errors)),
+            table: Table::headed(say!(
+                "file | machine | verdict | found | >nominal, mm | >with found effects | >noise floor"
+            )),
             diagnosed: 0,
             verdicts: BTreeMap::new(),
             names: BTreeMap::new(),
@@ -169,19 +182,20 @@ impl Summary {
         let row = match row {
             Ok(row) => row,
             Err(failure) => {
-                output::messages(&[&failure]);
+                output::messages(&[failure.spoken()]);
                 self.failed += 1;
                 self.broke_down |= matches!(failure, Failure::Failed(_));
-                self.table.row([file.as_str(), "", "not diagnosed"]);
+                self.table.row([file.as_str(), "", say!("not diagnosed")]);
                 return;
             }
         };
         self.diagnosed += 1;
-        *self.verdicts.entry(row.verdict.to_owned()).or_default() += 1;
-        let names = row.names.join(", ");
-        let mut cells = vec![file, row.machine.clone(), row.verdict.to_owned(), names];
+        let verdict = of_core(row.verdict).into_owned();
+        let names = effects(&row.names, ", ");
+        let mut cells = vec![file, row.machine.clone(), verdict, names];
         cells.extend(row.errors_mm.map(|mm| format!("{mm:.4}")));
         self.table.row(cells);
+        *self.verdicts.entry(row.verdict).or_default() += 1;
         self.machines.insert(row.machine);
         for name in row.names {
             *self.names.entry(name).or_default() += 1;
@@ -189,38 +203,59 @@ impl Summary {
     }
 
     fn in_words(&self) -> String {
-        let counted = |counts: &BTreeMap<String, usize>| {
-            let mut counts: Vec<(&String, &usize)> = counts.iter().collect();
-            counts.sort_by_key(|(_, count)| Reverse(**count));
-            let each = counts.iter().map(|(name, count)| format!("{name} {count}"));
-            each.collect::<Vec<_>>().join(", ")
-        };
-        let mut text = self.table.aligned(0);
-        text += &format!(
-            "\n{} of {}: {}\n",
-            number_of(self.diagnosed, "session"),
-            number_of(self.machines.len(), "machine"),
-            counted(&self.verdicts)
+        let verdicts = self.verdicts.iter().map(|(name, count)| (*name, *count));
+        let names = self
+            .names
+            .iter()
+            .map(|(name, count)| (name.as_str(), *count));
+        let sessions =
+            say!(one "{count} session", "{count} sessions", count = grouped(self.diagnosed));
+        let machines =
+            say!(one "{count} machine", "{count} machines", count = grouped(self.machines.len()));
+        let all = say!(
+            "{sessions} of {machines}: {verdicts}",
+            sessions = sessions,
+            machines = machines,
+            verdicts = counted(verdicts, |name| of_core(name))
         );
+        let mut text = self.table.aligned(0);
+        text += &format!("\n{all}\n");
         if !self.names.is_empty() {
-            text += &format!("found: {}\n", counted(&self.names));
+            let found = say!(
+                "found: {effects}",
+                effects = counted(names, |name| effect(name))
+            );
+            text += &format!("{found}\n");
         }
         text
     }
 
     /// The exit status: see the module.
     fn outcome(&self) -> Result<(), Failure> {
-        let text = format!(
-            "{} of {} sessions could not be diagnosed",
-            self.failed,
-            self.diagnosed + self.failed
+        let text = text!(
+            "{failed} of {all} sessions could not be diagnosed",
+            failed = self.failed,
+            all = self.diagnosed + self.failed
         );
         match self.failed {
             0 => Ok(()),
             _ if self.diagnosed == 0 && !self.broke_down => Err(Failure::WrongInput(text)),
-            _ => Err(anyhow!(text).into()),
+            _ => Err(Error::msg(text).into()),
         }
     }
+}
+
+/// How often each name occurs, the most frequent first.
+fn counted<'a>(
+    counts: impl Iterator<Item = (&'a str, usize)>,
+    said: impl Fn(&'a str) -> Cow<'a, str>,
+) -> String {
+    let mut counts: Vec<_> = counts.collect();
+    counts.sort_by_key(|(_, count)| Reverse(*count));
+    let each = counts
+        .into_iter()
+        .map(|(name, count)| format!("{} {count}", said(name)));
+    each.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

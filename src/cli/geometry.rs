@@ -5,16 +5,17 @@ use std::fmt::Write as _;
 
 use crate::effects::{Role, role};
 use crate::fit::Estimate;
+use crate::language::of_core;
 use crate::present::numbers::decimals_of;
 use crate::present::table::Table;
 
-/// The columns of a joint's row: parameter and heading. A joint that slides has its zero in mm.
-const COLUMNS: [(&[&str], &str); 5] = [
-    (&["offset_deg", "offset_mm"], "zero offset"),
-    (&["x_mm"], "x mm"),
-    (&["y_mm"], "y mm"),
-    (&["about_x_mrad"], "about x mrad"),
-    (&["about_y_mrad"], "about y mrad"),
+/// The parameters of a joint's row. A joint that slides has its zero in mm.
+const COLUMNS: [&[&str]; 5] = [
+    &["offset_deg", "offset_mm"],
+    &["x_mm"],
+    &["y_mm"],
+    &["about_x_mrad"],
+    &["about_y_mrad"],
 ];
 
 /// Whether these are the estimates of a robot with several joints.
@@ -36,8 +37,9 @@ fn is_of_a_joint(estimate: &Estimate) -> bool {
 /// The table; what the samples do not determine is a dash, or a value without an interval where a
 /// prior says what they do not.
 pub(crate) fn table(estimates: &[Estimate]) -> String {
-    let headings = COLUMNS.map(|(_, heading)| format!(">{heading}"));
-    let mut table = Table::new(["joint".to_owned()].into_iter().chain(headings));
+    let mut table = Table::headed(say!(
+        "joint | >zero offset | >x mm | >y mm | >about x mrad | >about y mrad"
+    ));
     let last = estimates.iter().filter_map(|e| e.joint).max().unwrap_or(0);
     for joint in 1..=last {
         let own = |names: &[&str]| {
@@ -47,7 +49,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
             own.find(|e| names.contains(&e.name))
         };
         let mut cells = vec![joint.to_string()];
-        cells.extend(COLUMNS.map(|(names, _)| {
+        cells.extend(COLUMNS.map(|names| {
             own(names).map_or("–".to_owned(), |e| {
                 let unit = match e.name {
                     "offset_deg" => "°",
@@ -60,20 +62,23 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
         table.row(cells);
     }
     let mut text = format!(
-        "geometry, ± half of the 95 % interval\n{}",
+        "{}\n{}",
+        say!("geometry, ± half of the 95 % interval"),
         table.aligned(0)
     );
     let mut before: Option<String> = None;
     for estimate in estimates {
         let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
-            (Role::FreeFrame, Some(setup), _) => format!("measuring frame, setup {setup}"),
-            (Role::FreeFrame, None, _) => "measuring frame".to_owned(),
-            (Role::ToolPlace, _, Some(target)) => format!("target {target}"),
-            (Role::ToolPlace, _, None) => "tool position".to_owned(),
-            (Role::ToolTurn, ..) => "tool orientation".to_owned(),
+            (Role::FreeFrame, Some(setup), _) => {
+                say!("measuring frame, setup {setup}", setup = setup)
+            }
+            (Role::FreeFrame, None, _) => say!("measuring frame").to_owned(),
+            (Role::ToolPlace, _, Some(target)) => say!("target {target}", target = target),
+            (Role::ToolPlace, _, None) => say!("tool position").to_owned(),
+            (Role::ToolTurn, ..) => say!("tool orientation").to_owned(),
             (Role::Place, ..) => format!(
                 "{} {}",
-                estimate.effect.trim_start_matches("unknown-"),
+                of_core(estimate.effect.trim_start_matches("unknown-")),
                 estimate.place.as_deref().unwrap_or_default()
             ),
             _ => continue,
@@ -90,7 +95,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
         let _ = write!(
             text,
             "  {} {}",
-            name.replace('_', " "),
+            of_core(&name.replace('_', " ")),
             cell(estimate, &unit)
         );
     }

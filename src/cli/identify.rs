@@ -8,6 +8,7 @@ use crate::effects::JointValues;
 use crate::fit::noise::StatedNoise;
 use crate::fit::problem::Unusable;
 use crate::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
+use crate::language::of_core;
 use crate::pipeline;
 use crate::present::identification_v1::{degrees, document};
 use crate::present::kinds;
@@ -17,8 +18,13 @@ use crate::sessions::division::RegionChoice;
 use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
+use super::diagnose::{data_problem, excluded_outliers, not_identifiable};
 use super::failure::Failure;
+use super::words::{Labelled, effect, labelled, line, of_core_table, parameter, wide_of};
 use super::{geometry, levels, output};
+
+/// What is taken up by the labels of errors, at least.
+const LABEL: usize = 13;
 
 /// Identify a session's robot: the full model, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -83,14 +89,14 @@ impl Identify {
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         let values = self.joint_values.into();
         if self.method == Method::Regional && !self.effects.is_empty() {
-            return Err(Failure::WrongInput(
-                "--effects belongs to --method exact; the regional method fits angle and radius by region".to_owned(),
-            ));
+            return Err(Failure::WrongInput(text!(
+                "--effects belongs to --method exact; the regional method fits angle and radius by region"
+            )));
         }
         if self.method == Method::Exact && self.regions.is_some() {
-            return Err(Failure::WrongInput(
-                "--regions belongs to --method regional; the exact method needs none".to_owned(),
-            ));
+            return Err(Failure::WrongInput(text!(
+                "--regions belongs to --method regional; the exact method needs none"
+            )));
         }
         let loaded = output::session(&self.session)?;
         let session = &loaded.session;
@@ -127,8 +133,9 @@ impl Identify {
 
 fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
     let wrong = || {
-        Failure::WrongInput(format!(
-            "--regions '{text}': expected a number of regions, boundaries in degrees such as -90,-60,-30,0, or adaptive"
+        Failure::WrongInput(text!(
+            "--regions '{given}': expected a number of regions, boundaries in degrees such as -90,-60,-30,0, or adaptive",
+            given = text
         ))
     };
     if text.trim() == "adaptive" {
@@ -150,35 +157,31 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
 }
 
 fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
-    let gap = &answer.gap;
-    let mut text = format!(
-        "{}: {} identification of {} samples\n",
-        answer.session,
-        if answer.method == "exact" {
-            "full-model"
-        } else {
-            answer.method
-        },
-        answer.samples
-    );
+    let mut text = String::new();
+    let head = if answer.method == "exact" {
+        say!(
+            "{session}: full-model identification of {samples} samples",
+            session = answer.session,
+            samples = answer.samples
+        )
+    } else {
+        say!(
+            "{session}: regional identification of {samples} samples",
+            session = answer.session,
+            samples = answer.samples
+        )
+    };
+    line(&mut text, head);
     for problem in data_problems {
-        text += &format!(
-            "data: {}\n  {}\n  {}\n",
-            problem.what, problem.evidence, problem.proposal
-        );
+        line(&mut text, data_problem(problem));
     }
-    text += &format!(
-        "RMS error    nominal {:.6} mm, identified {:.6} mm (largest {:.6} and {:.6})\n",
-        gap.before.rms_mm, gap.after.rms_mm, gap.before.max_mm, gap.after.max_mm
-    );
-    if let Some(held_out) = &answer.held_out {
-        text += &format!(
-            "held out     {:.6} mm before, {:.6} mm after, on {} samples that the fit has not seen\n",
-            held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
-        );
-    }
+    let errors = errors(answer);
+    text += &labelled(&errors, wide_of(&errors).max(LABEL));
     if !answer.kinds.is_empty() {
-        text += &format!("\n{}", kinds::table(&answer.kinds).aligned(0));
+        text += &format!(
+            "\n{}",
+            of_core_table(kinds::table(&answer.kinds), 0).aligned(0)
+        );
     }
     let arm = geometry::is_of_an_arm(&answer.parameters);
     if arm {
@@ -188,56 +191,96 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
     let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
     let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
     if !rows.is_empty() {
-        let mut table = Table::headed("effect | >joint | parameter | >value | 95 % interval");
+        let mut table = Table::headed(say!("effect | >joint | parameter | >value | 95 % interval"));
         table.rows = rows.into_iter().map(parameter_row).collect();
         text += &format!("\n{}", table.aligned(0));
     }
     if !answer.regions.is_empty() {
         text += &format!("\n{}", regions(&answer.regions).aligned(0));
     }
-    for n in &answer.not_identifiable {
-        text += &format!("\nnot identifiable: {}: {}", n.combination, n.because);
+    remarks_in_words(&mut text, answer, session);
+    if !text.ends_with('\n') {
+        text.push('\n');
     }
-    text += &noise_in_words(answer, session);
+    text
+}
+
+fn errors(answer: &Identification) -> Vec<Labelled> {
+    let six = |mm: f64| format!("{mm:.6}");
+    let gap = &answer.gap;
+    let fitted = say!(
+        "nominal {nominal} mm, identified {identified} mm (largest {max_nominal} and {max_identified})",
+        nominal = six(gap.before.rms_mm),
+        identified = six(gap.after.rms_mm),
+        max_nominal = six(gap.before.max_mm),
+        max_identified = six(gap.after.max_mm)
+    );
+    let held_out = answer.held_out.as_ref().map(|held_out| {
+        say!(
+            "{before} mm before, {after} mm after, on {samples} samples that the fit has not seen",
+            before = six(held_out.before.rms_mm),
+            after = six(held_out.after.rms_mm),
+            samples = held_out.samples
+        )
+    });
+    let held_out = held_out.map(|said| (say!("held out"), said));
+    [(say!("RMS error"), fitted)]
+        .into_iter()
+        .chain(held_out)
+        .collect()
+}
+
+/// What stands below the tables, each in a line of its own.
+fn remarks_in_words(text: &mut String, answer: &Identification, session: &Session) {
+    let mut add = |said: &str| {
+        text.push('\n');
+        text.push_str(said);
+    };
+    for open in &answer.not_identifiable {
+        add(&not_identifiable(open));
+    }
+    noise_in_words(answer, session)
+        .iter()
+        .for_each(|said| add(said));
     if !answer.outliers.is_empty() {
-        text += &format!(
-            "\nexcluded outliers: {} of {} samples",
-            answer.outliers.len(),
-            answer.samples
-        );
+        add(&excluded_outliers(answer.outliers.len(), answer.samples));
     }
     for o in &answer.outliers {
-        text += &format!(
-            "\n  sample {}: {:.4} mm from the model",
-            o.sample + 1,
-            o.deviation_mm
+        let outlier = say!(
+            "sample {sample}: {deviation} mm from the model",
+            sample = o.sample + 1,
+            deviation = format!("{:.4}", o.deviation_mm)
         );
+        add(&format!("  {outlier}"));
     }
     if let Some(says) = answer.excluded_in_words() {
-        text += &format!("\n{says}");
+        add(&of_core(&says));
     }
     let lost = answer
         .left_out
         .iter()
         .filter(|l| l.because != Unusable::Excluded);
     for l in lost {
-        text += &format!("\nexcluded: sample {}: {}", l.sample + 1, l.because.says());
+        add(&say!(
+            "excluded: sample {sample}: {because}",
+            sample = l.sample + 1,
+            because = of_core(l.because.says())
+        ));
     }
     let quality = &answer.quality;
     if !quality.converged {
-        text += "\nthe fit did not converge";
+        add(say!("the fit did not converge"));
     }
-    text += &format!(
-        "\nsolver: {}; {} of {} coefficients determined, condition {:.1}",
-        quality.stopped, quality.rank, quality.coefficients, quality.condition
-    );
+    add(&say!(
+        "solver: {stopped}; {rank} of {coefficients} coefficients determined, condition {condition}",
+        stopped = of_core(&quality.stopped.to_string()),
+        rank = quality.rank,
+        coefficients = quality.coefficients,
+        condition = format!("{:.1}", quality.condition)
+    ));
     for note in &answer.notes {
-        text += &format!("\nnote: {note}");
+        add(&say!("note: {note}", note = of_core(note)));
     }
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
-    text
 }
 
 /// A row of the table of parameters.
@@ -255,16 +298,16 @@ fn parameter_row(p: &Estimate) -> Vec<Cell> {
     let mut interval = match p.ci95 {
         Some([a, b]) => format!("{a:.6} … {b:.6}"),
         None if whole => String::new(),
-        None => "not determined".to_owned(),
+        None => say!("not determined").to_owned(),
     };
     if p.is_implausible() {
-        interval += &format!("   {IMPLAUSIBLE}");
+        interval += &format!("   {}", of_core(IMPLAUSIBLE));
     }
     let joint = place.cloned().unwrap_or(joint);
     [
-        p.effect.to_owned(),
+        effect(p.effect).into_owned(),
         joint,
-        p.name.to_owned(),
+        parameter(p.name).into_owned(),
         value,
         interval,
     ]
@@ -273,9 +316,9 @@ fn parameter_row(p: &Estimate) -> Vec<Cell> {
 }
 
 fn regions(results: &[RegionResult]) -> Table {
-    let mut table = Table::headed(
-        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm",
-    );
+    let mut table = Table::headed(say!(
+        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm"
+    ));
     for r in results {
         let c = &r.correction;
         table.row([
@@ -293,16 +336,18 @@ fn regions(results: &[RegionResult]) -> Table {
 }
 
 /// What there is to say of the noise that the fit allows for.
-fn noise_in_words(answer: &Identification, session: &Session) -> String {
-    let mut text = String::new();
+fn noise_in_words(answer: &Identification, session: &Session) -> Vec<String> {
+    let mut lines = Vec::new();
     let Some(noise) = &answer.noise else {
-        return text;
+        return lines;
     };
     if let Some(stated) = noise.against_stated(session).filter(StatedNoise::differs) {
-        text += &format!("\nmeasurement noise: {}", stated.says());
+        let noise = of_core(&stated.says()).into_owned();
+        lines.push(say!("measurement noise: {noise}", noise = noise));
     }
     if let Some(slow) = &noise.slow {
-        text += &format!("\nslow noise: {}", slow.says_of_remaining_error());
+        let slow = of_core(&slow.says_of_remaining_error()).into_owned();
+        lines.push(say!("slow noise: {slow}", slow = slow));
     }
-    text
+    lines
 }

@@ -132,9 +132,9 @@ impl Import {
         let to_stdout = self.out.as_os_str() == "-";
         output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
         if self.clock_offset.is_some_and(|offset| !offset.is_finite()) {
-            return Err(Failure::WrongInput(
-                "--clock-offset: a number of seconds is expected".to_owned(),
-            ));
+            return Err(Failure::WrongInput(text!(
+                "--clock-offset: a number of seconds is expected"
+            )));
         }
         let robot = output::robot(&self.robot)?;
         let bytes = read_whole(&self.file)?;
@@ -147,9 +147,9 @@ impl Import {
             profile.complete(&mut reading);
         }
         if reading.kind.is_none() {
-            return Err(Failure::WrongInput(
-                "nothing says what wrote the file: --as, or a profile with \"as\"".to_owned(),
-            ));
+            return Err(Failure::WrongInput(text!(
+                "nothing says what wrote the file: --as, or a profile with \"as\""
+            )));
         }
         if let Some(profile) = &self.save_profile {
             output::can_be_written(profile, self.force)?;
@@ -181,11 +181,11 @@ impl Import {
             ..Settings::new(reading.clone(), &robot)
         };
         let imported = import(&bytes, &settings)?;
-        output::messages(&imported.findings);
+        output::findings(&imported.findings);
         if to_stdout {
             let mut stdout = std::io::stdout().lock();
             write_inline(&imported.session, &mut stdout)
-                .context("cannot write to standard output")?;
+                .context(text!("cannot write to standard output"))?;
         } else {
             let inputs = self.inputs();
             let replacing = Replacing {
@@ -215,10 +215,10 @@ impl Import {
         }
         let other = self.out.with_extension("samples.csv");
         save_with_samples(session, &self.out, &other, replacing)?;
-        output::messages(&[format!(
-            "the samples are in {}: {} is an input and stays as it is",
-            other.display(),
-            usual.display()
+        output::messages(&[say!(
+            "the samples are in {file}: {input} is an input and stays as it is",
+            file = other.display(),
+            input = usual.display()
         )]);
         Ok(())
     }
@@ -248,9 +248,9 @@ impl Import {
 
     fn reading(&self) -> Result<Reading, Failure> {
         let Some(joint) = self.joint.checked_sub(1) else {
-            return Err(Failure::WrongInput(
-                "--joint: joints are counted from 1".to_owned(),
-            ));
+            return Err(Failure::WrongInput(text!(
+                "--joint: joints are counted from 1"
+            )));
         };
         Ok(Reading {
             kind: self.format.as_deref().and_then(find),

@@ -74,7 +74,8 @@ fn completions(shell: Shell) -> Vec<u8> {
 fn page(command: &clap::Command) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let page = Page::new(command.clone().version(env!("CARGO_PKG_VERSION")));
-    page.render(&mut bytes).context("cannot write the page")?;
+    page.render(&mut bytes)
+        .context(text!("cannot write the page"))?;
     Ok(bytes)
 }
 
@@ -101,9 +102,10 @@ impl Man {
             return output::bytes(&page(command)?);
         }
         let names: Vec<&str> = shown(&program).map(clap::Command::get_name).collect();
-        Err(Failure::WrongInput(format!(
-            "no command is called '{name}'; expected one of {}",
-            names.join(", ")
+        Err(Failure::WrongInput(text!(
+            "no command is called '{name}'; expected one of {names}",
+            name = name,
+            names = names.join(", ")
         )))
     }
 }
@@ -175,16 +177,19 @@ fn files(prefix: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
 impl Integrate {
     pub(crate) fn run(self) -> Result<(), Failure> {
         if self.prefix.is_none() && cfg!(any(windows, target_os = "macos")) {
-            let text = "this puts truepose into the menus of a Linux desktop, which this system does not have; \
-                 expected --prefix FOLDER to write its files all the same";
-            return Err(Failure::WrongInput(text.to_owned()));
+            return Err(Failure::WrongInput(text!(
+                "this puts truepose into the menus of a Linux desktop, which this system does not have; expected \
+                 --prefix FOLDER to write its files all the same"
+            )));
         }
         let home = || std::env::var_os("HOME").map(|home| Path::new(&home).join(".local"));
         let Some(prefix) = self.prefix.or_else(home) else {
-            let text = "the home folder is not known; expected --prefix FOLDER";
-            return Err(Failure::WrongInput(text.to_owned()));
+            return Err(Failure::WrongInput(text!(
+                "the home folder is not known; expected --prefix FOLDER"
+            )));
         };
         let files = files(&prefix)?;
+        let share = prefix.join("share");
         let done = if self.remove {
             for (path, _) in &files {
                 if let Err(error) = std::fs::remove_file(path)
@@ -193,7 +198,11 @@ impl Integrate {
                     return Err(anyhow!("{}: {error}", path.display()).into());
                 }
             }
-            "removed"
+            say!(
+                "{files} files removed in {folder}",
+                files = files.len(),
+                folder = share.display()
+            )
         } else {
             for (path, _) in &files {
                 output::can_be_written(path, self.force)?;
@@ -204,20 +213,19 @@ impl Integrate {
                 made.with_context(|| folder.display().to_string())?;
                 output::document(path, bytes, self.force, &[])?;
             }
-            "written"
+            say!(
+                "{files} files written in {folder}",
+                files = files.len(),
+                folder = share.display()
+            )
         };
-        let share = prefix.join("share");
-        let mut lines = vec![format!(
-            "{} files {done} in {}",
-            files.len(),
-            share.display()
-        )];
+        let mut lines = vec![done];
         if cfg!(feature = "gui") {
             let (mime, menus) = (share.join("mime"), share.join("applications"));
-            lines.push(format!(
-                "menus that do not notice: update-mime-database {}; update-desktop-database {}",
-                mime.display(),
-                menus.display()
+            lines.push(say!(
+                "menus that do not notice: update-mime-database {mime}; update-desktop-database {menus}",
+                mime = mime.display(),
+                menus = menus.display()
             ));
         }
         output::messages(&lines);

@@ -37,9 +37,9 @@ pub(super) fn is_answered() -> bool {
     let answered = WAITED_FOR.swap(false, Ordering::SeqCst);
     if answered {
         ASKED.store(true, Ordering::SeqCst);
-        output::messages(&[
-            "stopping: the answer so far follows; Ctrl+C again ends the program without it",
-        ]);
+        output::messages(&[say!(
+            "stopping: the answer so far follows; Ctrl+C again ends the program without it"
+        )]);
     }
     answered
 }

@@ -7,16 +7,20 @@ use anyhow::Context;
 use serde::Serialize;
 
 use crate::atomic::WriteError;
+use crate::diagnostic::Diagnostic;
 use crate::kinematics::Robot;
+use crate::language::finding;
 use crate::pipeline::{load, load_robot};
 use crate::robots::{LibraryRobot, named};
 use crate::sessions::Loaded;
+use crate::text::Text;
 
 use super::failure::Failure;
 
 /// Prints one JSON document.
 pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
-    let mut text = serde_json::to_string_pretty(document).context("cannot write the answer")?;
+    let mut text =
+        serde_json::to_string_pretty(document).context(text!("cannot write the answer"))?;
     text.push('\n');
     bytes(text.as_bytes())
 }
@@ -45,7 +49,7 @@ pub(crate) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        other => Ok(other.context("cannot write to standard output")?),
+        other => Ok(other.context(text!("cannot write to standard output"))?),
     }
 }
 
@@ -57,14 +61,14 @@ pub(crate) fn line(line: &str) -> Result<bool, Failure> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
         other => Ok(other
             .map(|()| true)
-            .context("cannot write to standard output")?),
+            .context(text!("cannot write to standard output"))?),
     }
 }
 
 /// Reads a session, and tells what was noticed.
 pub(crate) fn session(path: &Path) -> Result<Loaded, Failure> {
     let loaded = load(path)?;
-    messages(&loaded.findings);
+    findings(&loaded.findings);
     Ok(loaded)
 }
 
@@ -80,12 +84,14 @@ pub(crate) fn robot_and_origin(
     if is_a_robots_name(path) {
         let text = path.to_string_lossy();
         let found = named(&text).map_err(|error| {
-            Failure::WrongInput(format!("there is no file '{text}', and {error}"))
+            // One sentence of the core for both: what it says is known by its words.
+            let words = format!("there is no file '{text}', and {error}");
+            Failure::WrongInput(Text::verbatim(words))
         })?;
         return Ok((found.robot.clone(), Some(found)));
     }
     let loaded = load_robot(path)?;
-    messages(&loaded.findings);
+    findings(&loaded.findings);
     Ok((loaded.robot, None))
 }
 
@@ -98,6 +104,12 @@ pub(crate) fn is_a_robots_name(path: &Path) -> bool {
         .iter()
         .any(|other| ending.eq_ignore_ascii_case(other));
     !like_a_file && !text.contains(['/', '\\']) && !text.is_empty() && !path.exists()
+}
+
+/// Tells the user what was noticed in an input.
+pub(crate) fn findings(findings: &[Diagnostic]) {
+    let said: Vec<String> = findings.iter().map(finding).collect();
+    messages(&said);
 }
 
 /// Tells the user something beside the answer.
@@ -117,8 +129,10 @@ pub(crate) fn one_use_of_standard_output(
     second_name: &str,
 ) -> Result<(), Failure> {
     if first && second {
-        return Err(Failure::WrongInput(format!(
-            "{first_name} and {second_name} both want standard output; give one of them a file name"
+        return Err(Failure::WrongInput(text!(
+            "{first} and {second} both want standard output; give one of them a file name",
+            first = first_name,
+            second = second_name
         )));
     }
     Ok(())
@@ -147,7 +161,7 @@ pub(crate) fn document(
     if out.as_os_str() == "-" {
         let mut stdout = std::io::stdout().lock();
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
-        return Ok(written.context("cannot write to standard output")?);
+        return Ok(written.context(text!("cannot write to standard output"))?);
     }
     crate::atomic::refuse_to_replace_inputs(out, &paths(inputs))?;
     Ok(crate::atomic::write_atomically(out, force, |file| {

@@ -11,16 +11,23 @@ use serde::de::IgnoredAny;
 
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
+use crate::design::pair_separation::Separation;
 use crate::design::plan::{self, PlanError, PlanOptions, Subject};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::{Options, Sight};
+use crate::language::of_core;
 use crate::pipeline::{self, measuring_list, measuring_program};
 use crate::present::numbers::significant;
 use crate::present::plan_v1::document;
+use crate::present::table::width;
 use crate::programs::language_of;
 
-use super::failure::Failure;
+use super::failure::{self, Failure};
 use super::output;
+use super::words::{effect, effects, line, padded, parameter, value};
+
+/// How much room names of effects take in a list of limits, at least.
+const NAMES: usize = 28;
 
 /// Say what to measure: poses that decide what a session leaves open and unlock what it cannot
 /// show, or a first measurement of a robot
@@ -83,7 +90,10 @@ pub(crate) struct Plan {
 
 impl From<PlanError> for Failure {
     fn from(error: PlanError) -> Self {
-        Self::WrongInput(error.to_string())
+        match error {
+            PlanError::Diagnose(error) => error.into(),
+            other => Self::refused(&other),
+        }
     }
 }
 
@@ -100,9 +110,9 @@ impl Plan {
             [] => None,
             [a, b] => Some([a.clone(), b.clone()]),
             other => {
-                return Err(Failure::WrongInput(format!(
-                    "--separate names {} effects; expected two, such as backlash,tracking-lag",
-                    other.len()
+                return Err(Failure::WrongInput(text!(
+                    "--separate names {effects} effects; expected two, such as backlash,tracking-lag",
+                    effects = other.len()
                 )));
             }
         };
@@ -131,8 +141,11 @@ impl Plan {
         if let Some(out) = &self.out {
             let list = match self.language(out) {
                 "csv" => measuring_list(&plan.poses, &plan.robot),
-                language => measuring_program(&plan.poses, &plan.robot, language)
-                    .map_err(|error| Failure::WrongInput(format!("{}: {error}", out.display())))?,
+                language => {
+                    measuring_program(&plan.poses, &plan.robot, language).map_err(|error| {
+                        Failure::WrongAt(out.display().to_string(), failure::in_words(&error))
+                    })?
+                }
             };
             output::document(out, list.as_bytes(), self.force, &files)?;
         }
@@ -157,9 +170,9 @@ impl Plan {
 fn place(numbers: &[f64]) -> Result<Point3<f64>, Failure> {
     match *numbers {
         [x, y, z] if numbers.iter().all(|v| v.is_finite()) => Ok(Point3::new(x, y, z)),
-        _ => Err(Failure::WrongInput(format!(
-            "--instrument has {} numbers; expected X,Y,Z in mm, such as 2500,0,800",
-            numbers.len()
+        _ => Err(Failure::WrongInput(text!(
+            "--instrument has {numbers} numbers; expected X,Y,Z in mm, such as 2500,0,800",
+            numbers = numbers.len()
         ))),
     }
 }
@@ -193,47 +206,35 @@ fn is_a_session(path: &Path) -> bool {
 
 fn in_words(plan: &plan::Plan) -> String {
     let mut text = String::new();
-    let what = match plan.subject {
-        Subject::Session => "to measure next",
-        Subject::Robot => "a first measurement",
+    let head = match plan.subject {
+        Subject::Session => say!(
+            "{session}: to measure next, {poses} poses",
+            session = plan.name,
+            poses = plan.poses.len()
+        ),
+        Subject::Robot => say!(
+            "{robot}: a first measurement, {poses} poses",
+            robot = plan.name,
+            poses = plan.poses.len()
+        ),
     };
-    let _ = writeln!(text, "{}: {what}, {} poses", plan.name, plan.poses.len());
+    line(&mut text, head);
     for [explanation, instead] in &plan.open {
-        let _ = writeln!(
-            text,
-            "open: {} or {}",
-            explanation.join(" + "),
-            instead.join(" + ")
+        let open = say!(
+            "open: {explanation} or {instead}",
+            explanation = effects(explanation, " + "),
+            instead = effects(instead, " + ")
         );
+        line(&mut text, open);
     }
     if let Some(separation) = &plan.separation {
-        let [a, b] = separation.between.map(|n| n.id);
-        let _ = match &separation.impossible {
-            Some(because) => writeln!(text, "no pose tells {a} from {b}: {because}"),
-            None => writeln!(
-                text,
-                "what {b} cannot imitate of {a}: {:.1} % now, {:.1} % with these poses; the other way \
-                 round {:.1} % and {:.1} %{}",
-                100.0 * separation.left_before[0],
-                100.0 * separation.left_after[0],
-                100.0 * separation.left_before[1],
-                100.0 * separation.left_after[1],
-                if separation.poses.is_empty() {
-                    "; what is there decides already"
-                } else if separation.decided {
-                    ""
-                } else {
-                    "; an effect that is just seen may stay undecided, more poses would help"
-                }
-            ),
-        };
+        line(&mut text, separated(separation));
     }
     if plan.poses.is_empty() && plan.separation.is_none() {
-        let _ = writeln!(
-            text,
-            "nothing is ambiguous and no pose unlocks anything; --poses N lists poses that sharpen \
-             what can be seen"
+        let nothing = say!(
+            "nothing is ambiguous and no pose unlocks anything; --poses N lists poses that sharpen what can be seen"
         );
+        line(&mut text, nothing);
     }
     text.push_str(&table(plan));
     for target in &plan.targets {
@@ -243,24 +244,36 @@ fn in_words(plan: &plan::Plan) -> String {
             .iter()
             .any(|p| p.target_mm.is_some() && p.target.as_ref() == Some(&target.name));
         if new {
-            let _ = writeln!(
-                text,
-                "reflector {}: at ({:.0}, {:.0}, {:.0}) mm in the tool frame; survey where it really is, and \
-                 declare it in the session's targets",
-                target.name, at.x, at.y, at.z
+            let new = say!(
+                "reflector {target}: at ({at}) mm in the tool frame; survey where it really is, and declare it in \
+                 the session's targets",
+                target = target.name,
+                at = format!("{:.0}, {:.0}, {:.0}", at.x, at.y, at.z)
             );
+            line(&mut text, new);
         }
     }
     for (names, locked) in grouped(&plan.enables) {
-        let _ = writeln!(text, "{names} becomes testable: {}", needs(locked));
+        let enabled = say!(
+            "{effect} becomes testable: {needs}",
+            effect = names,
+            needs = needs(locked)
+        );
+        line(&mut text, enabled);
     }
     for (names, locked) in grouped(&plan.cannot) {
         let help = if locked.needs.is_empty() {
-            "no pose helps".to_owned()
+            say!("no pose helps").to_owned()
         } else {
             needs(locked)
         };
-        let _ = writeln!(text, "{names} stays untestable, {}: {help}", locked.because);
+        let stays = say!(
+            "{effect} stays untestable, {because}: {help}",
+            effect = names,
+            because = of_core(&locked.because),
+            help = help
+        );
+        line(&mut text, stays);
     }
     if let Some(geometry) = &plan.geometry {
         of_geometry(geometry, plan, &mut text);
@@ -271,75 +284,122 @@ fn in_words(plan: &plan::Plan) -> String {
     text
 }
 
-fn of_geometry(geometry: &Geometry, plan: &plan::Plan, text: &mut String) {
-    let so_far = match plan.subject {
-        Subject::Session => "with the session alone".to_owned(),
-        Subject::Robot => format!("with {} random poses", plan.poses.len()),
-    };
-    let (before, after) = (&geometry.before, &geometry.after);
-    let _ = writeln!(
-        text,
-        "geometry: {} parameters; observability index {:.4} mm {so_far}, {:.4} mm with these poses",
-        geometry.parameters, before.observability, after.observability
-    );
-    let _ = writeln!(
-        text,
-        "expected error of the model over the joint ranges: RMS {:.4} mm {so_far}, {:.4} mm with these poses; 95 \
-         % of the places {:.4} and {:.4} mm",
-        before.error.rms_mm, after.error.rms_mm, before.error.p95_mm, after.error.p95_mm
-    );
-    if let Some((mm, poses)) = geometry.enough {
-        let _ = writeln!(
-            text,
-            "{poses} poses are enough for {mm} mm at 95 % of the places"
+/// What the poses do for two effects that are to be told apart.
+fn separated(separation: &Separation) -> String {
+    let [a, b] = separation.between.map(|n| effect(n.id));
+    if let Some(because) = &separation.impossible {
+        return say!(
+            "no pose tells {a} from {b}: {because}",
+            a = a,
+            b = b,
+            because = of_core(because)
         );
     }
-    let each = geometry.curve.iter();
-    let each = each.map(|(poses, error)| format!("{poses} poses {:.4} mm", error.p95_mm));
-    let _ = writeln!(
-        text,
-        "95 % of the places with {}",
-        each.collect::<Vec<_>>().join(", ")
+    let percent = |share: f64| format!("{:.1}", 100.0 * share);
+    let [before, back_before] = separation.left_before.map(percent);
+    let [after, back_after] = separation.left_after.map(percent);
+    let mut text = say!(
+        "what {b} cannot imitate of {a}: {before} % now, {after} % with these poses; the other way round \
+         {back_before} % and {back_after} %",
+        b = b,
+        a = a,
+        before = before,
+        after = after,
+        back_before = back_before,
+        back_after = back_after
     );
-    let _ = writeln!(
-        text,
+    if separation.poses.is_empty() {
+        text += say!("; what is there decides already");
+    } else if !separation.decided {
+        text += say!("; an effect that is just seen may stay undecided, more poses would help");
+    }
+    text
+}
+
+fn of_geometry(geometry: &Geometry, plan: &plan::Plan, text: &mut String) {
+    let so_far = match plan.subject {
+        Subject::Session => say!("with the session alone").to_owned(),
+        Subject::Robot => say!("with {poses} random poses", poses = plan.poses.len()),
+    };
+    let four = |mm: f64| format!("{mm:.4}");
+    let (before, after) = (&geometry.before, &geometry.after);
+    let index = say!(
+        "geometry: {parameters} parameters; observability index {before} mm {so_far}, {after} mm with these poses",
+        parameters = geometry.parameters,
+        before = four(before.observability),
+        so_far = so_far,
+        after = four(after.observability)
+    );
+    line(text, index);
+    let error = say!(
+        "expected error of the model over the joint ranges: RMS {before} mm {so_far}, {after} mm with these poses; 95 \
+         % of the places {p95_before} and {p95_after} mm",
+        before = four(before.error.rms_mm),
+        so_far = so_far,
+        after = four(after.error.rms_mm),
+        p95_before = four(before.error.p95_mm),
+        p95_after = four(after.error.p95_mm)
+    );
+    line(text, error);
+    if let Some((mm, poses)) = geometry.enough {
+        let enough = say!(
+            "{poses} poses are enough for {mm} mm at 95 % of the places",
+            poses = poses,
+            mm = mm
+        );
+        line(text, enough);
+    }
+    let each = geometry.curve.iter().map(|(poses, error)| {
+        say!(
+            "{poses} poses {mm} mm",
+            poses = poses,
+            mm = four(error.p95_mm)
+        )
+    });
+    let each = each.collect::<Vec<_>>().join(", ");
+    line(text, say!("95 % of the places with {poses}", poses = each));
+    let surroundings = say!(
         "limits are all that is known of the surroundings: look where the way between the poses leads"
     );
+    line(text, surroundings);
 }
 
 fn limits(plan: &plan::Plan, text: &mut String) {
-    let _ = writeln!(
-        text,
-        "with these poses and a noise of {:.4} mm an effect will be seen (95 %) above",
-        plan.sigma_mm
+    let head = say!(
+        "with these poses and a noise of {sigma} mm an effect will be seen (95 %) above",
+        sigma = format!("{:.4}", plan.sigma_mm)
     );
-    for limit in plan.seen_above() {
+    line(text, head);
+    let limits = plan.seen_above();
+    let names: Vec<String> = limits
+        .iter()
+        .map(|limit| effect(&named(limit.effect, limit.joint)).into_owned())
+        .collect();
+    let wide = names.iter().map(|name| width(name) + 2).max();
+    let wide = wide.unwrap_or(0).max(NAMES);
+    for (limit, name) in limits.iter().zip(&names) {
         let sizes: Vec<String> = limit
             .sizes
             .iter()
             .map(|(name, size)| match Sight::of(*size) {
-                Sight::Above(size) => {
-                    format!("{name} {}", significant(size, 3))
-                }
-                Sight::AtAnySize => format!("{name} 0"),
-                Sight::AtNoSize => format!("{name} of no size"),
+                Sight::Above(size) => value(name, &significant(size, 3)),
+                Sight::AtAnySize => value(name, "0"),
+                Sight::AtNoSize => say!("{parameter} of no size", parameter = parameter(name)),
             })
             .collect();
-        let _ = writeln!(
+        line(
             text,
-            "  {:<28}{}",
-            named(limit.effect, limit.joint),
-            sizes.join(", ")
+            format!("  {}{}", padded(name, wide), sizes.join(", ")),
         );
     }
     for pair in &plan.expected.alike {
-        let _ = writeln!(
-            text,
-            "{} and {} will look alike (correlation {:.3})",
-            named(pair.one.0, pair.one.1.map(|j| j + 1)),
-            named(pair.other.0, pair.other.1.map(|j| j + 1)),
-            pair.correlation
+        let alike = say!(
+            "{one} and {other} will look alike (correlation {correlation})",
+            one = effect(&named(pair.one.0, pair.one.1.map(|j| j + 1))),
+            other = effect(&named(pair.other.0, pair.other.1.map(|j| j + 1))),
+            correlation = format!("{:.3}", pair.correlation)
         );
+        line(text, alike);
     }
 }
 
@@ -359,14 +419,17 @@ fn grouped(all: &[Untestable]) -> Vec<(String, &Untestable)> {
             (Some(group), Some(number)) => {
                 let _ = write!(group.0, ", {number}");
             }
-            _ => groups.push((named(locked.effect, number), locked)),
+            _ => {
+                let name = named(locked.effect, number);
+                groups.push((effect(&name).into_owned(), locked));
+            }
         }
     }
     groups
 }
 
 fn needs(locked: &Untestable) -> String {
-    let says: Vec<&str> = locked.needs.iter().map(|n| n.says()).collect();
+    let says: Vec<_> = locked.needs.iter().map(|n| of_core(n.says())).collect();
     says.join("; ")
 }
 
@@ -378,7 +441,7 @@ fn table(plan: &plan::Plan) -> String {
             "{:>4}  {}  {}",
             k + 1,
             pose_in_words(pose, plan),
-            pose.why
+            of_core(&pose.why)
         );
     }
     text

@@ -3,6 +3,8 @@
 use std::cell::RefCell;
 use std::io::{IsTerminal, Write, stderr};
 
+use crate::present::table::width;
+
 use super::output::plain;
 
 /// Longer ones would wrap, and could not be written over.
@@ -27,7 +29,7 @@ impl ProgressLine {
         if !self.is_seen {
             return;
         }
-        let text: String = plain(text).chars().take(WIDEST).collect();
+        let text = cut(&plain(text));
         let mut shown = self.shown.borrow_mut();
         if *shown != text {
             // There is no place to report that standard error takes nothing.
@@ -36,6 +38,16 @@ impl ProgressLine {
             *shown = text;
         }
     }
+}
+
+/// As much of a text as fits into the line.
+fn cut(text: &str) -> String {
+    let mut taken = 0;
+    let fits = |c: &char| {
+        taken += width(c.encode_utf8(&mut [0; 4]));
+        taken <= WIDEST
+    };
+    text.chars().take_while(fits).collect()
 }
 
 impl Drop for ProgressLine {

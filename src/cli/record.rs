@@ -9,9 +9,11 @@ use anyhow::Context;
 use clap::Args;
 use serde_json::json;
 
+use crate::language::of_core;
 use crate::recorder::live::{End, Standing, State, connected, record};
 use crate::recorder::source::{Address, Connection};
 use crate::recorder::{RecordError, Recorder};
+use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -48,20 +50,27 @@ impl Record {
         if !to_stdout {
             output::can_be_written(&self.out, self.force)?;
         }
-        let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
+        let address = Address::parse(&self.source)
+            .map_err(|words| Failure::WrongInput(Text::verbatim(words)))?;
         let once = !self.reconnect;
         let connection = once.then(|| self.connect(&address)).transpose()?;
-        output::messages(&[format!(
-            "recording {} to {}; Ctrl-C ends it, and every line that is complete is in the file",
-            self.source,
-            self.out.display()
+        output::messages(&[say!(
+            "recording {source} to {file}; Ctrl-C ends it, and every line that is complete is in the file",
+            source = self.source,
+            file = self.out.display()
         )]);
         let (out, force) = (self.out.clone(), self.force);
         let columns = self.columns.iter().map(|name| name.trim().to_owned());
         let mut recorder = Recorder::new(move || open(&out, force), columns.collect());
         let most = self.lines.unwrap_or(u64::MAX);
         let done = Self::listen(&address, connection, &mut recorder, most);
-        output::messages(&recorder.complaints());
+        let complaints = recorder.complaints();
+        output::messages(
+            &complaints
+                .iter()
+                .map(|one| of_core(one))
+                .collect::<Vec<_>>(),
+        );
         if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
             // Where the disk is full the start of a line stands behind the last whole one. What
             // cannot be cut off either is left as it is.
@@ -71,18 +80,20 @@ impl Record {
             Some(Out::File(file)) => file.sync_all(),
             _ => Ok(()),
         };
-        let mut says = format!("{} lines recorded", recorder.recorded());
-        if recorder.refused() > 0 {
-            says += &format!(", {} left out", recorder.refused());
-        }
-        output::messages(&[says]);
+        let recorded = recorder.recorded();
+        output::messages(&[match recorder.refused() {
+            0 => say!("{lines} lines recorded", lines = recorded),
+            refused => say!(
+                "{lines} lines recorded, {left_out} left out",
+                lines = recorded,
+                left_out = refused
+            ),
+        }]);
         done?;
-        synced.context("cannot write the recording")?;
+        synced.context(text!("cannot write the recording"))?;
         if recorder.recorded() == 0 {
-            return Err(Failure::WrongInput(format!(
-                "{}: the stream ended without a measurement; expected lines of text",
-                self.source
-            )));
+            let text = text!("the stream ended without a measurement; expected lines of text");
+            return Err(Failure::WrongAt(self.source.clone(), text));
         }
         if self.json {
             return output::json(&json!({
@@ -100,14 +111,14 @@ impl Record {
 impl Record {
     fn connect(&self, address: &Address) -> Result<Connection, Failure> {
         let failed = match address {
-            Address::Tcp(_) => "cannot connect",
-            Address::Udp(_) => "cannot listen",
+            Address::Tcp(_) => text!("{source}: cannot connect", source = &self.source),
+            Address::Udp(_) => text!("{source}: cannot listen", source = &self.source),
         };
         let connection = address.connect();
-        let connection = connection.with_context(|| format!("{}: {failed}", self.source))?;
+        let connection = connection.context(failed)?;
         // Port 0 is any free one: the sender has to be configured for the one that was taken.
         if let (Some(here), true) = (connection.listens_on(), self.source.ends_with(":0")) {
-            output::messages(&[format!("listening on {here}")]);
+            output::messages(&[say!("listening on {address}", address = here)]);
         }
         Ok(connection)
     }
@@ -121,9 +132,13 @@ impl Record {
     ) -> Result<(), Failure> {
         let mut before = State::Connecting;
         let mut hear = |standing: &Standing| {
-            output::messages(&standing.left_out);
+            let left_out = standing.left_out.iter().map(|one| of_core(one));
+            output::messages(&left_out.collect::<Vec<_>>());
             if let (State::Waiting(why), true) = (&standing.state, standing.state != before) {
-                output::messages(&[format!("not connected, tries again: {why}")]);
+                output::messages(&[say!(
+                    "not connected, tries again: {why}",
+                    why = of_core(why)
+                )]);
             }
             before.clone_from(&standing.state);
             ControlFlow::Continue(())
@@ -140,7 +155,7 @@ impl Record {
             &mut hear,
         )? {
             End::Broken(error) => {
-                let error = anyhow::Error::new(error).context("the stream broke off");
+                let error = anyhow::Error::new(error).context(text!("the stream broke off"));
                 Err(Failure::Failed(error))
             }
             End::Unwanted | End::Closed => Ok(()),
@@ -151,7 +166,7 @@ impl Record {
 impl From<RecordError> for Failure {
     fn from(error: RecordError) -> Self {
         if error.is_refusal() {
-            Self::WrongInput(error.to_string())
+            Self::refused(&error)
         } else {
             Self::Failed(error.into())
         }

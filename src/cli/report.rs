@@ -7,9 +7,11 @@ use serde_json::json;
 
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fonts;
+use crate::language::of_core;
 use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{Details, ExportedTable, Extras, Kind, ReportError};
+use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -46,7 +48,8 @@ pub(crate) struct Report {
 impl Report {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let kind = Kind::of(&self.out).map_err(|expected| {
-            Failure::WrongInput(format!("--out {}: {expected}", self.out.display()))
+            let option = format!("--out {}", self.out.display());
+            Failure::WrongAt(option, Text::verbatim(expected.to_string()))
         })?;
         let mut inputs = vec![self.file.clone()];
         inputs.extend(self.details.clone());
@@ -69,7 +72,7 @@ impl Report {
         let extras = Extras {
             details,
             history: self.history.as_deref().map(pipeline::history).transpose()?,
-            tables: tables.map_err(|error| Failure::WrongInput(error.to_string()))?,
+            tables: tables.map_err(|error| Failure::refused(&error))?,
         };
         let report = if pipeline::is_model(&self.file) {
             pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
@@ -82,7 +85,7 @@ impl Report {
         let written =
             pipeline::write_report(&report, kind).map_err(|error| Failure::Failed(error.into()))?;
         if !written.unshown.is_empty() {
-            output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
+            output::messages(&[of_core(&fonts::cannot_be_shown(&written.unshown))]);
         }
         output::document(&self.out, &written.bytes, self.force, &inputs)?;
         if self.json {
@@ -102,7 +105,9 @@ impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         match error {
             ReportError::Diagnose(DiagnoseError::Cancelled) => Self::Failed(error.into()),
-            _ => Self::WrongInput(error.to_string()),
+            ReportError::Diagnose(error) => error.into(),
+            ReportError::Verify(error) => error.into(),
+            other @ ReportError::NotHandedOut(_) => Self::refused(&other),
         }
     }
 }

@@ -10,6 +10,8 @@ use crate::simulation::{
     SimulationRequest,
 };
 
+use crate::text::{Template, Text};
+
 use super::failure::Failure;
 
 /// See the module. Without `--robot` none of them may be given.
@@ -89,7 +91,7 @@ impl Requested {
                 return Err(wrong(
                     "--noise",
                     &noise_mm.to_string(),
-                    "a length from 0 mm on",
+                    text!("a length from 0 mm on"),
                 ));
             }
             request.noise_mm = noise_mm;
@@ -101,13 +103,17 @@ impl Requested {
             let both = text.split_once(':');
             let both = both.and_then(|(share, mm)| Some([number(share)?, number(mm)?]));
             request.outliers = Some(both.ok_or_else(|| {
-                wrong("--outliers", text, "a share and a length such as 0.02:0.5")
+                wrong(
+                    "--outliers",
+                    text,
+                    text!("a share and a length such as 0.02:0.5"),
+                )
             })?);
         }
         if let Some(count) = self.reflectors {
             if !(1..=MOST_REFLECTORS).contains(&count) {
-                let expected = format!("from 1 to {MOST_REFLECTORS}");
-                return Err(wrong("--reflectors", &count.to_string(), &expected));
+                let expected = text!("from 1 to {most}", most = MOST_REFLECTORS);
+                return Err(wrong("--reflectors", &count.to_string(), expected));
             }
             request.reflectors = count;
         }
@@ -128,8 +134,13 @@ impl Requested {
     }
 }
 
-fn wrong(option: &str, found: &str, expected: &str) -> Failure {
-    Failure::WrongInput(format!("{option} {found}: expected {expected}"))
+fn wrong(option: &str, given: &str, expected: Text) -> Failure {
+    Failure::WrongInput(text!(
+        "{option} {given}: expected {expected}",
+        option = option,
+        given = given,
+        expected = expected
+    ))
 }
 
 fn number(text: &str) -> Option<f64> {
@@ -143,14 +154,14 @@ fn numbers(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
         return Ok(Vec::new());
     }
     let all: Option<Vec<f64>> = text.split(',').map(number).collect();
-    all.ok_or_else(|| wrong(option, text, "numbers between commas, or none"))
+    all.ok_or_else(|| wrong(option, text, text!("numbers between commas, or none")))
 }
 
 fn temperature(text: &str) -> Result<RequestedTemperature, Failure> {
     if let Some((from, to)) = text.split_once("..") {
         let ends = number(from).zip(number(to));
-        let expected = "two temperatures such as 20..26";
-        let (from, to) = ends.ok_or_else(|| wrong("--temperature", text, expected))?;
+        let expected = || text!("two temperatures such as 20..26");
+        let (from, to) = ends.ok_or_else(|| wrong("--temperature", text, expected()))?;
         return Ok(RequestedTemperature::WarmUp(from, to));
     }
     let values = numbers("--temperature", text)?;
@@ -163,7 +174,8 @@ fn temperature(text: &str) -> Result<RequestedTemperature, Failure> {
 
 /// `ID[:JOINT]:NAME=VALUE[,NAME=VALUE…]`, on a robot with so many joints.
 fn effect(text: &str, joints: usize) -> Result<HiddenEffect, Failure> {
-    const EXPECTED: &str = "a name, a joint and parameters such as backlash:2:width_deg=0.04";
+    const EXPECTED: Template =
+        phrase!("a name, a joint and parameters such as backlash:2:width_deg=0.04");
     let mut parts = text.split(':');
     let mut hidden = HiddenEffect {
         effect: parts.next().unwrap_or_default().trim().to_owned(),
@@ -181,16 +193,19 @@ fn effect(text: &str, joints: usize) -> Result<HiddenEffect, Failure> {
                 pair.and_then(|(name, value)| Some((name.trim().to_owned(), number(value)?)));
             hidden
                 .parameters
-                .push(pair.ok_or_else(|| wrong("--effect", text, EXPECTED))?);
+                .push(pair.ok_or_else(|| wrong("--effect", text, EXPECTED.into()))?);
         }
     }
     if hidden.parameters.is_empty() {
-        return Err(wrong("--effect", text, EXPECTED));
+        return Err(wrong("--effect", text, EXPECTED.into()));
     }
     let of_a_joint = find(&hidden.effect).is_some_and(|effect| effect.about().per_joint);
     if of_a_joint && hidden.joint.is_none() && joints > 1 {
-        let expected = format!("its joint, from 1 to {joints}, behind the name of the effect");
-        return Err(wrong("--effect", text, &expected));
+        let expected = text!(
+            "its joint, from 1 to {joints}, behind the name of the effect",
+            joints = joints
+        );
+        return Err(wrong("--effect", text, expected));
     }
     Ok(hidden)
 }

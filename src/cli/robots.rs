@@ -1,10 +1,10 @@
 //! `truepose robots`: the library of robots.
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::language::of_core;
 use crate::present::robots_v1::{self, figure};
 use crate::present::table::Table;
 use crate::robots::{LibraryRobot, Reference, find, named, source};
@@ -12,6 +12,7 @@ use crate::sessions::robot_document;
 
 use super::failure::Failure;
 use super::output;
+use super::words::line;
 
 /// List the robots of the library, or write one as a robot file
 #[derive(Debug, Args)]
@@ -56,12 +57,12 @@ impl Robots {
         }
         let mut shown = listed(&found);
         if found.len() > 1 {
-            let _ = writeln!(shown, "{} robots", found.len());
+            line(&mut shown, say!("{robots} robots", robots = found.len()));
         }
         // A text may be the name of one robot and the beginning of others' names.
         if let Ok(robot) = named(&text) {
             if found.len() > 1 {
-                let _ = writeln!(shown, "\n{} {}", robot.id, robot.title());
+                line(&mut shown, format!("\n{} {}", robot.id, robot.title()));
             }
             shown.push_str(&described(robot));
         }
@@ -70,26 +71,19 @@ impl Robots {
 }
 
 fn one(text: &str) -> Result<&'static LibraryRobot, Failure> {
-    named(text).map_err(|error| Failure::WrongInput(error.to_string()))
+    named(text).map_err(|error| Failure::refused(&error))
 }
 
 fn listed(robots: &[&LibraryRobot]) -> String {
-    let mut table = Table::new([
-        "name",
-        "maker",
-        "model",
-        "kind",
-        ">joints",
-        ">reach mm",
-        ">load kg",
-        ">repeatability mm",
-    ]);
+    let mut table = Table::headed(say!(
+        "name | maker | model | kind | >joints | >reach mm | >load kg | >repeatability mm"
+    ));
     for robot in robots {
         table.row(vec![
             robot.id.clone(),
             robot.maker.clone(),
             robot.model.clone(),
-            robot.kind.name().to_owned(),
+            of_core(robot.kind.name()).into_owned(),
             robot.robot.joint_count().to_string(),
             figure(robot.reach_mm),
             figure(robot.payload_kg),
@@ -103,34 +97,41 @@ fn listed(robots: &[&LibraryRobot]) -> String {
 fn described(robot: &LibraryRobot) -> String {
     let mut text = String::new();
     for (k, joint) in robot.robot.joints.iter().enumerate() {
-        let range = joint.limits.map_or("no limits".to_owned(), |limits| {
+        let range = joint.limits.map_or(say!("no limits").to_owned(), |limits| {
             let [from, to] =
                 [limits.from, limits.to].map(|end| figure(Some(joint.kind.outer(end))));
             format!("{from} … {to}{}", joint.kind.sign())
         });
-        let gear = robot.gear_ratios.get(k);
-        let gear = gear.map_or(String::new(), |ratio| {
-            format!(", gear {}", figure(Some(*ratio)))
-        });
-        let _ = writeln!(text, "joint {} {}: {range}{gear}", k + 1, joint.name);
+        let mut said = say!(
+            "joint {joint} {name}: {range}",
+            joint = k + 1,
+            name = joint.name,
+            range = range
+        );
+        if let Some(ratio) = robot.gear_ratios.get(k) {
+            said += &say!(", gear {ratio}", ratio = figure(Some(*ratio)));
+        }
+        line(&mut text, said);
     }
     let references = [
-        ("geometry and ranges", Some(&robot.geometry)),
-        ("reach, load, repeatability", robot.figures.as_ref()),
-        ("gear ratios", robot.gears.as_ref()),
+        (say!("geometry and ranges"), Some(&robot.geometry)),
+        (say!("reach, load, repeatability"), robot.figures.as_ref()),
+        (say!("gear ratios"), robot.gears.as_ref()),
         (
-            "positions checked against",
+            say!("positions checked against"),
             robot.checked_positions.as_ref(),
         ),
-        ("reach checked against", robot.checked_reach.as_ref()),
+        (say!("reach checked against"), robot.checked_reach.as_ref()),
     ];
     for (what, reference) in references {
         if let Some(reference) = reference {
-            let _ = writeln!(text, "{what}: {}", referred(reference));
+            line(&mut text, format!("{what}: {}", referred(reference)));
         }
     }
     if !robot.not_checked.is_empty() {
-        let _ = writeln!(text, "not checked: {}", robot.not_checked.join("; "));
+        let parts: Vec<_> = robot.not_checked.iter().map(|part| of_core(part)).collect();
+        let parts = parts.join("; ");
+        line(&mut text, say!("not checked: {parts}", parts = parts));
     }
     let mut keys: Vec<&str> = Vec::new();
     for reference in references.iter().filter_map(|reference| reference.1) {
@@ -142,10 +143,19 @@ fn described(robot: &LibraryRobot) -> String {
         let at = [source.at.as_str(), source.commit.as_deref().unwrap_or("")];
         let at: Vec<&str> = at.into_iter().filter(|part| !part.is_empty()).collect();
         let at = at.join(" ");
-        let _ = writeln!(text, "source {key}: {at} ({})", source.licence);
+        let licence = &source.licence;
+        line(
+            &mut text,
+            say!(
+                "source {key}: {at} ({licence})",
+                key = key,
+                at = at,
+                licence = licence
+            ),
+        );
     }
     if let Some(note) = &robot.note {
-        let _ = writeln!(text, "{note}");
+        line(&mut text, note);
     }
     text
 }

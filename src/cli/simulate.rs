@@ -52,7 +52,7 @@ impl Simulate {
         output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
         output::one_use_of_standard_output(truth_to_stdout, self.json, "--truth -", "--json")?;
         let (loaded, document) = self.loaded()?;
-        output::messages(&loaded.findings);
+        output::findings(&loaded.findings);
         // What was simulated of a robot is kept beside the session.
         let beside = document.filter(|_| !to_stdout).map(|document| {
             let path = self.out.with_extension("scenario.json");
@@ -87,7 +87,8 @@ impl Simulate {
         let mut samples_file = None;
         if to_stdout {
             let mut stdout = std::io::stdout().lock();
-            write_inline(&session, &mut stdout).context("cannot write to standard output")?;
+            write_inline(&session, &mut stdout)
+                .context(text!("cannot write to standard output"))?;
         } else {
             let replacing = Replacing {
                 force: self.force,

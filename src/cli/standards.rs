@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::language::of_core;
 use crate::pipeline;
 use crate::present::standards::groups;
 use crate::present::standards_v1::document;
@@ -11,6 +12,7 @@ use crate::standards::Standards as Figures;
 
 use super::failure::Failure;
 use super::output;
+use super::words::{line, of_core_table};
 
 /// Series of an axis that the text shows; --json has more.
 const SHOWN: usize = 3;
@@ -32,8 +34,7 @@ impl Standards {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = self.model.as_ref().map(pipeline::load_model).transpose()?;
         let loaded = output::session(&self.session)?;
-        let figures = pipeline::standards(&loaded.session, calibration.as_deref())
-            .map_err(|error| Failure::WrongInput(error.to_string()))?;
+        let figures = pipeline::standards(&loaded.session, calibration.as_deref())?;
         if self.json {
             output::json(&document(&figures))
         } else {
@@ -43,22 +44,33 @@ impl Standards {
 }
 
 fn in_words(s: &Figures) -> String {
-    let mut text = format!("{}: {} samples\n", s.session, s.samples);
+    let mut text = String::new();
+    let samples = say!(
+        "{session}: {samples} samples",
+        session = s.session,
+        samples = s.samples
+    );
+    line(&mut text, samples);
     for group in groups(s, SHOWN) {
         let of = match group.of.as_str() {
             "poses" => String::new(),
-            joint => format!("{joint}, "),
+            joint => format!("{}, ", of_core(joint)),
         };
-        text += &format!("\n{}, {of}{}: {}\n", group.standard, group.unit, group.says);
+        text += &format!(
+            "\n{}, {of}{}: {}\n",
+            group.standard,
+            group.unit,
+            of_core(&group.says)
+        );
         if !group.rows.is_empty() {
-            text += &group.table().aligned(4);
+            text += &of_core_table(group.table(), 1).aligned(4);
         }
         for missing in &group.missing {
-            text += &format!("  {missing}\n");
+            line(&mut text, format!("  {}", of_core(missing)));
         }
     }
     for note in &s.notes {
-        text += &format!("note: {note}\n");
+        line(&mut text, say!("note: {note}", note = of_core(note)));
     }
     text
 }

@@ -8,8 +8,9 @@ use crate::pipeline::measuring_list;
 use crate::present::test_cube_v1::document;
 use crate::standards::test_cube::TestCube;
 
-use super::failure::Failure;
+use super::failure::{self, Failure};
 use super::output;
+use super::words::line;
 
 /// Runs the command for a session or a robot; `out`: where the poses go, and whether a file that exists is
 /// replaced.
@@ -25,8 +26,9 @@ pub(super) fn run(
     } else {
         (output::robot(subject)?, vec![subject.to_owned()])
     };
-    let cube = TestCube::of(&robot)
-        .map_err(|error| Failure::WrongInput(format!("{}: {error}", subject.display())))?;
+    let cube = TestCube::of(&robot).map_err(|error| {
+        Failure::WrongAt(subject.display().to_string(), failure::in_words(&error))
+    })?;
     if let Some((out, force)) = out {
         let list = measuring_list(&cube.measuring_order(), &robot);
         output::document(out, list.as_bytes(), force, &files)?;
@@ -42,20 +44,24 @@ pub(super) fn run(
 
 fn in_words(cube: &TestCube, robot: &Robot) -> String {
     let centre = cube.poses[0].pose.translation.vector;
-    let mut text = format!(
-        "{}: test cube of ISO 9283 with edges of {:.0} mm, centre ({:.0}, {:.0}, {:.0}) mm, plane C1-C2-C7-C8\n\
-         30 cycles P5 → P4 → P3 → P2 → P1, beginning at P1, in one configuration, {}\n",
-        robot.name,
-        cube.side_mm,
-        centre.x,
-        centre.y,
-        centre.z,
-        if cube.orientation_kept {
-            "with one orientation"
-        } else {
-            "the orientation as the joints allow"
-        }
+    let mut text = String::new();
+    let head = say!(
+        "{robot}: test cube of ISO 9283 with edges of {edge} mm, centre ({centre}) mm, plane C1-C2-C7-C8",
+        robot = robot.name,
+        edge = format!("{:.0}", cube.side_mm),
+        centre = format!("{:.0}, {:.0}, {:.0}", centre.x, centre.y, centre.z)
     );
+    line(&mut text, head);
+    let cycles = if cube.orientation_kept {
+        say!(
+            "30 cycles P5 → P4 → P3 → P2 → P1, beginning at P1, in one configuration, with one orientation"
+        )
+    } else {
+        say!(
+            "30 cycles P5 → P4 → P3 → P2 → P1, beginning at P1, in one configuration, the orientation as the joints allow"
+        )
+    };
+    line(&mut text, cycles);
     for pose in &cube.poses {
         let at = pose.pose.translation.vector;
         let _ = write!(
@@ -68,10 +74,10 @@ fn in_words(cube: &TestCube, robot: &Robot) -> String {
         }
         text.push('\n');
     }
-    let _ = writeln!(
-        text,
-        "paths: straight from P2 to P4, and a circle of {:.0} mm about P1, 10 cycles each (points in --json)",
-        0.8 * cube.side_mm
+    let paths = say!(
+        "paths: straight from P2 to P4, and a circle of {diameter} mm about P1, 10 cycles each (points in --json)",
+        diameter = format!("{:.0}", 0.8 * cube.side_mm)
     );
+    line(&mut text, paths);
     text
 }

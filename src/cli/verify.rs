@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::compensation::Verification;
+use crate::compensation::{Verification, VerifyError};
+use crate::language::of_core;
 use crate::pipeline::{load_model, verify};
 use crate::present::verification_v1::document;
 
 use super::failure::Failure;
 use super::output;
+use super::words::{Labelled, labelled, line, wide_of};
 
 /// Check a model on another session
 #[derive(Debug, Args)]
@@ -27,8 +29,7 @@ impl Verify {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = load_model(&self.model)?;
         let loaded = output::session(&self.session)?;
-        let verification = verify(&calibration, &loaded.session)
-            .map_err(|error| Failure::WrongInput(error.to_string()))?;
+        let verification = verify(&calibration, &loaded.session)?;
         if self.json {
             output::json(&document(&verification))
         } else {
@@ -37,49 +38,126 @@ impl Verify {
     }
 }
 
+impl From<VerifyError> for Failure {
+    fn from(error: VerifyError) -> Self {
+        match error {
+            VerifyError::Rejected(rejected) => rejected.into(),
+            other => Self::refused(&other),
+        }
+    }
+}
+
 fn in_words(v: &Verification) -> String {
-    let mut text = format!("{}: {} samples\n", v.session, v.samples);
-    text += &format!(
-        "RMS error, nominal robot  {:.6} mm (largest {:.6})\nRMS error, model          {:.6} mm (largest {:.6})\n",
-        v.nominal.rms_mm, v.nominal.max_mm, v.model.rms_mm, v.model.max_mm
+    let mut text = String::new();
+    let samples = say!(
+        "{session}: {samples} samples",
+        session = v.session,
+        samples = v.samples
     );
-    if let Some(trimmed) = &v.trimmed {
-        text += &format!(
-            "without suspected ones    {:.6} mm with the model, {} of {} samples set aside\n",
-            trimmed.model_mm, trimmed.set_aside, v.samples
-        );
-    }
-    if let Some(unseen) = &v.held_out {
-        text += &format!(
-            "held-out samples          {:.6} mm nominal, {:.6} mm with the model, of {} samples apart\n",
-            unseen.nominal_mm, unseen.model_mm, unseen.samples
-        );
-    }
+    line(&mut text, samples);
+    let (errors, tolerance) = (errors(v), tolerance(v));
+    let wide = wide_of(errors.iter().chain(&tolerance));
+    text += &labelled(&errors, wide);
     for problem in &v.data_problems {
-        text += &format!(
-            "data problem: {}\n  evidence: {}\n  proposal: {}\n",
-            problem.what, problem.evidence, problem.proposal
-        );
+        let lines = [
+            say!("data problem: {what}", what = of_core(&problem.what)),
+            format!(
+                "  {}",
+                say!(
+                    "evidence: {evidence}",
+                    evidence = of_core(&problem.evidence)
+                )
+            ),
+            format!(
+                "  {}",
+                say!(
+                    "proposal: {proposal}",
+                    proposal = of_core(&problem.proposal)
+                )
+            ),
+        ];
+        lines.iter().for_each(|said| line(&mut text, said));
     }
-    if let Some(within) = &v.within_tolerance {
-        text += &format!(
-            "within the tolerance      {} of {} before, {} with the model\n",
-            within.before, within.of, within.after
-        );
-    }
-    if let Some(compensated) = &v.compensated {
-        text += &format!(
-            "with corrected commands   {:.6} mm (largest {:.6}); not correctable by joint commands {:.6} mm\n",
-            compensated.gap.rms_mm,
-            compensated.gap.max_mm,
-            compensated.cannot_be_removed_by_joints_mm
-        );
-    }
+    text += &labelled(&tolerance, wide);
     for sample in &v.outliers {
-        text += &format!("suspected outlier: sample {}\n", sample + 1);
+        line(
+            &mut text,
+            say!("suspected outlier: sample {sample}", sample = sample + 1),
+        );
     }
     for note in &v.notes {
-        text += &format!("note: {note}\n");
+        line(&mut text, say!("note: {note}", note = of_core(note)));
     }
     text
+}
+
+fn errors(v: &Verification) -> Vec<Labelled> {
+    let error = |rms: f64, largest: f64| {
+        say!(
+            "{rms} mm (largest {largest})",
+            rms = format!("{rms:.6}"),
+            largest = format!("{largest:.6}")
+        )
+    };
+    let mut lines = vec![
+        (
+            say!("RMS error, nominal robot"),
+            error(v.nominal.rms_mm, v.nominal.max_mm),
+        ),
+        (
+            say!("RMS error, model"),
+            error(v.model.rms_mm, v.model.max_mm),
+        ),
+    ];
+    if let Some(trimmed) = &v.trimmed {
+        let said = say!(
+            "{model} mm with the model, {excluded} of {all} samples set aside",
+            model = format!("{:.6}", trimmed.model_mm),
+            excluded = trimmed.set_aside,
+            all = v.samples
+        );
+        lines.push((say!("without suspected ones"), said));
+    }
+    if let Some(unseen) = &v.held_out {
+        let said = say!(
+            "{nominal} mm nominal, {model} mm with the model, of {samples} samples apart",
+            nominal = format!("{:.6}", unseen.nominal_mm),
+            model = format!("{:.6}", unseen.model_mm),
+            samples = unseen.samples
+        );
+        lines.push((say!("held-out samples"), said));
+    }
+    lines
+}
+
+fn tolerance(v: &Verification) -> Vec<Labelled> {
+    let mut lines = Vec::new();
+    if let Some(within) = &v.within_tolerance {
+        let said = say!(
+            "{before} of {all} before, {after} with the model",
+            before = within.before,
+            all = within.of,
+            after = within.after
+        );
+        lines.push((say!("within the tolerance"), said));
+    }
+    if let Some(compensated) = &v.compensated {
+        let said = say!(
+            "{rms} mm (largest {largest}); not correctable by joint commands {left} mm",
+            rms = format!("{:.6}", compensated.gap.rms_mm),
+            largest = format!("{:.6}", compensated.gap.max_mm),
+            left = format!("{:.6}", compensated.cannot_be_removed_by_joints_mm)
+        );
+        lines.push((say!("with corrected commands"), said));
+    }
+    lines
+}
+
+impl From<VerifyError> for Failure {
+    fn from(error: VerifyError) -> Self {
+        match error {
+            VerifyError::Rejected(rejected) => rejected.into(),
+            other => Self::refused(&other),
+        }
+    }
 }

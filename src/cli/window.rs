@@ -14,6 +14,9 @@ pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Failure> {
 #[cfg(not(feature = "gui"))]
 pub(crate) fn open(_: Option<PathBuf>) -> Result<(), Failure> {
     let job = crate::sessions::bundled::job_in_the_terminal();
-    let text = format!("this build has no window; the main job in the terminal is: {job}");
+    let text = text!(
+        "this build has no window; the main job in the terminal is: {job}",
+        job = job
+    );
     Err(Failure::Failed(anyhow::Error::msg(text)))
 }

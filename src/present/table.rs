@@ -138,18 +138,19 @@ impl Table {
         };
         let mut lines: Vec<Vec<String>> = vec![headings.map(str::to_owned).collect()];
         lines.extend(self.rows.iter().map(shown));
-        let length = |line: &Vec<String>, k: usize| line.get(k).map_or(0, |c| c.chars().count());
+        let length = |line: &Vec<String>, k: usize| line.get(k).map_or(0, |c| width(c));
         let widths = (0..self.columns.len())
             .map(|k| lines.iter().map(|line| length(line, k)).max().unwrap_or(0));
         let widths: Vec<usize> = widths.collect();
         let mut text = String::new();
         for line in &lines {
             let mut row = " ".repeat(indent);
-            for ((cell, width), column) in line.iter().zip(&widths).zip(&self.columns) {
+            for ((cell, wide), column) in line.iter().zip(&widths).zip(&self.columns) {
+                let blanks = " ".repeat(wide - width(cell));
                 row += &if column.right {
-                    format!("{cell:>width$}  ")
+                    format!("{blanks}{cell}  ")
                 } else {
-                    format!("{cell:<width$}  ")
+                    format!("{cell}{blanks}  ")
                 };
             }
             text += row.trim_end();
@@ -172,6 +173,17 @@ impl Table {
         }
         lines.join("\n") + "\n"
     }
+}
+
+/// How many columns of a terminal a text takes: letters of East Asian scripts take two.
+pub(crate) fn width(text: &str) -> usize {
+    let wide = |c: char| {
+        matches!(c,
+            '\u{1100}'..='\u{115f}' | '\u{2e80}'..='\u{303e}' | '\u{3041}'..='\u{a4cf}' | '\u{ac00}'..='\u{d7a3}'
+            | '\u{f900}'..='\u{faff}' | '\u{fe30}'..='\u{fe6f}' | '\u{ff00}'..='\u{ff60}' | '\u{ffe0}'..='\u{ffe6}'
+            | '\u{20000}'..='\u{3fffd}')
+    };
+    text.chars().map(|c| 1 + usize::from(wide(c))).sum()
 }
 
 /// A user's text as one cell of a table with tabs; a spreadsheet must not take it for a formula.
@@ -209,6 +221,13 @@ mod tests {
             "  größer          –",
         ];
         assert_eq!(table().aligned(2), lines.join("\n") + "\n");
+    }
+
+    #[test]
+    fn wide_letters_take_two_columns() {
+        let mut table = Table::new(["误差", ">mm"]);
+        table.row(["ab", "1"]);
+        assert_eq!(table.aligned(0), "误差  mm\nab     1\n");
     }
 
     #[test]

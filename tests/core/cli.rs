@@ -4,12 +4,12 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 
 fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
         .args(arguments)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")
@@ -354,7 +354,7 @@ fn where_no_session_lies_the_program_says_what_writes_one_and_then_names_it() {
     let folder = home.path().join("a folder");
     std::fs::create_dir(&folder).unwrap();
     let said = |arguments: &[&str]| {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_truepose"));
+        let mut program = crate::program::truepose();
         let displays = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
         for display in displays {
             program.env_remove(display);

@@ -121,7 +121,7 @@ fn run(folder: &Path, command: &str, expected: &[String]) {
         "python3" => "python3",
         other => panic!("$ {command}: {other} cannot be tried"),
     };
-    let ran = Command::new(program)
+    let ran = crate::program::english(Command::new(program))
         .args(&words[1..])
         .current_dir(folder)
         .output()
@@ -295,7 +295,7 @@ fn the_script_for_python_says_what_is_wrong_with_the_machines_of_a_folder() {
         "{\"format\": \"truepose-session/1\"",
     )
     .expect("written");
-    let ran = Command::new("python3")
+    let ran = crate::program::english(Command::new("python3"))
         .arg(root().join("docs/examples/fleet.py"))
         .arg(folder.path())
         .env("TRUEPOSE", env!("CARGO_BIN_EXE_truepose"))

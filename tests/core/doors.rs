@@ -6,7 +6,7 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::{Value, json};
 use truepose::sessions::{Session, load};
@@ -61,7 +61,7 @@ impl Desk {
     }
 
     fn run(&self, arguments: &str) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
+        let mut command = crate::program::truepose();
         let words = arguments.split_whitespace();
         command
             .current_dir(self.path())

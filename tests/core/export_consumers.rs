@@ -369,7 +369,7 @@ fn the_locale_does_not_reach_the_files() {
     let suits = |format: &&truepose::export::Format| (format.suits)(&session.robot);
     for format in truepose::export::EXPORTERS.iter().filter(suits) {
         let outputs = ["C", "de_DE.UTF-8"].map(|locale| {
-            let done = Command::new(env!("CARGO_BIN_EXE_truepose"))
+            let done = crate::program::truepose()
                 .args(["export", "--to", format.id, "--out", "-"])
                 .arg(&model_path)
                 .env("LC_ALL", locale)

@@ -38,7 +38,7 @@ const WRITING: [(&[&str], &str); 9] = [
 ];
 
 fn truepose(folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
+    let mut command = crate::program::truepose();
     command.current_dir(folder);
     command
 }
@@ -195,7 +195,7 @@ fn standard_output_that_takes_nothing_is_a_failure_and_one_that_is_closed_is_non
         let said = String::from_utf8_lossy(&ran.stderr).into_owned();
         assert_eq!(ran.status.code(), Some(1), "{arguments:?}: {said}");
         assert!(said.contains("cannot write to standard output"), "{said}");
-        let mut command = Command::new("sh");
+        let mut command = crate::program::english(Command::new("sh"));
         command.args([
             "-c",
             "exec \"$@\" >&-",

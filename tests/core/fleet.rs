@@ -5,7 +5,7 @@
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ fn sessions() -> PathBuf {
 }
 
 fn truepose(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
+    let mut command = crate::program::truepose();
     command.args(arguments).current_dir(folder);
     command.output().expect("the program starts")
 }
@@ -160,7 +160,7 @@ fn a_reader_that_has_had_enough_ends_the_work_without_a_word() {
     let folder = fleet();
     let mut files = vec!["diagnose", "--json-lines"];
     files.extend(["paper-30.json"; 300]);
-    let mut running = Command::new(env!("CARGO_BIN_EXE_truepose"))
+    let mut running = crate::program::truepose()
         .args(&files)
         .current_dir(folder.path())
         .stdout(Stdio::piped())

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 /// Runs the program in a folder with an address space of 2 GiB.
 fn truepose(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new("sh");
+    let mut command = crate::program::english(Command::new("sh"));
     command.args(["-c", "ulimit -v 2097152; exec \"$@\"", "sh"]);
     command.arg(env!("CARGO_BIN_EXE_truepose")).args(arguments);
     command.current_dir(folder).output().unwrap()

@@ -11,7 +11,7 @@ use std::{
 use std::process::{Command, Output};
 
 fn truepose(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
+    let mut command = crate::program::truepose();
     command
         .args(arguments)
         .output()
@@ -142,7 +142,7 @@ fn a_program_in_the_prefix_is_started_by_its_name() {
     if fs::hard_link(env!("CARGO_BIN_EXE_truepose"), &program).is_err() {
         fs::copy(env!("CARGO_BIN_EXE_truepose"), &program).unwrap();
     }
-    let mut command = Command::new(&program);
+    let mut command = crate::program::english(Command::new(&program));
     command.arg("integrate").arg("--prefix").arg(prefix.path());
     assert!(command.output().unwrap().status.success());
     let entry = prefix.path().join("share/applications/truepose.desktop");
@@ -150,7 +150,7 @@ fn a_program_in_the_prefix_is_started_by_its_name() {
     assert_eq!(fs::read(entry).unwrap(), fs::read(bundled).unwrap());
 
     // Far from its sources and without a display it names a session that is there.
-    let mut command = Command::new(&program);
+    let mut command = crate::program::english(Command::new(&program));
     command
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")

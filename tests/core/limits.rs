@@ -29,7 +29,7 @@ pub(crate) struct Ran {
 
 /// Runs the program in a folder with 2 GiB of address space and 60 s of processor time.
 pub(crate) fn truepose(folder: &Path, arguments: &[&str]) -> Ran {
-    let mut command = Command::new("bash");
+    let mut command = crate::program::english(Command::new("bash"));
     let script = "ulimit -v 2097152 -t 60; \"$@\"; code=$?; times >times.txt; exit $code";
     command.args(["-c", script, "bash", env!("CARGO_BIN_EXE_truepose")]);
     let Output {
@@ -677,7 +677,7 @@ fn a_signal_ends_a_command_at_once_and_leaves_nothing() {
     let made = simulated(folder.path(), 1.0, "s.json", 400_000);
     assert_eq!(made.code, Some(0), "{}", made.stderr);
     for (signal, number) in [("INT", 2), ("TERM", 15), ("KILL", 9)] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_truepose"));
+        let mut command = crate::program::truepose();
         command.args(["simulate", "s.json.scenario", "--out", "s.json", "--force"]);
         let mut writer = command
             .current_dir(folder.path())
@@ -741,7 +741,7 @@ fn a_recording_counts_what_is_on_the_disk() {
     });
     // As on a full disk, after 100 blocks of 1024 bytes.
     let script = "trap '' XFSZ; ulimit -f 100; exec \"$@\"";
-    let ran = Command::new("bash")
+    let ran = crate::program::english(Command::new("bash"))
         .args(["-c", script, "bash", env!("CARGO_BIN_EXE_truepose")])
         .args(["record", &source, "--out", "r.csv"])
         .current_dir(folder.path())

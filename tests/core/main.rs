@@ -9,6 +9,8 @@ mod controllers;
 mod exporting;
 #[path = "../support/hidden_robot.rs"]
 mod hidden_robot;
+#[path = "../support/program.rs"]
+mod program;
 #[path = "../support/rig.rs"]
 mod rig;
 #[path = "../support/tiny_font.rs"]
@@ -41,6 +43,7 @@ mod house;
 mod imports;
 mod installed;
 mod kinematics_reference;
+mod languages;
 mod library;
 mod library_parts;
 mod library_sessions;

@@ -299,7 +299,7 @@ fn the_walk_through_the_papers_gap_prints_what_its_document_says() {
     let commands = commands_of(&document);
     assert_eq!(commands.len(), 7, "{commands:?}");
     for (arguments, lines) in commands {
-        let output = std::process::Command::new(env!("CARGO_BIN_EXE_truepose"))
+        let output = crate::program::truepose()
             .args(&arguments)
             .current_dir(folder.path())
             .output()

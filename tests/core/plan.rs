@@ -3,7 +3,7 @@
 //! model.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use serde_json::Value;
@@ -36,7 +36,7 @@ fn robot(text: &str) -> Robot {
 }
 
 fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
         .args(arguments)
         .output()
         .expect("the program starts")

@@ -23,7 +23,6 @@
 )]
 
 use std::path::PathBuf;
-use std::process::Command;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::Value;
@@ -642,10 +641,7 @@ fn a_program_of_joint_moves_reads_back_as_what_was_planned() {
 }
 
 fn truepose(arguments: &[&str]) -> (i32, String, String) {
-    let done = Command::new(env!("CARGO_BIN_EXE_truepose"))
-        .args(arguments)
-        .output()
-        .unwrap();
+    let done = crate::program::truepose().args(arguments).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (
         done.status.code().unwrap(),

@@ -1053,10 +1053,7 @@ fn request_of(program: &str) -> Request<'_> {
 
 /// Runs the program; its status, output and messages.
 fn truepose(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_truepose"))
-        .args(arguments)
-        .output()
-        .unwrap();
+    let output = crate::program::truepose().args(arguments).output().unwrap();
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (
         output.status.code(),

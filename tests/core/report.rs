@@ -485,7 +485,7 @@ fn whoever_watches_can_stop_it() {
 }
 
 fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
         .args(arguments)
         .output()
         .expect("the program starts")

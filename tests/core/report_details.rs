@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::path::Path;
-use std::process::Command;
 
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::diagnostic::Place;
@@ -163,7 +162,7 @@ fn wrong_details_are_refused_with_their_places() {
                 \"operator\": 7,\n \"logo\": \"logo.png\",\n \"tolerance_mm\": -1,\n \
                 \"decision_rule\": \"hope\"\n}";
     std::fs::write(&path, text).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_truepose"))
+    let output = crate::program::truepose()
         .args(["report", "sessions/paper-30.json", "--details"])
         .arg(&path)
         .arg("--out")

@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use nalgebra::{Point3, Vector3};
 use serde::Deserialize;
@@ -310,7 +310,7 @@ fn a_robot_is_written_as_a_file_that_reads_back_the_same() {
 }
 
 fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
         .args(arguments)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")

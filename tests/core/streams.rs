@@ -32,7 +32,7 @@ impl Drop for Folder {
 }
 
 fn truepose() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
 }
 
 fn record(source: &str, out: &Path, more: &[&str]) -> Child {

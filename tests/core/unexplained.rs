@@ -4,7 +4,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use crate::rig::{Design, Hidden, Kind, Random, Rig, Shot};
 use truepose::compensation::{Conditions, JointTable, Side, verify};
@@ -458,7 +458,7 @@ fn bad_knots_are_refused_with_their_place() {
 }
 
 fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
+    crate::program::truepose()
         .args(arguments)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")

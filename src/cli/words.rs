@@ -1,0 +1,144 @@
+//! What the terminal calls things: in English the ids and names that options and files have; in another language
+//! their titles and words. Lines and columns are as wide as a terminal shows them.
+
+use std::borrow::Cow;
+
+use crate::language::{names, of_core};
+use crate::present::table::{Table, width};
+use crate::text::{Language, Text, current};
+
+fn is_english() -> bool {
+    current() == Language::English
+}
+
+/// An effect by its id, or by its id and its joint: `backlash`, `backlash 2`.
+pub(super) fn effect(name: &str) -> Cow<'_, str> {
+    if is_english() {
+        name.into()
+    } else {
+        names::title_of(name).into()
+    }
+}
+
+/// An effect whose id options take as well, so that it can be typed.
+pub(super) fn effect_with_id(id: &str) -> Cow<'_, str> {
+    if is_english() {
+        id.into()
+    } else {
+        format!("{} ({id})", names::title(id)).into()
+    }
+}
+
+/// Effects, with what stands between two of them.
+pub(super) fn effects<T: AsRef<str>>(all: &[T], between: &str) -> String {
+    let all: Vec<_> = all.iter().map(|one| effect(one.as_ref())).collect();
+    all.join(between)
+}
+
+/// Words between which `or` stands: names that an option takes.
+pub(super) fn any_of(names: &[&str]) -> Text {
+    let (first, rest) = names.split_first().unwrap_or((&"", &[]));
+    rest.iter().fold(Text::verbatim(*first), |all, next| {
+        text!("{first} or {second}", first = all, second = *next)
+    })
+}
+
+/// A parameter as the heading of a row.
+pub(super) fn parameter(name: &str) -> Cow<'_, str> {
+    if is_english() {
+        return name.into();
+    }
+    match names::parameter(name) {
+        (words, "") => words.into(),
+        (words, unit) => format!("{words}, {unit}").into(),
+    }
+}
+
+/// A parameter with its value, which is written already: its unit stands in its name or behind the value.
+pub(super) fn value(name: &str, written: &str) -> String {
+    if is_english() {
+        return format!("{name} {written}");
+    }
+    match names::parameter(name) {
+        (words, "") => format!("{words} {written}"),
+        (words, "°") => format!("{words} {written}°"),
+        (words, unit) => format!("{words} {written} {unit}"),
+    }
+}
+
+/// A table that the core made, with its headings and one column in the language of this thread.
+pub(super) fn of_core_table(mut table: Table, column: usize) -> Table {
+    for column in &mut table.columns {
+        column.heading = of_core(&column.heading).into_owned();
+    }
+    for cell in table.rows.iter_mut().filter_map(|row| row.get_mut(column)) {
+        cell.shown = of_core(&cell.shown).into_owned();
+    }
+    table
+}
+
+/// Adds a line.
+pub(super) fn line(text: &mut String, said: impl AsRef<str>) {
+    text.push_str(said.as_ref());
+    text.push('\n');
+}
+
+/// Text with blanks behind it up to this width.
+pub(super) fn padded(text: &str, wide: usize) -> String {
+    let blanks = wide.saturating_sub(width(text));
+    format!("{text}{}", " ".repeat(blanks))
+}
+
+/// A label and what belongs to it.
+pub(super) type Labelled = (&'static str, String);
+
+/// How wide the labels of these lines are, with two blanks behind the widest.
+pub(super) fn wide_of<'l>(lines: impl IntoIterator<Item = &'l Labelled>) -> usize {
+    let labels = lines.into_iter().map(|(label, _)| width(label) + 2);
+    labels.max().unwrap_or(0)
+}
+
+/// Lines of labels that are so wide.
+pub(super) fn labelled(lines: &[Labelled], wide: usize) -> String {
+    let lines = lines
+        .iter()
+        .map(|(label, said)| format!("{}{said}\n", padded(label, wide)));
+    lines.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::choose;
+
+    #[test]
+    fn english_has_the_names_that_options_take_and_other_languages_words() {
+        let said = || {
+            (
+                effect("backlash 2").into_owned(),
+                value("width_deg", "0.04"),
+                parameter("width_deg").into_owned(),
+            )
+        };
+        let english = (
+            "backlash 2".to_owned(),
+            "width_deg 0.04".to_owned(),
+            "width_deg".to_owned(),
+        );
+        assert_eq!(said(), english);
+        choose(Language::German);
+        let german = said();
+        choose(Language::English);
+        assert_eq!(german.0, "Umkehrspiel, Gelenk 2");
+        assert_eq!(
+            (german.1.as_str(), german.2.as_str()),
+            ("Breite 0.04°", "Breite, °")
+        );
+    }
+
+    #[test]
+    fn labels_of_wide_letters_stand_above_each_other() {
+        let lines = [("误差", "1".to_owned()), ("ab", "2".to_owned())];
+        assert_eq!(labelled(&lines, wide_of(&lines)), "误差  1\nab    2\n");
+    }
+}
