@@ -86,9 +86,9 @@ pub(super) fn in_words(error: &dyn Error) -> Text {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::WrongInput(text) => text.fmt(f),
+            Self::WrongInput(text) => write!(f, "{text}"),
             Self::WrongAt(place, text) => write!(f, "{place}: {text}"),
-            Self::Rejected(rejected) => rejected.fmt(f),
+            Self::Rejected(rejected) => write!(f, "{rejected}"),
             Self::Failed(error) => write!(f, "{error:#}"),
         }
     }

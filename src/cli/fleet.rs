@@ -25,10 +25,11 @@ use crate::present::table::Table;
 use crate::sessions::Session;
 use crate::text::{choose, current};
 
-use super::diagnose::{Asked, named};
+use super::diagnose::Asked;
 use super::failure::Failure;
 use super::in_order::in_order;
 use super::output;
+use super::undetected::named;
 use super::words::{effect, effects};
 
 /// What is said of one session.
@@ -216,15 +217,12 @@ impl Summary {
             "{sessions} of {machines}: {verdicts}",
             sessions = sessions,
             machines = machines,
-            verdicts = counted(verdicts, |name| of_core(name))
+            verdicts = counted(verdicts, of_core)
         );
         let mut text = self.table.aligned(0);
         text += &format!("\n{all}\n");
         if !self.names.is_empty() {
-            let found = say!(
-                "found: {effects}",
-                effects = counted(names, |name| effect(name))
-            );
+            let found = say!("found: {effects}", effects = counted(names, effect));
             text += &format!("{found}\n");
         }
         text

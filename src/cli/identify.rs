@@ -18,7 +18,7 @@ use crate::sessions::division::RegionChoice;
 use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
-use super::diagnose::{data_problem, excluded_outliers, not_identifiable};
+use super::diagnosed::{data_problem, excluded_outliers, not_identifiable};
 use super::failure::Failure;
 use super::words::{Labelled, effect, labelled, line, of_core_table, parameter, wide_of};
 use super::{geometry, levels, output};

@@ -7,6 +7,7 @@
 
 mod compensate;
 mod diagnose;
+mod diagnosed;
 mod effects;
 mod export;
 mod failure;
@@ -22,6 +23,7 @@ mod levels;
 mod output;
 mod own_options;
 mod plan;
+mod planned;
 mod progress_line;
 mod record;
 mod report;
@@ -30,6 +32,7 @@ mod robots;
 mod simulate;
 mod standards;
 mod test_cube;
+mod undetected;
 mod verify;
 mod window;
 mod words;

@@ -38,15 +38,6 @@ impl Verify {
     }
 }
 
-impl From<VerifyError> for Failure {
-    fn from(error: VerifyError) -> Self {
-        match error {
-            VerifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(&other),
-        }
-    }
-}
-
 fn in_words(v: &Verification) -> String {
     let mut text = String::new();
     let samples = say!(
