@@ -372,7 +372,8 @@ mod tests {
                 white,
             }
         });
-        (a, y, terms.collect())
+        let terms = terms.collect();
+        (a, y, terms)
     }
 
     /// The columns with a term's at a setting, and by how much they explain more than without the term.
