@@ -86,10 +86,10 @@ pub use language::Language;
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
+#[cfg(any(feature = "gui", test))]
+pub(crate) use speech::filled;
 #[cfg(feature = "gui")]
-pub(crate) use speech::{
-    choose, current, filled, known, known_in, letters, spoken, stretch, within,
-};
+pub(crate) use speech::{choose, current, known, known_in, letters, spoken, stretch, within};
 
 /// Every template of the program.
 #[cfg(test)]
