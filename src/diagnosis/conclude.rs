@@ -162,7 +162,9 @@ pub(crate) fn answer(
     if tell_what_is_open(prepared, &dropped, &mut unexplained) {
         verdict = verdict::of(found.is_empty(), unexplained.present);
     }
-    // What predicts without a name joins the model once everything is said of the names.
+    // What predicts without a name joins the model once everything is said of the names, whose fits need no room
+    // any more.
+    regression.forget();
     let (names_gap, names_held_out) = (gap, held_out.clone());
     let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
     let own = &handed_out.values;

@@ -9,6 +9,8 @@
 //!
 //! Mostly it is only asked whether noise reaches as much at all: where it does, a few simulations say so.
 
+use std::rc::Rc;
+
 use nalgebra::DVector;
 
 pub(crate) use crate::answers::diagnosis::FamilyP;
@@ -48,7 +50,7 @@ struct Null {
     fingerprint: Vec<u64>,
     /// Whether it is the same whatever the seed.
     seedless: bool,
-    basis: Basis,
+    basis: Rc<Basis>,
     /// What the signs of are flipped; `None` where the residuals are Gaussian.
     flipped: Option<DVector<f32>>,
     /// Largest first.
@@ -178,7 +180,7 @@ impl Regression<'_> {
             rank,
             fingerprint,
             seedless,
-            basis: fit.basis.clone(),
+            basis: Rc::clone(&fit.basis),
             flipped: flip
                 .then(|| DVector::from_fn(m, |row, _| flipped(row)))
                 .filter(|noise| noise.iter().any(|v| *v != 0.0)),
@@ -194,7 +196,7 @@ impl Regression<'_> {
         if answered(null) {
             return;
         }
-        let basis = null.basis.clone();
+        let basis = Rc::clone(&null.basis);
         let projected = self.projected(&basis, Among::All);
         let trials = Trials::new(&projected, &self.table.candidates, &self.tests, self.m());
         let seed = if null.seedless { 0 } else { self.seed };
@@ -345,7 +347,7 @@ mod tests {
                 rank: 0,
                 fingerprint: Vec::new(),
                 seedless: false,
-                basis: Basis::new(&DMatrix::zeros(1, 0)),
+                basis: Rc::new(Basis::new(&DMatrix::zeros(1, 0))),
                 flipped: None,
                 largest: Vec::new(),
                 tail: None,

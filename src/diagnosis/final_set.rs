@@ -40,26 +40,24 @@ pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<
             return Err(Cancelled);
         }
         let unseen = prepared.folds.rms(regression, &fit);
-        let mut worst: Option<(f64, Fit)> = None;
         let terms = regression.added(&fit);
         let rests: Vec<_> = terms.iter().map(|t| regression.without(&fit, t)).collect();
         let useful = prepared
             .folds
             .surely_predict(regression, &fit, &terms, &rests);
-        for (term, useful) in terms.into_iter().zip(useful) {
-            let worth = worth(prepared, &fit, term);
+        let worths = terms.iter().zip(useful);
+        let worths = worths.map(|(term, useful)| (worth(prepared, &fit, term), *term, useful));
+        let mut worths: Vec<_> = worths.collect();
+        // The first that does not carry itself is the worst of them: nothing is asked of the others.
+        worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
+        let worst = worths.into_iter().find_map(|(worth, term, useful)| {
             let useful = useful && worth.ln_odds > BEYOND_DOUBT;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE, &fit);
             let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
-            if unlikely || improbable() || useless() {
-                let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
-                if lowest {
-                    worst = Some((worth.ln_odds, worth.rest));
-                }
-            }
-        }
-        let Some((_, rest)) = worst else {
+            (unlikely || improbable() || useless()).then_some(worth.rest)
+        });
+        let Some(rest) = worst else {
             return Ok(fit);
         };
         fit = rest;

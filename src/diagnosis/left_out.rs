@@ -11,14 +11,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linear::{Basis, gram, small_cholesky, small_gain};
+use crate::linear::{Basis, gram};
 
 /// A direction of which less than this share (of its square) is seen in the rows that stay is not told by them.
 /// A fit without some rows is taken from that of all while those that stay see each direction
 /// with a hundred-thousandth of its length; else it is made anew.
 const LEAST_SEEN: f64 = 1e-10;
-/// A column of which the others leave less than this (of its square) adds nothing.
-const LEAST_LEFT: f64 = 1e-10;
 
 /// A basis of which some rows are left out.
 pub(super) struct LeftOut<'b> {
@@ -48,11 +46,26 @@ impl<'b> LeftOut<'b> {
         })
     }
 
+    /// The rows that are left out.
+    pub(super) fn rows(&self) -> &'b [usize] {
+        self.rows
+    }
+
     /// `W` of some columns: `along` is `Qᵀ A`, `without` is `A_B`.
-    fn along(&self, along: &DMatrix<f64>, without: &DMatrix<f64>) -> DMatrix<f64> {
+    pub(super) fn along(&self, along: &DMatrix<f64>, without: &DMatrix<f64>) -> DMatrix<f64> {
         let mut seen = along.clone();
         seen.gemm(-1.0, &self.own, without, 1.0);
         &self.inverse_root * seen
+    }
+
+    /// The same of combinations of the basis: `L⁻¹ c`.
+    pub(super) fn within(&self, combinations: &DMatrix<f64>) -> DMatrix<f64> {
+        &self.inverse_root * combinations
+    }
+
+    /// The coefficients of the basis's columns whose `W` is this.
+    pub(super) fn coefficients(&self, along: &DVector<f64>) -> DVector<f64> {
+        self.basis.coefficients(self.inverse_root.tr_mul(along))
     }
 
     fn along_one(&self, y: &DVector<f64>) -> DVector<f64> {
@@ -62,8 +75,7 @@ impl<'b> LeftOut<'b> {
 
     /// The coefficients that bring the columns closest to `y` in the rows that stay.
     pub(super) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
-        let along = self.inverse_root.tr_mul(&self.along_one(y));
-        self.basis.coefficients(along)
+        self.coefficients(&self.along_one(y))
     }
 
     /// What a fit without the rows leaves of them, from what the fit with them leaves:
@@ -89,63 +101,6 @@ impl<'b> LeftOut<'b> {
         let k = u.ncols();
         let inner = (DMatrix::identity(k, k) + u.tr_mul(&of_u)).cholesky()?;
         Some(of_y - &of_u * inner.solve(&of_u.tr_mul(&y)))
-    }
-
-    /// By how much each group of columns would lower the sum of squares that the basis leaves of `y` in
-    /// the rows that stay.
-    pub(super) fn gains(&self, groups: &Groups, y: &DVector<f64>) -> Vec<f64> {
-        let Groups { columns, size, .. } = groups;
-        let without = columns.select_rows(self.rows);
-        let along = self.along(&groups.along, &without);
-        let own = self.along_one(y);
-        let left = y.select_rows(self.rows);
-        let mut pulls = groups.pulls.clone();
-        pulls.gemv_tr(-1.0, &without, &left, 1.0);
-        pulls.gemv_tr(-1.0, &along, &own, 1.0);
-        let firsts = (0..columns.ncols()).step_by((*size).max(1));
-        firsts
-            .zip(&groups.grams)
-            .map(|(first, whole)| {
-                let without = without.columns(first, *size);
-                let along = along.columns(first, *size);
-                let free = whole - without.tr_mul(&without) - along.tr_mul(&along);
-                let least: Vec<f64> = whole.diagonal().iter().map(|g| LEAST_LEFT * g).collect();
-                // Symmetric: by rows as by columns.
-                let mut factor = free.as_slice().to_vec();
-                small_cholesky(&mut factor, *size, &least);
-                let mut pull = pulls.as_slice()[first..first + size].to_vec();
-                small_gain(&factor, *size, &mut pull)
-            })
-            .collect()
-    }
-}
-
-/// Groups of columns, with what does not depend on the rows that are left out.
-pub(super) struct Groups {
-    columns: DMatrix<f64>,
-    size: usize,
-    grams: Vec<DMatrix<f64>>,
-    /// `Qᵀ A`.
-    along: DMatrix<f64>,
-    /// `Aᵀ y`.
-    pulls: DVector<f64>,
-}
-
-impl Groups {
-    /// Groups of `size` columns beside a basis and what is to be explained.
-    pub(super) fn new(columns: DMatrix<f64>, size: usize, basis: &Basis, y: &DVector<f64>) -> Self {
-        let firsts = (0..columns.ncols()).step_by(size.max(1));
-        let gram = |first| {
-            let own = columns.columns(first, size);
-            own.tr_mul(&own)
-        };
-        Self {
-            grams: firsts.map(gram).collect(),
-            along: basis.q.transpose() * &columns,
-            pulls: columns.tr_mul(y),
-            columns,
-            size,
-        }
     }
 }
 
@@ -198,15 +153,13 @@ mod tests {
         let without = left_out.unseen_without(&left, &directions, &explained);
         assert!((without.expect("told").column(0) - expected).norm() < 1e-9);
 
-        let gains = left_out.gains(&Groups::new(more.clone(), 2, &basis, &y), &y);
-        for (group, gain) in gains.iter().enumerate() {
-            let mut both = a.clone().resize_horizontally(7, 0.0);
-            both.columns_mut(5, 2)
-                .copy_from(&more.columns(2 * group, 2));
-            let both = Basis::new(&both.select_rows(&stay));
-            let fall = anew.reject(&seen).norm_squared() - both.reject(&seen).norm_squared();
-            assert!((gain - fall).abs() < 1e-9, "{group}: {gain} {fall}");
-        }
+        // What the others leave of columns that are none of theirs.
+        let without = more.select_rows(&out);
+        let along = left_out.along(&basis.q.tr_mul(&more), &without);
+        let seen = more.select_rows(&stay);
+        let left = seen.tr_mul(&seen) - along.tr_mul(&along);
+        let free = seen.clone() - &anew.q * anew.q.tr_mul(&seen);
+        assert!((left - free.tr_mul(&free)).amax() < 1e-9);
     }
 
     #[test]
@@ -218,16 +171,5 @@ mod tests {
         let basis = Basis::new(&a);
         assert!(LeftOut::new(&basis, &[0, 1, 2, 3, 4]).is_none());
         assert!(LeftOut::new(&basis, &[0, 1]).is_some());
-    }
-
-    #[test]
-    fn a_copy_of_the_columns_gains_nothing() {
-        let a = wild(40, 4, 0.0);
-        let y = wild(40, 1, 2.0).column(0).into_owned();
-        let basis = Basis::new(&a);
-        let left_out = LeftOut::new(&basis, &[3, 9, 11]).expect("told");
-        let copy = a.columns(1, 2) * DMatrix::from_row_slice(2, 2, &[1.0, 2.0, -1.0, 0.5]);
-        let gains = left_out.gains(&Groups::new(copy, 2, &basis, &y), &y);
-        assert_eq!(gains, [0.0]);
     }
 }

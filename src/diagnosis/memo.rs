@@ -34,6 +34,11 @@ impl<T: Clone> Memo<T> {
         self.of_key(start(model, shapes), work)
     }
 
+    /// Drops all of them.
+    pub(crate) fn clear(&self) {
+        self.known.borrow_mut().clear();
+    }
+
     fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
         let known = self.known.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {

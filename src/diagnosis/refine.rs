@@ -1,6 +1,8 @@
 //! The settings of a candidate, fitted finely to what a fit leaves: where a shape stands, and the order
 //! of a wave that need not be whole.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::effects::{Setting, Term};
 use crate::linear::Basis;
 use crate::model::shapes::{Profile, Shape};
@@ -30,7 +32,12 @@ impl Regression<'_> {
             setting: order,
             ..term.clone()
         };
-        let gain = |order: f64| self.gain_of_term(fit, &at(order));
+        let wave = Wave::of(self, fit, term);
+        let gain = |order: f64| {
+            let known = wave.as_ref().map(|wave| wave.at(order));
+            let columns = known.unwrap_or_else(|| self.columns_of(fit, &at(order)));
+            self.gain_of_columns(fit, &columns)
+        };
         let whole = gain(term.setting);
         let (mut best, mut most) = (term.setting, whole);
         let mut step = 0.5;
@@ -92,6 +99,49 @@ impl Regression<'_> {
             step *= 0.6;
         }
         best.0
+    }
+}
+
+/// A wave over a joint's command, `f sin(kq)` and `f cos(kq)`: known for one order `k`, it is known for all.
+struct Wave {
+    /// The command at each row.
+    q: Vec<f64>,
+    /// `f`.
+    moves: DVector<f64>,
+}
+
+/// How well columns are a wave, beside the largest number: rounding.
+const ROUNDING: f64 = 1e-9;
+
+impl Wave {
+    /// `None` where the term's columns are no such wave.
+    fn of(regression: &Regression, fit: &Fit, term: &Term) -> Option<Self> {
+        let columns = regression.columns_of(fit, term);
+        let q = regression.rows.inputs.q.get(term.joint)?;
+        let n = regression.rows.samples.len().max(1);
+        let q: Vec<f64> = (0..columns.nrows()).map(|row| q[row % n]).collect();
+        if columns.ncols() != 2 {
+            return None;
+        }
+        let moves = |row: usize| {
+            let (sin, cos) = (term.setting * q[row]).sin_cos();
+            sin * columns[(row, 0)] + cos * columns[(row, 1)]
+        };
+        let moves = DVector::from_fn(columns.nrows(), |row, _| moves(row));
+        let wave = Self { q, moves };
+        let apart = (wave.at(term.setting) - &columns).amax();
+        (apart <= ROUNDING * columns.amax()).then_some(wave)
+    }
+
+    /// Its columns at another order.
+    fn at(&self, order: f64) -> DMatrix<f64> {
+        let mut columns = DMatrix::zeros(self.q.len(), 2);
+        for (row, q) in self.q.iter().enumerate() {
+            let (sin, cos) = (order * q).sin_cos();
+            columns[(row, 0)] = sin * self.moves[row];
+            columns[(row, 1)] = cos * self.moves[row];
+        }
+        columns
     }
 }
 

@@ -32,7 +32,7 @@ pub(crate) struct Fit {
     pub(crate) model: Model,
     pub(crate) shapes: Vec<Placed>,
     pub(crate) residual: DVector<f64>,
-    pub(crate) basis: Basis,
+    pub(crate) basis: Rc<Basis>,
     pub(crate) rss: f64,
     pub(crate) ln_evidence: f64,
 }
@@ -233,7 +233,7 @@ impl<'a> Regression<'a> {
             let extended = (round < WITH_THE_BASES_OWN)
                 .then(|| self.of_base().extended(&self.base, &model, &all))
                 .flatten();
-            let basis = extended.unwrap_or_else(|| Basis::new(&all));
+            let basis = Rc::new(extended.unwrap_or_else(|| Basis::new(&all)));
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
@@ -254,7 +254,8 @@ impl<'a> Regression<'a> {
         }
         let (residual, basis, rss) = last.unwrap_or_else(|| {
             let empty = DMatrix::zeros(self.height(), 0);
-            (DVector::zeros(self.height()), Basis::new(&empty), 0.0)
+            let basis = Rc::new(Basis::new(&empty));
+            (DVector::zeros(self.height()), basis, 0.0)
         });
         let ln_evidence =
             self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
@@ -266,6 +267,16 @@ impl<'a> Regression<'a> {
             rss,
             ln_evidence,
         }
+    }
+
+    /// What was found for fits so far is worked out again where it is asked for again.
+    pub(crate) fn forget(&self) {
+        self.fits.clear();
+        self.scores_of_names.clear();
+        self.scores_of_shapes.clear();
+        self.surroundings.clear();
+        self.rivals.clear();
+        *self.familywise.borrow_mut() = Familywise::default();
     }
 
     pub(super) fn of_base(&self) -> &OfBase {

@@ -4,8 +4,9 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Form, Term};
+use crate::effects::{Form, Held, Term};
 use crate::linear::{Basis, small_cholesky, small_gain};
+use crate::model::Model;
 
 use super::candidates::{Candidate, What};
 use super::columns::Among;
@@ -123,21 +124,43 @@ impl Regression<'_> {
         Projected::new(table, basis, along, among)
     }
 
-    /// By how much a term that is absent so far would lower the sum of squares of a fit.
-    pub(crate) fn gain_of_term(&self, fit: &Fit, term: &Term) -> f64 {
+    /// The columns of a term that is absent so far, beside a fit.
+    pub(super) fn columns_of(&self, fit: &Fit, term: &Term) -> DMatrix<f64> {
         let absent = Term::absent(term.effect, term.joint, term.setting);
         let model = fit.model.with_term(absent.clone());
         let before = model.terms().iter().take_while(|t| !t.same_column(&absent));
         let first: usize = before.map(|t| t.coefficients.len()).sum();
-        let (_, columns) = self.rows.extract(&model);
-        let own = columns
-            .columns(first, absent.coefficients.len())
-            .into_owned();
-        let white = lengthened(self.noise.whitened(&self.rows, &own), self.beside);
-        let along = fit.basis.q.tr_mul(&white);
-        let mut free = white;
+        // Of the others no column is asked for.
+        let terms = model.terms().iter().map(|t| Term {
+            held: if t.same_column(&absent) {
+                t.held
+            } else {
+                Held::ALL
+            },
+            ..t.clone()
+        });
+        let alone = Model::new(model.robot.clone(), terms.collect());
+        let (_, columns) = self.rows.extract(&alone);
+        let own = columns.columns(first, absent.coefficients.len());
+        own.into_owned()
+    }
+
+    /// By how much a term that is absent so far would lower the sum of squares of a fit.
+    pub(crate) fn gain_of_term(&self, fit: &Fit, term: &Term) -> f64 {
+        self.gain_of_columns(fit, &self.columns_of(fit, term))
+    }
+
+    /// By how much columns that are not in a fit would lower its sum of squares.
+    pub(super) fn gain_of_columns(&self, fit: &Fit, own: &DMatrix<f64>) -> f64 {
+        let mut free = self.white_of(own);
+        let along = fit.basis.q.tr_mul(&free);
         free.gemm(-1.0, &fit.basis.q, &along, 1.0);
         Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
+    }
+
+    /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
+    pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
+        lengthened(self.noise.whitened(&self.rows, raw), self.beside)
     }
 
     /// Whitened columns of some candidates, with the rows of the priors.

@@ -42,6 +42,9 @@ pub struct Term {
 pub struct Held(u32);
 
 impl Held {
+    /// All of them.
+    pub(crate) const ALL: Self = Self(u32::MAX);
+
     /// The same with one coefficient more.
     #[must_use]
     pub fn with(self, coefficient: usize) -> Self {

@@ -223,7 +223,7 @@ impl Model {
     }
 
     /// Columns of the coefficients that no fit moves.
-    fn held_columns(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn held_columns(&self) -> impl Iterator<Item = usize> {
         let mut first = 0;
         self.terms.iter().flat_map(move |term| {
             let own = first;

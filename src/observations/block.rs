@@ -14,6 +14,8 @@ pub struct RowBlock {
     pub left: Lanes3,
     /// Derivatives of what is predicted, one for each coefficient of the model.
     pub columns: Vec<Lanes3>,
+    /// Which of them a fit may move; the others are zero.
+    pub(super) live: Vec<usize>,
     /// Which rows there are.
     pub rows: [[bool; LANES]; 3],
     /// The length of what is left in inner units of the kind: mm or rad.
@@ -30,6 +32,7 @@ impl RowBlock {
             items: Vec::with_capacity(LANES),
             left: [[0.0; LANES]; 3],
             columns: vec![[[0.0; LANES]; 3]; coefficients],
+            live: (0..coefficients).collect(),
             rows: [[false; LANES]; 3],
             length: [0.0; LANES],
             length_mm: [0.0; LANES],

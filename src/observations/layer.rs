@@ -195,6 +195,13 @@ impl<'a> Layer<'a> {
         } else {
             0
         });
+        let mut held = vec![false; rows.columns.len()];
+        for column in model.held_columns() {
+            if let Some(held) = held.get_mut(column) {
+                *held = true;
+            }
+        }
+        rows.live.retain(|column| !held[*column]);
         model.visit(&self.points.inputs, differentiate, |start, block| {
             rows.clear();
             for lane in 0..block.len {
@@ -289,7 +296,8 @@ impl<'a> Layer<'a> {
             rows.rows[row][lane] = true;
             rows.left[row][lane] = weighed.left[row] * self.unit_mm;
         }
-        for k in 0..rows.columns.len() {
+        for place in 0..rows.live.len() {
+            let k = rows.live[place];
             let moved = moves(k);
             for row in 0..weighed.rows {
                 rows.columns[k][row][lane] = dot(by_moves[row], moved) * self.unit_mm;

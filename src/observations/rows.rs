@@ -130,8 +130,8 @@ impl<'a> ObservedRows<'a> {
                 let Some(item) = *item else { continue };
                 for row in (0..self.width).filter(|row| block.rows[*row][lane]) {
                     residual[row * n + item] = block.left[row][lane];
-                    for (k, column) in block.columns.iter().enumerate() {
-                        columns[(row * n + item, k)] = column[row][lane];
+                    for k in &block.live {
+                        columns[(row * n + item, *k)] = block.columns[*k][row][lane];
                     }
                 }
             }
