@@ -152,12 +152,6 @@ pub(crate) fn grouped(count: usize) -> String {
     text
 }
 
-/// `1 sample`, `2 samples`.
-pub(crate) fn number_of(count: usize, what: &str) -> String {
-    let s = if count == 1 { "" } else { "s" };
-    format!("{} {what}{s}", grouped(count))
-}
-
 /// A text that goes into files as well, with real minus signs before its numbers.
 pub(crate) fn with_minus_signs(text: &str) -> String {
     let mut before = ' ';
@@ -231,9 +225,6 @@ mod tests {
 
     #[test]
     fn counts_are_grouped_and_agree_with_what_is_counted() {
-        assert_eq!(number_of(1, "region"), "1 region");
-        assert_eq!(number_of(0, "sample"), "0 samples");
-        assert_eq!(number_of(9999, "sample"), "9999 samples");
         assert_eq!(grouped(36_002), "36\u{202F}002");
         assert_eq!(grouped(1_000_008), "1\u{202F}000\u{202F}008");
     }

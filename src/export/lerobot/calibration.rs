@@ -47,7 +47,8 @@ pub(super) fn read_calibration(bytes: &[u8], name: &str) -> Result<Vec<Motor>, R
 }
 
 fn motors(fields: &mut Fields<'_>, root: &Node) -> Option<Vec<Motor>> {
-    let expected = phrase!("a motor calibration of LeRobot: an object with one motor for each name");
+    let expected =
+        phrase!("a motor calibration of LeRobot: an object with one motor for each name");
     let members = fields.object(root, &Path::Root, expected)?;
     if members.is_empty() {
         fields.mismatch(root, &Path::Root, expected);
@@ -81,7 +82,11 @@ fn motor(fields: &mut Fields<'_>, member: &Member) -> Option<Motor> {
         range_max: range_max?,
     };
     if motor.range_min >= motor.range_max {
-        let found = text!("a range from {range_min} to {range_max}", range_min = motor.range_min, range_max = motor.range_max);
+        let found = text!(
+            "a range from {range_min} to {range_max}",
+            range_min = motor.range_min,
+            range_max = motor.range_max
+        );
         let expected = phrase!("a range from the smaller to the larger value");
         fields.error(node.at, path, found, expected);
         return None;

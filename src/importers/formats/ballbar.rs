@@ -74,7 +74,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
             [] => text!("no header, and no column that is said to be the distance"),
             names => {
                 let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-                text!("no column is the distance for certain among {names}", names = names.join(", "))
+                text!(
+                    "no column is the distance for certain among {names}",
+                    names = names.join(", ")
+                )
             }
         };
         case.ask(About::Columns, says, &[]);
@@ -90,7 +93,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
             *value += length_mm;
         }
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
-        case.note(text!("{length_mm} mm were added to every reading, as was said", length_mm = length_mm));
+        case.note(text!(
+            "{length_mm} mm were added to every reading, as was said",
+            length_mm = length_mm
+        ));
     }
     Some(columns)
 }
@@ -105,7 +111,11 @@ fn nominal_length(case: &mut Case<'_>, is_deviation: bool) -> Option<f64> {
                 .ok()
                 .filter(|value: &f64| value.is_finite());
             if value.is_none() {
-                let found = text!("--{nominal_length}: {said}", nominal_length = NOMINAL_LENGTH, said = quoted(said));
+                let found = text!(
+                    "--{nominal_length}: {said}",
+                    nominal_length = NOMINAL_LENGTH,
+                    said = quoted(said)
+                );
                 case.refuse(found, text!("a length in mm, such as 300.0015"));
             }
             value

@@ -74,8 +74,13 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     });
     let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
-        let found = text!("no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz");
-        case.refuse(found, text!("image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z"));
+        let found = text!(
+            "no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz"
+        );
+        case.refuse(
+            found,
+            text!("image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z"),
+        );
         return None;
     }
     let roles = parts.iter().map(|part| match part {
@@ -94,7 +99,9 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         }
     }
     let Some(camera) = case.reading.options.get(CAMERA).cloned() else {
-        let says = text!("the poses turn the board's coordinates into the camera's, and nothing says which of the two moves");
+        let says = text!(
+            "the poses turn the board's coordinates into the camera's, and nothing says which of the two moves"
+        );
         case.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
         return None;
     };
@@ -180,7 +187,11 @@ fn into_tool_poses(
         })
         .collect();
     if unseen > 0 {
-        let found = text!("the board was not seen in {unseen} of {poses} images", unseen = unseen, poses = poses.len());
+        let found = text!(
+            "the board was not seen in {unseen} of {poses} images",
+            unseen = unseen,
+            poses = poses.len()
+        );
         case.warn(found, Text::default());
     }
     let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
@@ -213,7 +224,11 @@ fn say_frame(case: &mut Case<'_>, columns: &mut Columns, is_on_tool: bool) {
     } else {
         ("the board on the tool", "camera")
     };
-    case.note(text!("poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t", of = of, frame = frame));
+    case.note(text!(
+        "poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t",
+        of = of,
+        frame = frame
+    ));
     if columns.find(Quantity::Setup).is_none() {
         let mut names = Names::default();
         for _ in 0..columns.rows() {

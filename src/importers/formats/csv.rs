@@ -122,7 +122,10 @@ fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Ro
         .filter(|((_, proposed), role)| proposed != role)
         .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
         .collect();
-    let says = text!("columns that may be what was measured: {changed}", changed = changed.join(", "));
+    let says = text!(
+        "columns that may be what was measured: {changed}",
+        changed = changed.join(", ")
+    );
     if case.reading.confirmed {
         case.note(text!("{says}; taken so, as was confirmed", says = says));
         return;
@@ -143,12 +146,19 @@ fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
             .chain((0..joints).map(joint))
             .collect(),
         _ => {
-            let says = text!("{width} columns and no header, for a robot of {joints} joints", width = grid.width, joints = joints);
+            let says = text!(
+                "{width} columns and no header, for a robot of {joints} joints",
+                width = grid.width,
+                joints = joints
+            );
             case.ask(About::Columns, says, &[]);
             return vec![Role::Left; grid.width];
         }
     };
     let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
-    case.note(text!("no header: the columns are taken as {words}", words = words.join(", ")));
+    case.note(text!(
+        "no header: the columns are taken as {words}",
+        words = words.join(", ")
+    ));
     roles
 }

@@ -5,7 +5,6 @@
 //! `Frame,Time (Seconds),X,Y,Z,W,X,Y,Z,…`. Quaternions are x, y, z, w; an empty cell is an
 //! occlusion; y points upwards unless the export was told otherwise.
 
-use crate::text::Text;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
@@ -20,6 +19,7 @@ use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
+use crate::text::Text;
 
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
@@ -145,7 +145,10 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
         (Some(unit), given) => {
             case.found.unit = format!("{}, from the first line", named.unwrap_or_default());
             if given.is_some_and(|given| given.unit() != unit) {
-                let found = text!("the first line names another unit: {unit}", unit = &case.found.unit);
+                let found = text!(
+                    "the first line names another unit: {unit}",
+                    unit = &case.found.unit
+                );
                 case.warn(found, text!("the same unit as the file, which is believed"));
             }
             Some(unit)
@@ -169,7 +172,10 @@ fn rotation_is_quaternion(case: &mut Case<'_>, keys: &[(String, String)]) -> boo
     let rotation = value_of(keys, "rotation type").unwrap_or("Quaternion");
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
-        let found = text!("rotations as {rotation}: the orientation is left out", rotation = quoted(rotation));
+        let found = text!(
+            "rotations as {rotation}: the orientation is left out",
+            rotation = quoted(rotation)
+        );
         case.warn(found, text!("an export with the rotation type Quaternion"));
     }
     is
@@ -212,7 +218,10 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
         })
     };
     let Some(what) = lines.len().checked_sub(1) else {
-        case.refuse(text!("no lines above Frame"), text!("lines of types, names and IDs"));
+        case.refuse(
+            text!("no lines above Frame"),
+            text!("lines of types, names and IDs"),
+        );
         return None;
     };
     let names_line = labelled("name").or_else(|| (what >= 2).then_some(1));
@@ -288,11 +297,17 @@ fn choose(case: &mut Case<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            case.refuse(text!("no column of positions"), text!("Position above X, Y and Z"));
+            case.refuse(
+                text!("no column of positions"),
+                text!("Position above X, Y and Z"),
+            );
             None
         }
         _ => {
-            let says = text!("several things are tracked: {names}", names = listed(&names));
+            let says = text!(
+                "several things are tracked: {names}",
+                names = listed(&names)
+            );
             let answers: Vec<&str> = names.iter().take(SHOWN).copied().collect();
             case.ask(About::Name, says, &answers);
             None
@@ -400,7 +415,13 @@ fn frames(
     case.found.rows = frames.frame.len();
     complaints.into(&case.place.clone(), &mut case.found.findings);
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
-        let found = text!("{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position", thing = quoted(&thing.name), count = count, chosen = frames.frame.len() / chosen.len(), unwrap_or = first_occluded.unwrap_or(0));
+        let found = text!(
+            "{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position",
+            thing = quoted(&thing.name),
+            count = count,
+            chosen = frames.frame.len() / chosen.len(),
+            unwrap_or = first_occluded.unwrap_or(0)
+        );
         case.warn(found, Text::default());
     }
     frames

@@ -117,7 +117,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         return None;
     }
     if !matches!(case.reading.joints.len(), 0 | 2) {
-        let found = text!("a pointing run for a robot of {joints} joints", joints = case.reading.joints.len());
+        let found = text!(
+            "a pointing run for a robot of {joints} joints",
+            joints = case.reading.joints.len()
+        );
         case.refuse(found, text!("a mount of two joints: azimuth and elevation"));
         return None;
     }
@@ -157,7 +160,12 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     }
     if let [degrees, rest @ ..] = &latitude[..] {
         let minutes = rest.first().copied().unwrap_or(0.0);
-        case.note(text!("{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run", caption = caption, degrees = degrees, minutes = minutes));
+        case.note(text!(
+            "{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run",
+            caption = caption,
+            degrees = degrees,
+            minutes = minutes
+        ));
     }
     Some(columns(case, values, rows))
 }

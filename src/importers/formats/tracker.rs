@@ -48,7 +48,10 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         (None, _) if case.has_said_columns(&grid) => return None,
         (None, Some(found)) => found,
         (None, None) => {
-            let says = text!("{width} columns, of which it is not certain where x, y and z begin", width = grid.width);
+            let says = text!(
+                "{width} columns, of which it is not certain where x, y and z begin",
+                width = grid.width
+            );
             case.ask(About::Columns, says, &[]);
             vec![Role::Left; grid.width]
         }

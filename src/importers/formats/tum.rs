@@ -40,7 +40,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     }
     let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
     if unit != LengthUnit::Metres {
-        let found = text!("lengths are taken in {symbol}, as was said", symbol = unit.symbol());
+        let found = text!(
+            "lengths are taken in {symbol}, as was said",
+            symbol = unit.symbol()
+        );
         case.warn(found, text!("m, which the format has"));
     }
     let position = |quantity| fixed(quantity, unit.unit());

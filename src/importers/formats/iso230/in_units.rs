@@ -53,7 +53,14 @@ pub(super) fn units_of(
         } else {
             (text!("a length for a joint that turns"), text!("an angle"))
         };
-        case.refuse(text!("{index}: {kind}", index = quoted(&headings[index]), kind = kind), expected);
+        case.refuse(
+            text!(
+                "{index}: {kind}",
+                index = quoted(&headings[index]),
+                kind = kind
+            ),
+            expected,
+        );
         return None;
     }
     let in_preamble = grid.preamble.iter().find_map(|line| {

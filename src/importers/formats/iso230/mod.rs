@@ -11,7 +11,6 @@
 mod in_units;
 mod parts;
 
-use crate::text::{Template, Text};
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
@@ -24,6 +23,7 @@ use crate::importers::settings::{ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
+use crate::text::{Template, Text};
 
 use in_units::{Units, units_of};
 use parts::{Part, headings, parts};
@@ -186,7 +186,10 @@ fn measurements(
     });
     complaints.into(&place, &mut case.found.findings);
     if empty > 0 {
-        case.note(text!("{empty} cells are empty: not measured, left out", empty = empty));
+        case.note(text!(
+            "{empty} cells are empty: not measured, left out",
+            empty = empty
+        ));
     }
     list
 }
@@ -223,7 +226,10 @@ fn deviations(
         return Some(true);
     }
     case.refuse(
-        text!("measured positions are up to {travel} % of the travel away from their targets", travel = format!("{:.1}", 100.0 * off / travel)),
+        text!(
+            "measured positions are up to {travel} % of the travel away from their targets",
+            travel = format!("{:.1}", 100.0 * off / travel)
+        ),
         text!("positions near their targets, in the same unit, or deviations"),
     );
     None

@@ -74,7 +74,9 @@ pub(super) fn parts(
         }
         parts
     } else if grid.width == 4 {
-        case.note(text!("no header: the columns are taken as target, direction, run, position"));
+        case.note(text!(
+            "no header: the columns are taken as target, direction, run, position"
+        ));
         vec![Part::Target, Part::Direction, Part::Run, Part::Position]
     } else {
         let says = text!("{width} columns and no header", width = grid.width);
@@ -87,7 +89,12 @@ pub(super) fn parts(
     let wide = count(|part| matches!(part, Part::Of { .. }));
     if targets != 1 || (long == 0 && wide == 0) || long > 1 || (long > 0 && wide > 0) {
         let names: Vec<String> = headings.iter().map(|heading| quoted(heading)).collect();
-        let says = text!("{targets} columns of targets and {wide} of positions among {names}", targets = targets, wide = long + wide, names = names.join(", "));
+        let says = text!(
+            "{targets} columns of targets and {wide} of positions among {names}",
+            targets = targets,
+            wide = long + wide,
+            names = names.join(", ")
+        );
         let long = "target,direction,run,position";
         let wide = "target,\"run 1 +\",\"run 1 -\"";
         case.ask(About::Columns, says, &[long, wide]);

@@ -77,7 +77,11 @@ impl Broken {
             McapError::UnexpectedEof | McapError::RecordTooLarge { .. } | McapError::BadMagic => {
                 Self {
                     is_cut: true,
-                    ..Self::new(byte, text!("the recording is cut off"), phrase!("a whole MCAP file"))
+                    ..Self::new(
+                        byte,
+                        text!("the recording is cut off"),
+                        phrase!("a whole MCAP file"),
+                    )
                 }
             }
             // The crate says it with colours and over several lines.
@@ -214,7 +218,10 @@ impl Reader {
             Record::Schema { header, .. } => {
                 // Every channel has a copy of it.
                 if header.name.len() > LONGEST_TYPE {
-                    let found = text!("a type whose name has {header} bytes", header = header.name.len());
+                    let found = text!(
+                        "a type whose name has {header} bytes",
+                        header = header.name.len()
+                    );
                     return Err(Broken::new(
                         byte,
                         found,
@@ -227,8 +234,15 @@ impl Reader {
             Record::Message { header, data } => {
                 let number = header.channel_id;
                 let Some(&channel) = self.numbers.get(&number) else {
-                    let found = text!("a message of channel {number}, which nothing announces", number = number);
-                    return Err(Broken::new(byte, found, phrase!("a channel before its messages")));
+                    let found = text!(
+                        "a message of channel {number}, which nothing announces",
+                        number = number
+                    );
+                    return Err(Broken::new(
+                        byte,
+                        found,
+                        phrase!("a channel before its messages"),
+                    ));
                 };
                 let message = Message {
                     channel,
@@ -311,7 +325,11 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
     let length = header.uncompressed_size;
     if length > LONGEST_CHUNK {
         let found = text!("a chunk of {length} bytes", length = length);
-        return Err(Broken::new(byte, found, phrase!("chunks of at most 256 MiB")));
+        return Err(Broken::new(
+            byte,
+            found,
+            phrase!("chunks of at most 256 MiB"),
+        ));
     }
     let records = match header.compression.as_str() {
         "" => Ok(data.to_vec()),
@@ -330,13 +348,25 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
         Broken::new(byte, found, phrase!("a chunk as it was recorded"))
     })?;
     if records.len() as u64 != length {
-        let found = text!("a chunk of {records} bytes that says {length}", records = records.len(), length = length);
-        return Err(Broken::new(byte, found, phrase!("a chunk as it was recorded")));
+        let found = text!(
+            "a chunk of {records} bytes that says {length}",
+            records = records.len(),
+            length = length
+        );
+        return Err(Broken::new(
+            byte,
+            found,
+            phrase!("a chunk as it was recorded"),
+        ));
     }
     let checksum = header.uncompressed_crc;
     if checksum != 0 && crc32fast::hash(&records) != checksum {
         let found = text!("a chunk whose checksum does not agree");
-        return Err(Broken::new(byte, found, phrase!("a chunk as it was recorded")));
+        return Err(Broken::new(
+            byte,
+            found,
+            phrase!("a chunk as it was recorded"),
+        ));
     }
     Ok(records)
 }

@@ -80,7 +80,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let measured = chosen(case, &topics, &MEASURED);
     let (joints, measured) = (joints.ok()?, measured.ok()?);
     let Some(measured) = measured else {
-        let expected = text!("a topic of one of the types {types_in_words}", types_in_words = MEASURED.types_in_words());
+        let expected = text!(
+            "a topic of one of the types {types_in_words}",
+            types_in_words = MEASURED.types_in_words()
+        );
         case.refuse(
             text!("no topic with measured poses, points or transforms"),
             expected,
@@ -90,7 +93,9 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let path = if let Some(topic) = joints {
         Some(recorded::path(case, topic)?)
     } else {
-        case.note(text!("no topic with joint states: --commands says where the robot was sent"));
+        case.note(text!(
+            "no topic with joint states: --commands says where the robot was sent"
+        ));
         None
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
@@ -124,7 +129,11 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
         return None;
     }
     if let Err(broken) = read {
-        let found = text!("byte {byte}: {found}", byte = broken.byte, found = broken.found);
+        let found = text!(
+            "byte {byte}: {found}",
+            byte = broken.byte,
+            found = broken.found
+        );
         let place = case.place.clone();
         if broken.is_cut && topics.messages() > 0 {
             let found = text!("{found}; what stands before is read", found = found);
@@ -207,9 +216,17 @@ fn chosen<'t>(
         let found = suited.iter().find(is).copied();
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
-            let found = text!("--{option}: no topic {said} with {what}", option = wanted.option, said = quoted(said), what = wanted.what);
+            let found = text!(
+                "--{option}: no topic {said} with {what}",
+                option = wanted.option,
+                said = quoted(said),
+                what = wanted.what
+            );
             let expected = match &names[..] {
-                [] => text!("a topic of one of the types {types_in_words}", types_in_words = wanted.types_in_words()),
+                [] => text!(
+                    "a topic of one of the types {types_in_words}",
+                    types_in_words = wanted.types_in_words()
+                ),
                 names => text!("one of {names}", names = names.join(", ")),
             };
             case.refuse(found, expected);
@@ -228,7 +245,11 @@ fn chosen<'t>(
             [only] => return sound(case, Some(only)),
             _ => {
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
-                let says = text!("several topics have {what}: {names}", what = wanted.what, names = names.join(", "));
+                let says = text!(
+                    "several topics have {what}: {names}",
+                    what = wanted.what,
+                    names = names.join(", ")
+                );
                 case.ask(About::Own(wanted.option), says, &names);
                 return Err(Open);
             }
@@ -242,8 +263,17 @@ fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
-        let found = text!("byte {byte}: message {number} of {topic}: {wrong}", byte = wrong.byte, number = wrong.number, topic = quoted(&topic.name), wrong = &wrong.says);
-        case.refuse(found, text!("a {type} in CDR or JSON", type = topic.type_.name()));
+        let found = text!(
+            "byte {byte}: message {number} of {topic}: {wrong}",
+            byte = wrong.byte,
+            number = wrong.number,
+            topic = quoted(&topic.name),
+            wrong = &wrong.says
+        );
+        case.refuse(
+            found,
+            text!("a {type} in CDR or JSON", type = topic.type_.name()),
+        );
         return Err(Open);
     }
     Ok(topic)

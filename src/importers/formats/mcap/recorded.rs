@@ -55,17 +55,29 @@ pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
     let all = rows.len();
     rows.retain(|_, values| values.iter().all(|value| value.is_finite()));
     if rows.is_empty() {
-        let says = text!("no message of {topic} has all joints", topic = quoted(&topic.name));
+        let says = text!(
+            "no message of {topic} has all joints",
+            topic = quoted(&topic.name)
+        );
         case.refuse(says, Text::verbatim(listed_up_to(&names, SHOWN)));
         return None;
     }
     if rows.len() < all {
-        let found = text!("{rows} of {all} joint states are left out: a joint has no value there", rows = all - rows.len(), all = all);
+        let found = text!(
+            "{rows} of {all} joint states are left out: a joint has no value there",
+            rows = all - rows.len(),
+            all = all
+        );
         case.warn(found, Text::default());
     }
     let start_ns = topic.start_ns()?;
     let path = Path::averaged(&rows, names.len(), slides, start_ns);
-    case.note(text!("joint values are those that {topic} reports, {rows} of them, taken as commanded: {names}", topic = quoted(&topic.name), rows = rows.len(), names = names.join(", ")));
+    case.note(text!(
+        "joint values are those that {topic} reports, {rows} of them, taken as commanded: {names}",
+        topic = quoted(&topic.name),
+        rows = rows.len(),
+        names = names.join(", ")
+    ));
     Some(path)
 }
 
@@ -95,8 +107,15 @@ fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
             None => return Some(names),
         };
         case.refuse(
-            text!("--{joint_names}: {found}", joint_names = JOINT_NAMES, found = found),
-            text!("as many names as the robot has joints, of {recorded}", recorded = recorded),
+            text!(
+                "--{joint_names}: {found}",
+                joint_names = JOINT_NAMES,
+                found = found
+            ),
+            text!(
+                "as many names as the robot has joints, of {recorded}",
+                recorded = recorded
+            ),
         );
         return None;
     }
@@ -109,7 +128,11 @@ fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
     if robot.len() == 1 && topic.joint_names.len() == 1 {
         return Some(topic.joint_names.clone());
     }
-    let says = text!("the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is no order of the robot", recorded = recorded, robot = robot.join(", "));
+    let says = text!(
+        "the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is no order of the robot",
+        recorded = recorded,
+        robot = robot.join(", ")
+    );
     let answer = topic.joint_names.join(",");
     let answers: &[&str] = if topic.joint_names.len() == robot.len() {
         &[&answer]
@@ -195,13 +218,21 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     let is_there = |measured: &&&Measured| measured.is_there();
     let lost = list.len() - list.iter().filter(is_there).count();
     if lost > 0 {
-        let found = text!("{lost} of {list} measurements of {topic} have no position or no orientation: left out", lost = lost, list = list.len(), topic = quoted(&topic.name));
+        let found = text!(
+            "{lost} of {list} measurements of {topic} have no position or no orientation: left out",
+            lost = lost,
+            list = list.len(),
+            topic = quoted(&topic.name)
+        );
         case.warn(found, Text::default());
         list.retain(|measured| measured.is_there());
     }
     if list.is_empty() {
         case.refuse(
-            text!("nothing was measured in {topic}", topic = quoted(&topic.name)),
+            text!(
+                "nothing was measured in {topic}",
+                topic = quoted(&topic.name)
+            ),
             Text::default(),
         );
         return None;
@@ -209,7 +240,13 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
     let frames: Vec<String> = frames.into_iter().map(quoted).collect();
     let child = child.map_or_else(String::new, |child| format!(", child {}", quoted(&child)));
-    case.note(text!("measured is {topic}{child}, {list} times, in the frame {frames}", topic = quoted(&topic.name), child = child, list = list.len(), frames = listed_up_to(&frames, SHOWN)));
+    case.note(text!(
+        "measured is {topic}{child}, {list} times, in the frame {frames}",
+        topic = quoted(&topic.name),
+        child = child,
+        list = list.len(),
+        frames = listed_up_to(&frames, SHOWN)
+    ));
     let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
     for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
@@ -265,7 +302,12 @@ fn child_of(case: &mut Case<'_>, topic: &Topic) -> Result<Option<String>, Open> 
             return Ok(Some(said.clone()));
         }
         let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
-        let found = text!("--{frame_child}: no frame {said} in {topic}", frame_child = FRAME_CHILD, said = quoted(said), topic = quoted(&topic.name));
+        let found = text!(
+            "--{frame_child}: no frame {said} in {topic}",
+            frame_child = FRAME_CHILD,
+            said = quoted(said),
+            topic = quoted(&topic.name)
+        );
         let expected = match &names[..] {
             [] => text!("a topic with transforms; this one has {type}", type = topic.type_.name()),
             names => text!("one of {names}", names = listed_up_to(names, SHOWN)),
@@ -277,7 +319,11 @@ fn child_of(case: &mut Case<'_>, topic: &Topic) -> Result<Option<String>, Open> 
         [] => Ok(None),
         [only] => Ok(Some(only.to_owned())),
         _ => {
-            let says = text!("{topic} has transforms to several frames: {children}", topic = quoted(&topic.name), children = children.join(", "));
+            let says = text!(
+                "{topic} has transforms to several frames: {children}",
+                topic = quoted(&topic.name),
+                children = children.join(", ")
+            );
             case.ask(About::Own(FRAME_CHILD), says, &children);
             Err(Open)
         }
