@@ -2,14 +2,14 @@
 
 use crate::diagnosis::{Diagnosis, Stopped, Verdict};
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
-use crate::language::names::{combination, figure};
+use crate::language::names::figure;
 use crate::language::of_core;
 use crate::paper::RegionalStart;
 use crate::present::kinds;
 use crate::present::table::Table;
 use crate::set_up_errors::DataProblem;
 
-use super::words::{effect, effect_with_id, effects, line, of_core_table, value};
+use super::words::{combination, effect, effect_with_id, effects, line, of_core_table, value};
 use super::{geometry, undetected};
 
 /// Rivals, outliers and combinations that are listed; an answer about an arm fits on a page.

@@ -29,6 +29,15 @@ pub(super) fn effect_with_id(id: &str) -> Cow<'_, str> {
     }
 }
 
+/// Coefficients that stand together.
+pub(super) fn combination(names: &str) -> Cow<'_, str> {
+    if is_english() {
+        names.into()
+    } else {
+        names::combination(names).into()
+    }
+}
+
 /// Effects, with what stands between two of them.
 pub(super) fn effects<T: AsRef<str>>(all: &[T], between: &str) -> String {
     let all: Vec<_> = all.iter().map(|one| effect(one.as_ref())).collect();

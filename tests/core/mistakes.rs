@@ -192,6 +192,8 @@ const MISTAKES: [Mistake; 20] = [
 const EACH: usize = 2;
 /// Longer sessions are the same kinds with more samples.
 const LONGEST: usize = 130;
+/// But for a mistake that no shorter one can have.
+const LONGEST_OF_ALL: usize = 1000;
 
 fn identified(session: &Session) -> Option<(Calibration, f64)> {
     let method = Method::default();
@@ -202,22 +204,26 @@ fn identified(session: &Session) -> Option<(Calibration, f64)> {
 #[test]
 fn verify_gives_what_was_said_whatever_mistake_is_in_a_session() {
     let mut put = [0; MISTAKES.len()];
-    let (mut handed_out, mut next) = (0, 0);
+    let mut handed_out = 0;
     for path in sessions() {
         let sound = load(&path).unwrap().session;
-        if sound.samples.len() > LONGEST {
+        let long = sound.samples.len();
+        if long > LONGEST_OF_ALL {
             continue;
         }
         let mut given = 0;
-        for at in next..next + MISTAKES.len() {
-            let (name, make) = MISTAKES[at % MISTAKES.len()];
+        // What was put in least often so far comes first: few sessions have sockets or stations.
+        let mut order: Vec<usize> = (0..MISTAKES.len()).collect();
+        order.sort_by_key(|at| put[*at]);
+        for at in order {
+            let (name, make) = MISTAKES[at];
             let mut session = sound.clone();
-            if given == EACH || !make(&mut session, at) {
+            let enough = given == EACH || long > LONGEST && put[at] > 0;
+            if enough || !make(&mut session, at) {
                 continue;
             }
             given += 1;
-            next = at + 1;
-            put[at % MISTAKES.len()] += 1;
+            put[at] += 1;
             let what = format!("{}: {name}", path.display());
             let Some((calibration, said)) = identified(&session) else {
                 continue;
@@ -512,14 +518,15 @@ fn measured(arm: &Drawn, robot: &Hidden, convention: &Convention, random: &mut R
 }
 
 /// Root mean square distance of the tool from where the drawing has it, mm: as it is, with a corrected program, and
-/// with what that adds taken off. `None` where no program is made.
+/// with what that adds taken off; and the middle of how many times the error each target has with that. `None` where no
+/// program is made.
 fn driven(
     arm: &Drawn,
     robot: &Hidden,
     convention: &Convention,
     (calibration, session): (&Calibration, &Session),
     random: &mut Random,
-) -> Option<[f64; 3]> {
+) -> Option<([f64; 3], f64)> {
     let verified = hand_out(calibration, session).ok()?;
     let wanted: Vec<Vec<f64>> = (0..16).map(|_| somewhere(arm, random, 0.25)).collect();
     let row = |q: &Vec<f64>| {
@@ -547,6 +554,7 @@ fn driven(
     let answer = pipeline::compensate(&request).ok()?;
     let written = String::from_utf8(answer.bytes).unwrap();
     let mut squares = [0.0; 3];
+    let mut times = Vec::new();
     for (line, q) in written.lines().skip(1).zip(&wanted) {
         let cells = line.split(',').zip(units(arm));
         let mut told: Vec<f64> = cells
@@ -555,11 +563,18 @@ fn driven(
         (convention.from_raw)(&mut told);
         let turned: Vec<f64> = q.iter().zip(&told).map(|(q, u)| 2.0 * q - u).collect();
         let goal = robot.nominal(q);
-        for (square, q) in squares.iter_mut().zip([q, &told, &turned]) {
-            *square += apart(&robot.real(q, 0.0), &goal).0.powi(2);
+        let off = [q, &told, &turned].map(|q| apart(&robot.real(q, 0.0), &goal).0);
+        for (square, off) in squares.iter_mut().zip(off) {
+            *square += off * off;
         }
+        times.push(off[2] / off[0]);
     }
-    Some(squares.map(|square| (square / wanted.len() as f64).sqrt()))
+    times.sort_by(f64::total_cmp);
+    let middle = times[times.len() / 2];
+    Some((
+        squares.map(|square| (square / wanted.len() as f64).sqrt()),
+        middle,
+    ))
 }
 
 #[test]
@@ -581,7 +596,7 @@ fn a_program_makes_every_kind_of_arm_better_and_turned_about_it_doubles_its_erro
                 (&calibration, &session),
                 &mut random,
             );
-            let Some([before, after, turned]) = driven else {
+            let Some(([before, after, turned], times)) = driven else {
                 continue;
             };
             if !recognised {
@@ -593,9 +608,10 @@ fn a_program_makes_every_kind_of_arm_better_and_turned_about_it_doubles_its_erro
             let most = if arm.1.len() < 6 { 0.9 } else { 0.15 };
             assert!(after < most * before, "{what}: {before} → {after}");
             if arm.1.len() >= 6 {
+                // Near a singular wrist a correction takes large moves of the joints, of which twice is not twice.
                 assert!(
-                    (turned / before - 2.0).abs() < 0.2,
-                    "{what}: {before} → {turned}"
+                    (times - 2.0).abs() < 0.2,
+                    "{what}: {before} → {turned}, {times} times"
                 );
             } else {
                 assert!(turned > 1.1 * before, "{what}: {before} → {turned}");

@@ -84,7 +84,10 @@ fn a_robot_is_typed_as_a_table_and_stays_among_ones_own() {
     typed(&mut window, "ur5e");
     press(&mut window, "As a table…");
     assert!(says(&window, "Nominal geometry as the maker states it"));
-    press(&mut window, "DH rows");
+    press(
+        &mut window,
+        "Denavit–Hartenberg rows, standard: the joint before the link",
+    );
     assert!(there(&window, "Universal Robots UR5e at its zero"));
     window.get_by_label("Name of the robot").click();
     window.run_steps(2);

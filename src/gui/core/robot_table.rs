@@ -101,8 +101,19 @@ fn pose([x, y, z, about_z, about_y, about_x]: [f64; 6]) -> Pose {
 
 fn numbers_of(pose: &Pose) -> [f64; 6] {
     let at = pose.translation.vector;
-    let (x, y, z) = pose.rotation.euler_angles();
-    let [about_z, about_y, about_x] = [z, y, x].map(|angle| rounded(deg_from_rad(angle)));
+    let turned = pose.rotation.to_rotation_matrix();
+    let about_y = -turned[(2, 0)].clamp(-1.0, 1.0).asin();
+    // Turned by a right angle about y, the other two are about one axis: it is all about z.
+    let (about_z, about_x) = if turned[(0, 0)].hypot(turned[(1, 0)]) > 1e-9 {
+        (
+            turned[(1, 0)].atan2(turned[(0, 0)]),
+            turned[(2, 1)].atan2(turned[(2, 2)]),
+        )
+    } else {
+        ((-turned[(0, 1)]).atan2(turned[(1, 1)]), 0.0)
+    };
+    let [about_z, about_y, about_x] =
+        [about_z, about_y, about_x].map(|angle| rounded(deg_from_rad(angle)));
     let [x, y, z] = [at.x, at.y, at.z].map(rounded);
     [x, y, z, about_z, about_y, about_x]
 }
