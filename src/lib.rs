@@ -110,6 +110,13 @@
 //! the window and of the terminal is built, and nothing that only they need.
 
 #![cfg_attr(
+    test,
+    allow(
+        clippy::unsafe_derive_deserialize,
+        reason = "where tests are built a sentence is listed in a section of the program, which counts as unsafe"
+    )
+)]
+#![cfg_attr(
     not(feature = "gui"),
     allow(
         dead_code,

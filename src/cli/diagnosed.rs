@@ -255,7 +255,7 @@ fn noise_in_words(text: &mut String, d: &Diagnosis) {
     if !quality.converged {
         let stopped = say!(
             "the fit did not converge: {stopped}",
-            stopped = of_core(&quality.stopped.to_string())
+            stopped = of_core(quality.stopped)
         );
         line(text, stopped);
     }
@@ -302,7 +302,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
         Some(Err(because)) => {
             let none = say!(
                 "no smooth correction was added: {because}",
-                because = of_core(&because.to_string())
+                because = of_core(because)
             );
             line(text, none);
         }

@@ -10,7 +10,7 @@ use crate::text::spoken;
 
 use super::failure::Failure;
 use super::output;
-use super::words::{padded, parameter, wide_of};
+use super::words::{line, padded, parameter, wide_of};
 
 /// List the effects that the program knows, with what causes them and what to check
 #[derive(Debug, Args)]
@@ -52,9 +52,13 @@ fn in_words(effect: &Effect) -> String {
         ),
         (say!("check"), spoken(about.check).to_owned()),
     ];
-    let lines: String = lines
-        .iter()
-        .map(|(label, said)| format!("  {}{said}\n", padded(label, wide_of(&lines))))
-        .collect();
-    format!("{} ({title})\n  {}\n{lines}\n", about.id, about.equation)
+    let mut text = format!("{} ({title})\n  {}\n", about.id, about.equation);
+    for (label, said) in &lines {
+        line(
+            &mut text,
+            format!("  {}{said}", padded(label, wide_of(&lines))),
+        );
+    }
+    text.push('\n');
+    text
 }

@@ -100,7 +100,6 @@ impl Export {
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
-        let told = |notes: &[String]| notes.to_vec().into_iter().map(Text::verbatim);
         let (export, notes): (_, Vec<Text>);
         if let Some(path) = &self.session {
             let loaded = output::session(path)?;
@@ -184,4 +183,9 @@ impl Export {
             reference,
         }
     }
+}
+
+/// Notes as sentences that no template made.
+fn told(notes: &[String]) -> impl Iterator<Item = Text> {
+    notes.iter().map(Text::verbatim)
 }

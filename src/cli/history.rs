@@ -115,7 +115,7 @@ fn changed_in_words(entry: &Entry, change: &Change) -> String {
         None => estimate.effect.to_owned(),
     };
     let places = [&estimate.target, &estimate.place].into_iter().flatten();
-    let places: String = places.map(|place| format!(" {place}")).collect();
+    let places = places.fold(String::new(), |all, place| all + " " + place);
     let half = change.ci95.map_or(f64::NAN, |[from, to]| 0.5 * (to - from));
     let digits = decimals_of(half, 2);
     format!(

@@ -239,9 +239,9 @@ fn remarks_in_words(text: &mut String, answer: &Identification, session: &Sessio
     for open in &answer.not_identifiable {
         add(&not_identifiable(open));
     }
-    noise_in_words(answer, session)
-        .iter()
-        .for_each(|said| add(said));
+    for said in noise_in_words(answer, session) {
+        add(&said);
+    }
     if !answer.outliers.is_empty() {
         add(&excluded_outliers(answer.outliers.len(), answer.samples));
     }
@@ -273,7 +273,7 @@ fn remarks_in_words(text: &mut String, answer: &Identification, session: &Sessio
     }
     add(&say!(
         "solver: {stopped}; {rank} of {coefficients} coefficients determined, condition {condition}",
-        stopped = of_core(&quality.stopped.to_string()),
+        stopped = of_core(quality.stopped),
         rank = quality.rank,
         coefficients = quality.coefficients,
         condition = format!("{:.1}", quality.condition)

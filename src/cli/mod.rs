@@ -63,7 +63,7 @@ struct Arguments {
     command: Option<Command>,
     /// Session or model to open in the window
     file: Option<PathBuf>,
-    /// Language of reports and messages: en, de or zh; otherwise that of the environment (LC_ALL, LC_MESSAGES, LANG)
+    /// Language of reports and messages: en, de or zh; otherwise that of the environment (`LC_ALL`, `LC_MESSAGES`, LANG)
     // A command may have a field of this name, for the language of a program.
     #[arg(id = "spoken", long = "language", global = true, value_name = "CODE", value_parser = language)]
     language: Option<Language>,

@@ -228,14 +228,11 @@ fn grouped(all: &[Untestable]) -> Vec<(String, &Untestable)> {
         let same = |g: &&mut (String, &Untestable)| {
             g.1.effect == locked.effect && g.1.because == locked.because
         };
-        match (groups.iter_mut().find(same), number) {
-            (Some(group), Some(number)) => {
-                let _ = write!(group.0, ", {number}");
-            }
-            _ => {
-                let name = named(locked.effect, number);
-                groups.push((effect(&name).into_owned(), locked));
-            }
+        if let (Some(group), Some(number)) = (groups.iter_mut().find(same), number) {
+            let _ = write!(group.0, ", {number}");
+        } else {
+            let name = named(locked.effect, number);
+            groups.push((effect(&name).into_owned(), locked));
         }
     }
     groups

@@ -67,7 +67,9 @@ fn in_words(v: &Verification) -> String {
                 )
             ),
         ];
-        lines.iter().for_each(|said| line(&mut text, said));
+        for said in &lines {
+            line(&mut text, said);
+        }
     }
     text += &labelled(&tolerance, wide);
     for sample in &v.outliers {

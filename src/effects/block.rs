@@ -184,6 +184,10 @@ impl<'a> Block<'a> {
     /// Fills the block with the samples from `start` on, the reflectors at home. Columns that are not
     /// there, or do not reach so far, are as if nothing had been recorded.
     pub fn load(&mut self, inputs: &Inputs, start: usize) {
+        fn own<T: AsRef<[f64]>>(columns: &[Option<T>], joint: usize) -> Option<&[f64]> {
+            columns.get(joint)?.as_ref().map(AsRef::as_ref)
+        }
+
         self.len = inputs.len().saturating_sub(start).min(LANES);
         let len = self.len;
         let rows = start..start + len;
@@ -196,9 +200,6 @@ impl<'a> Block<'a> {
             }
             None => to.fill(default),
         };
-        fn own<T: AsRef<[f64]>>(columns: &[Option<T>], joint: usize) -> Option<&[f64]> {
-            columns.get(joint)?.as_ref().map(AsRef::as_ref)
-        }
         for joint in 0..self.q.len() {
             let q = inputs.q.get(joint).map(AsRef::as_ref);
             copy(&mut self.q[joint], q, 0.0);

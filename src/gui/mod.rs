@@ -21,10 +21,6 @@
 //!   that is drawn.
 //! - `preferences`, `help`, `style`: numbers, words, colours and type.
 //! - `jobs`: work in the background, whatever it is about.
-//! - `language`: the texts of the window, by key.
-
-// First: `say!` is in the scope of what follows.
-#[macro_use]
 
 mod actions;
 mod app;

@@ -330,12 +330,11 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
             }
             _ => Unit::Fixed,
         };
-        let (largest, expected) = match quantity {
-            Quantity::Direction(_) => (1.0, phrase!("1, -1 or 0 (unknown)")),
-            _ => {
-                let range = quantity.range(unit);
-                (range.largest, range.expected)
-            }
+        let (largest, expected) = if let Quantity::Direction(_) = quantity {
+            (1.0, phrase!("1, -1 or 0 (unknown)"))
+        } else {
+            let range = quantity.range(unit);
+            (range.largest, range.expected)
         };
         let values = session.samples.numbers(quantity).unwrap_or_default();
         // Without a way out, so that a column of millions is compared many at a time.

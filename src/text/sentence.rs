@@ -18,7 +18,8 @@ enum Kind {
     Verbatim(String),
     /// Clauses one after the other.
     Joined(Vec<Text>),
-    Sentence(Template, Vec<(&'static str, Argument)>),
+    /// In a box: findings travel in results, which should be small.
+    Sentence(Box<(Template, Vec<(&'static str, Argument)>)>),
 }
 
 /// What is filled into a sentence.
@@ -32,7 +33,7 @@ pub enum Argument {
 
 impl Text {
     pub(crate) fn of(template: Template, arguments: Vec<(&'static str, Argument)>) -> Self {
-        Self(Kind::Sentence(template, arguments))
+        Self(Kind::Sentence(Box::new((template, arguments))))
     }
 
     /// Words that are nobody's to translate: a name in a file, what a library or the system reported.
@@ -50,7 +51,8 @@ impl Text {
         match &self.0 {
             Kind::Verbatim(text) => text.clone(),
             Kind::Joined(clauses) => clauses.iter().map(|one| one.spoken_in(language)).collect(),
-            Kind::Sentence(template, arguments) => {
+            Kind::Sentence(sentence) => {
+                let (template, arguments) = &**sentence;
                 let said: Vec<(&str, String)> = arguments
                     .iter()
                     .map(|(name, value)| (*name, value.spoken_in(language)))

@@ -272,35 +272,32 @@ impl RobotTable {
 
     fn assembled(&self) -> Result<Robot, Text> {
         let refused = |error: crate::kinematics::KinematicsError| Text::verbatim(error.to_string());
-        let mut robot = match self.form.convention() {
-            Some(convention) => {
-                let rows: Vec<DhRow> = self.rows.iter().map(|row| row.dh(convention)).collect();
-                let base = pose(self.base);
-                let mut robot = robot_from_dh(self.name.trim(), &rows).map_err(refused)?;
-                for joint in &mut robot.joints {
-                    joint.axis = joint.axis.moved_by(&base);
-                }
-                robot.base_from_tool = base * robot.base_from_tool * pose(self.tool);
-                robot.source = RobotSource::Dh {
-                    base_from_first: base,
-                    rows,
-                };
-                robot
+        let mut robot = if let Some(convention) = self.form.convention() {
+            let rows: Vec<DhRow> = self.rows.iter().map(|row| row.dh(convention)).collect();
+            let base = pose(self.base);
+            let mut robot = robot_from_dh(self.name.trim(), &rows).map_err(refused)?;
+            for joint in &mut robot.joints {
+                joint.axis = joint.axis.moved_by(&base);
             }
-            None => {
-                let joint = |row: &Row| {
-                    let [a, b, c, x, y, z] = row.numbers;
-                    let axis = Axis::through(Vector3::new(a, b, c), Point3::new(x, y, z))?;
-                    Ok(Joint::new(row.name.clone(), row.kind(), axis))
-                };
-                let joints: Result<Vec<Joint>, _> = self.rows.iter().map(joint).collect();
-                Robot {
-                    name: self.name.trim().to_owned(),
-                    joints: joints.map_err(refused)?,
-                    base_from_tool: pose(self.tool),
-                    gravity_m_s2: None,
-                    source: RobotSource::Axes,
-                }
+            robot.base_from_tool = base * robot.base_from_tool * pose(self.tool);
+            robot.source = RobotSource::Dh {
+                base_from_first: base,
+                rows,
+            };
+            robot
+        } else {
+            let joint = |row: &Row| {
+                let [a, b, c, x, y, z] = row.numbers;
+                let axis = Axis::through(Vector3::new(a, b, c), Point3::new(x, y, z))?;
+                Ok(Joint::new(row.name.clone(), row.kind(), axis))
+            };
+            let joints: Result<Vec<Joint>, _> = self.rows.iter().map(joint).collect();
+            Robot {
+                name: self.name.trim().to_owned(),
+                joints: joints.map_err(refused)?,
+                base_from_tool: pose(self.tool),
+                gravity_m_s2: None,
+                source: RobotSource::Axes,
             }
         };
         robot.gravity_m_s2 = self.gravity.map(Vector3::from);

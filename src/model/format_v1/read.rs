@@ -120,7 +120,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         fields,
         node: root,
         path: &Path::Root,
-        expected: expected.into(),
+        expected,
     };
     at.object(blank, calibration)
 }

@@ -96,15 +96,7 @@ pub fn gap(
     }
     let room = if marks.is_empty() { 0.0 } else { NUMBERS[1] };
     if !marks.is_empty() {
-        let sign = Sign::Mark(Form::Diamond);
-        let entry = Entry::new(
-            say!(in "chart-word", "cross-validated"),
-            sign,
-            Stands::Curve,
-            false,
-        );
-        let name = say!(in "chart-word", "on samples that no fit has seen");
-        legend.push(entry.on_paper(name));
+        legend.push(cross_validated());
         items.push(Item::Marks(marks, Stands::Curve, false));
     }
     let named = |(k, step): (usize, &&GapStep)| (-(k as f64), row(&step.what));
@@ -127,6 +119,12 @@ pub fn gap(
         legend,
         note: String::new(),
     })
+}
+
+fn cross_validated() -> Entry {
+    let name = say!(in "chart-word", "cross-validated");
+    let entry = Entry::new(name, Sign::Mark(Form::Diamond), Stands::Curve, false);
+    entry.on_paper(say!(in "chart-word", "on samples that no fit has seen"))
 }
 
 /// All steps, or the first and the last of many.

@@ -98,7 +98,7 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
         fields,
         node: &root,
         path: &Path::Root,
-        expected: expected.into(),
+        expected,
     };
     at.fill(&mut own, head);
     let samples = samples_at(fields, samples, root.at);

@@ -134,7 +134,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
         fields,
         node: root,
         path: &Path::Root,
-        expected: expected.into(),
+        expected,
     };
     at.object(scenario, declare)
 }

@@ -294,9 +294,14 @@ fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
     table
 }
 
+fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
+    let drafted = random.random::<bool>();
+    Command::Draft(drafted.then(|| Box::new(setup(random, workbench.subject()))))
+}
+
 fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
-    let names = workbench.typed_robots().iter().map(|own| own.name.clone());
-    match names.last().filter(|_| random.random()) {
+    let mut names = workbench.typed_robots().iter().map(|own| own.name.clone());
+    match names.next_back().filter(|_| random.random()) {
         Some(name) => Command::ForgetRobot(name),
         None => Command::KeepRobot {
             table: Box::new(typed_robot(random)),
@@ -484,16 +489,11 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         137 | 138 => Command::Prefer(preferences(random)),
         139 if random.random() => record::command(random, workbench, files),
         139 => Command::Resize(sizes(random)),
-        140..=142 => Command::Draft(
-            random
-                .random::<bool>()
-                .then(|| Box::new(setup(random, workbench.subject()))),
-        ),
+        140..=142 => draft(random, workbench),
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::Dismiss,
-        149 => letters(random),
-        150 if random.random() => own_robot(random, workbench),
+        149 => own_robot(random, workbench),
         150 => letters(random),
         151 => look(random),
         _ => {
