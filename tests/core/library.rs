@@ -1,6 +1,11 @@
 //! What a caller of the library passes, broken in the ways that public fields allow: what can refuse does, in words,
 //! what cannot answers with nothing, nothing panics, and everything ends.
 
+#![allow(
+    clippy::default_trait_access,
+    clippy::disallowed_methods,
+    reason = "it says what did not end in its time"
+)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::time::Instant;

@@ -1,6 +1,12 @@
 //! The parts of the library below whole sessions, given what no robot has: poses of another length, models without
 //! their coefficients, scenarios of nothing, tables of no joint. See `library`.
 
+#![allow(
+    clippy::semicolon_if_nothing_returned,
+    clippy::cloned_ref_to_slice_refs,
+    clippy::default_trait_access,
+    reason = "tables of what is broken, a line each"
+)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::ops::ControlFlow;

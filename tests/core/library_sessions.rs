@@ -1,5 +1,12 @@
 //! Sessions that are broken in the ways that public fields allow, for `library`.
 
+#![allow(
+    clippy::semicolon_if_nothing_returned,
+    clippy::manual_is_multiple_of,
+    clippy::cast_possible_truncation,
+    clippy::assigning_clones,
+    reason = "tables of what is broken, a line each"
+)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use nalgebra::{Point3, Unit, Vector3};
