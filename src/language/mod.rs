@@ -5,4 +5,6 @@ pub(crate) mod names;
 
 #[cfg(feature = "gui")]
 pub(crate) use core::known_words;
-pub(crate) use core::{finding, of_core, spoken};
+pub(crate) use core::of_core;
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use core::{finding, spoken};

@@ -101,7 +101,9 @@ pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
-pub(crate) use speech::{choose, current, filled, known, known_in, spoken, within};
+#[cfg(any(test, feature = "cli", feature = "gui"))]
+pub(crate) use speech::choose;
+pub(crate) use speech::{current, filled, known, known_in, spoken, within};
 #[cfg(feature = "gui")]
 pub(crate) use speech::{letters, stretch};
 
