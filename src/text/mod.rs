@@ -6,9 +6,9 @@
 //!
 //! | | gives | for |
 //! | --- | --- | --- |
-//! | [`text!`] | a [`Text`]: the sentence with its arguments, not spoken yet | what the core finds and keeps |
-//! | [`say!`] | the sentence in the language of this thread | what is shown at once |
-//! | [`phrase!`] | a [`Template`] | a constant: a name in a table, a label of an action |
+//! | `text!` | a [`Text`]: the sentence with its arguments, not spoken yet | what the core finds and keeps |
+//! | `say!` | the sentence in the language of this thread | what is shown at once |
+//! | `phrase!` | a [`Template`] | a constant: a name in a table, a label of an action |
 //!
 //! Arguments have names (`text!("joint {joint} turns", joint = 3)`) that are checked while compiling, as languages
 //! have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),

@@ -552,10 +552,15 @@ fn driven(
         frames: ProgramFrames::default(),
     };
     let answer = pipeline::compensate(&request).ok()?;
-    let written = String::from_utf8(answer.bytes).unwrap();
+    let written = String::from_utf8(answer.bytes.clone()).unwrap();
     let mut squares = [0.0; 3];
     let mut times = Vec::new();
-    for (line, q) in written.lines().skip(1).zip(&wanted) {
+    let rows = written.lines().skip(1).zip(&wanted).zip(&answer.targets);
+    for ((line, q), target) in rows {
+        // What stays as it is near a singular wrist is said, and is no correction.
+        if target.result.is_err() {
+            continue;
+        }
         let cells = line.split(',').zip(units(arm));
         let mut told: Vec<f64> = cells
             .map(|(v, (_, unit))| v.parse::<f64>().unwrap() * unit)
@@ -569,10 +574,15 @@ fn driven(
         }
         times.push(off[2] / off[0]);
     }
+    assert!(
+        2 * times.len() > wanted.len(),
+        "{} are corrected",
+        times.len()
+    );
     times.sort_by(f64::total_cmp);
     let middle = times[times.len() / 2];
     Some((
-        squares.map(|square| (square / wanted.len() as f64).sqrt()),
+        squares.map(|square| (square / times.len() as f64).sqrt()),
         middle,
     ))
 }

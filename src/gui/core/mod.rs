@@ -28,7 +28,7 @@ pub(crate) mod scale;
 pub(crate) mod search;
 pub(crate) mod setup;
 pub(crate) mod simulate;
-pub(crate) mod simulate_robot;
+mod simulate_robot;
 pub(crate) mod skeleton;
 pub(crate) mod stated;
 pub(crate) mod undo;

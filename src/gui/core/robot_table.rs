@@ -13,7 +13,7 @@ use std::sync::Arc;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::simulate_robot::SimulatedRobot;
+use super::simulate::SimulatedRobot;
 use crate::export::nominal_rows;
 use crate::kinematics::{
     Axis, DhConvention, DhRow, Follows, Joint, JointKind, LinkMass, Pose, Range, Robot,

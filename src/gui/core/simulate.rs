@@ -8,14 +8,13 @@ use nalgebra::{Point3, Vector3};
 use crate::effects::term::{parameter_names, parameters_to_see};
 use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
+use crate::robots::LibraryRobot;
 use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
     Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature,
 };
 use crate::text::Text;
 use crate::units::rad_from_deg;
-
-use super::simulate_robot::SimulatedRobot;
 
 /// More samples than this are for the terminal.
 const MOST_SAMPLES: f64 = 1e6;
@@ -62,6 +61,27 @@ impl Chosen {
     /// Whether it belongs to one joint.
     pub(crate) fn per_joint(&self) -> bool {
         crate::effects::find(self.id).is_some_and(|effect| effect.about().per_joint)
+    }
+}
+
+/// A robot that is simulated.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SimulatedRobot {
+    /// What it is called.
+    pub(crate) title: String,
+    pub(crate) robot: Robot,
+    /// Rated load, kg.
+    pub(crate) payload_kg: Option<f64>,
+}
+
+impl SimulatedRobot {
+    /// One of the library.
+    pub(crate) fn of(robot: &LibraryRobot) -> Arc<Self> {
+        Arc::new(Self {
+            title: robot.title(),
+            robot: robot.robot.clone(),
+            payload_kg: robot.payload_kg,
+        })
     }
 }
 

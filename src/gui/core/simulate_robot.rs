@@ -4,8 +4,6 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::effects::Term;
-use crate::kinematics::Robot;
-use crate::robots::LibraryRobot;
 use crate::sessions::Session;
 use crate::simulation::{
     HiddenEffect, LoadedScenario, SimulateError, SimulationRequest, parse_scenario,
@@ -13,34 +11,13 @@ use crate::simulation::{
 
 use crate::text::Text;
 
-use super::simulate::{Form, field};
+use super::simulate::{Form, SimulatedRobot, field};
 
 /// Poses where nothing else is filled in.
 const POSES: usize = 120;
 
 /// More poses than this are for the terminal.
 const MOST_POSES: usize = 100_000;
-
-/// A robot that is simulated.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct SimulatedRobot {
-    /// What it is called.
-    pub(crate) title: String,
-    pub(crate) robot: Robot,
-    /// Rated load, kg.
-    pub(crate) payload_kg: Option<f64>,
-}
-
-impl SimulatedRobot {
-    /// One of the library.
-    pub(crate) fn of(robot: &LibraryRobot) -> Arc<Self> {
-        Arc::new(Self {
-            title: robot.title(),
-            robot: robot.robot.clone(),
-            payload_kg: robot.payload_kg,
-        })
-    }
-}
 
 impl Form {
     /// The form for a robot.

@@ -6,7 +6,7 @@ use egui::{
 
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
-use crate::gui::core::simulate_robot::SimulatedRobot;
+use crate::gui::core::simulate::SimulatedRobot;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;

@@ -2,8 +2,8 @@
 
 use egui::{DragValue, Ui};
 
+use crate::gui::core::simulate::SimulatedRobot;
 use crate::gui::core::simulate::{Form, field};
-use crate::gui::core::simulate_robot::SimulatedRobot;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
