@@ -36,9 +36,9 @@ impl Job<'_> {
             }
         }
         let found = text!(
-            "the instrument lost the reflector (0, 0, 0) in {lost} measurements: {lost_2}",
+            "the instrument lost the reflector (0, 0, 0) in {lost} measurements: {which}",
             lost = lost.len(),
-            lost_2 = matching::listed_rows(columns, &lost)
+            which = matching::listed_rows(columns, &lost)
         );
         self.left_out(self.place.clone(), found);
     }
@@ -171,9 +171,9 @@ impl Job<'_> {
         );
         if self.settings.scale {
             said += text!(
-                ", scaled by {scale} ({scale_2} ppm)",
+                ", scaled by {scale} ({ppm} ppm)",
                 scale = format!("{:.6}", alignment.scale),
-                scale_2 = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
+                ppm = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
             );
         }
         let each: Vec<String> = alignment

@@ -163,17 +163,17 @@ impl Job<'_> {
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
             let found = text!(
-                "left out {lonely_measured} without a command: {lonely_measured_2}",
-                lonely_measured = counted(pairs.lonely_measured.len(), "measurement"),
-                lonely_measured_2 = listed(&pairs.lonely_measured)
+                "left out {measurements} without a command: {which}",
+                measurements = counted(pairs.lonely_measured.len(), "measurement"),
+                which = listed(&pairs.lonely_measured)
             );
             self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
             let found = text!(
-                "left out {lonely_commands} without a measurement: {lonely_commands_2}",
-                lonely_commands = counted(pairs.lonely_commands.len(), "command"),
-                lonely_commands_2 = listed(&pairs.lonely_commands)
+                "left out {commands} without a measurement: {which}",
+                commands = counted(pairs.lonely_commands.len(), "command"),
+                which = listed(&pairs.lonely_commands)
             );
             self.left_out(commands.clone(), found);
         }

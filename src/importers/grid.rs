@@ -276,9 +276,9 @@ impl<'a> Grid<'a> {
             }
             Decision::Mixed(point, comma) => {
                 let found = text!(
-                    "{cell} here and {cell_2} in line {line}: a decimal point and a decimal comma",
+                    "{cell} here and {other} in line {line}: a decimal point and a decimal comma",
                     cell = quoted(&comma.cell),
-                    cell_2 = quoted(&point.cell),
+                    other = quoted(&point.cell),
                     line = point.line
                 );
                 let expected = text!(

@@ -191,10 +191,10 @@ fn left_outside(measured: &Columns, usable: &[bool], place: &Place) -> Option<Di
         return None;
     }
     let found = text!(
-        "left out {outside} of {usable} measurements, taken before the first or after the last command: {outside_2}",
+        "left out {outside} of {usable} measurements, taken before the first or after the last command: {which}",
         outside = outside.len(),
         usable = usable.len(),
-        outside_2 = listed_rows(measured, &outside)
+        which = listed_rows(measured, &outside)
     );
     Some(Diagnostic::warning(place.clone(), found, Text::default()))
 }

@@ -67,11 +67,10 @@ pub(crate) fn by_order(measured: &Columns, commands: &Columns) -> Result<Pairs, 
         && let Some(row) = (0..fewer).find(|&row| a[row] != b[row])
     {
         found += text!(
-            "; the first difference: measurement {row} is {row_2}, command {row_3} is {row_4}",
+            "; the first difference: measurement {row} is {measured}, command {row} is {commanded}",
             row = row + 1,
-            row_2 = quoted(a[row]),
-            row_3 = row + 1,
-            row_4 = quoted(b[row])
+            measured = quoted(a[row]),
+            commanded = quoted(b[row])
         );
     }
     Err((

@@ -255,11 +255,11 @@ impl<'a> Case<'a> {
             };
             if let Some(first) = roles[..index].iter().position(same) {
                 let says = text!(
-                    "columns {first} {first_2} and {index} {index_2} could both be {role}",
+                    "columns {first} {first_heading} and {index} {heading} could both be {role}",
                     first = first + 1,
-                    first_2 = quoted(heading(first)),
+                    first_heading = quoted(heading(first)),
                     index = index + 1,
-                    index_2 = quoted(heading(index)),
+                    heading = quoted(heading(index)),
                     role = role.to_string()
                 );
                 self.ask(About::Columns, says, &[]);

@@ -32,9 +32,9 @@ impl Robot {
                 problems.push(Diagnostic::error(
                     at,
                     text!(
-                        "joints {index} and {index_2} move along the same line",
+                        "joints {index} and {next} move along the same line",
                         index = index + 1,
-                        index_2 = index + 2
+                        next = index + 2
                     ),
                     text!(
                         "neighbouring joints with different axes; these two cannot be told apart"

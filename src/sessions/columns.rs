@@ -404,9 +404,9 @@ impl Layout {
                         findings.push(Diagnostic::error(
                             place(index),
                             text!(
-                                "the same quantity as column {first}, {first_2}",
+                                "the same quantity as column {first}, {heading}",
                                 first = first + 1,
-                                first_2 = quoted(&names[*first])
+                                heading = quoted(&names[*first])
                             ),
                             text!("one column for each quantity: remove one of the two"),
                         ));

@@ -347,9 +347,9 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
         if let Some(row) = values.iter().position(|value| value.abs() > largest) {
             let field = quantity.heading(Some(quantity.written_in(joints)));
             let found = text!(
-                "sample {row}: {row_2}",
+                "sample {row}: {value}",
                 row = row + 1,
-                row_2 = short(values[row])
+                value = short(values[row])
             );
             findings.push(error(&field, found, expected.into()));
         }

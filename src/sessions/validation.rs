@@ -201,9 +201,9 @@ fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
         if session.targets.len() > 1 {
             let place = file.clone().in_field("targets");
             let found = text!(
-                "{targets} targets but no column target: every sample is taken to show {targets_2}",
+                "{targets} targets but no column target: every sample is taken to show {target}",
                 targets = session.targets.len(),
-                targets_2 = quoted(&session.targets[0].name)
+                target = quoted(&session.targets[0].name)
             );
             findings.push(Diagnostic::warning(place, found, text!("a column target")));
         }
@@ -242,20 +242,20 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     } else if !incomplete.is_empty() {
         let found = text!(
             "{incomplete} of {count} samples lack a commanded value or everything measured and cannot be \
-             used: {incomplete_2}",
+             used: {which}",
             incomplete = incomplete.len(),
             count = count,
-            incomplete_2 = which(samples, &incomplete)
+            which = which(samples, &incomplete)
         );
         findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&incomplete));
     }
     let excluded = samples.excluded_by_hand();
     if !excluded.is_empty() {
         let found = text!(
-            "{excluded} of {count} samples are excluded by hand and count in no figure: {excluded_2}",
+            "{excluded} of {count} samples are excluded by hand and count in no figure: {which}",
             excluded = excluded.len(),
             count = count,
-            excluded_2 = which(samples, &excluded)
+            which = which(samples, &excluded)
         );
         findings.push(
             Diagnostic::warning(file.clone().in_field("use"), found, Text::default())
@@ -265,10 +265,10 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     let partly = samples.partly_measured();
     if !partly.is_empty() {
         let found = text!(
-            "{partly} of {count} samples lack single coordinates; the others of them are fitted: {partly_2}",
+            "{partly} of {count} samples lack single coordinates; the others of them are fitted: {which}",
             partly = partly.len(),
             count = count,
-            partly_2 = which(samples, &partly)
+            which = which(samples, &partly)
         );
         findings.push(Diagnostic::note(file.clone(), found).about(&partly));
     }
@@ -295,9 +295,9 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
             .collect();
         if !off.is_empty() {
             let found = text!(
-                "{off} measured orientations are not of unit length: {off_2}",
+                "{off} measured orientations are not of unit length: {which}",
                 off = off.len(),
-                off_2 = which(samples, &off)
+                which = which(samples, &off)
             );
             let place = file.clone().in_field("qw, qx, qy, qz");
             findings.push(Diagnostic::warning(place, found, text!("unit quaternions")).about(&off));
@@ -321,10 +321,10 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
             .collect();
         if !beyond.is_empty() {
             let found = text!(
-                "{beyond} samples are beyond the limits of joint {index}: {beyond_2}",
+                "{beyond} samples are beyond the limits of joint {index}: {which}",
                 beyond = beyond.len(),
                 index = index + 1,
-                beyond_2 = which(&session.samples, &beyond)
+                which = which(&session.samples, &beyond)
             );
             findings.push(
                 Diagnostic::warning(file.clone(), found, text!("commands within the limits"))
@@ -385,9 +385,9 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let lost = samples.lost_reflector();
     if !lost.is_empty() {
         let found = text!(
-            "the instrument lost the reflector (0, 0, 0) in {lost} samples: {lost_2}",
+            "the instrument lost the reflector (0, 0, 0) in {lost} samples: {which}",
             lost = lost.len(),
-            lost_2 = which(samples, &lost)
+            which = which(samples, &lost)
         );
         let warning = Diagnostic::warning(file.clone(), found, text!("they are left out"));
         findings.push(warning.about(&lost));

@@ -180,10 +180,7 @@ impl Positions<'_, '_, '_> {
                 let (value, end) = self.value(k + 1)?;
                 k = end;
                 if group.values.insert(key.clone(), value).is_some() {
-                    let found = text!(
-                        "{to_uppercase} a second time",
-                        to_uppercase = key.to_uppercase()
-                    );
+                    let found = text!("{component} a second time", component = key.to_uppercase());
                     return Err(Problem::new(at, found, text!("every value once")));
                 }
             }
@@ -240,8 +237,8 @@ impl Positions<'_, '_, '_> {
             Some(Value::Number(number, found)) if *found == unit => Ok(number.clone()),
             Some(Value::Number(number, found)) => {
                 let found = text!(
-                    "{to_uppercase} in {found} in {name}",
-                    to_uppercase = key.to_uppercase(),
+                    "{component} in {found} in {name}",
+                    component = key.to_uppercase(),
                     found = found,
                     name = name
                 );
@@ -253,9 +250,9 @@ impl Positions<'_, '_, '_> {
             }
             _ => {
                 let found = text!(
-                    "{name} without {to_uppercase}",
+                    "{name} without {component}",
                     name = name,
-                    to_uppercase = key.to_uppercase()
+                    component = key.to_uppercase()
                 );
                 Err(Problem::new(
                     begins,
@@ -283,8 +280,8 @@ impl Positions<'_, '_, '_> {
                     Value::Nothing => begins,
                 };
                 let found = text!(
-                    "{to_uppercase} in {name}",
-                    to_uppercase = key.to_uppercase(),
+                    "{component} in {name}",
+                    component = key.to_uppercase(),
                     name = name
                 );
                 return Err(Problem::new(

@@ -71,14 +71,14 @@ impl Aggregate {
                     Component::RunTime => self.at,
                 };
                 let found = text!(
-                    "component {to_uppercase} in {name}",
-                    to_uppercase = key.to_uppercase(),
+                    "component {component} in {name}",
+                    component = key.to_uppercase(),
                     name = name
                 );
                 let expected = text!(
-                    "a component of {what}: {to_uppercase}",
+                    "a component of {what}: {component}",
                     what = what,
-                    to_uppercase = keys.join(", ").to_uppercase()
+                    component = keys.join(", ").to_uppercase()
                 );
                 return Err(Problem::new(at, found, expected));
             }
@@ -100,8 +100,8 @@ impl Aggregate {
                 let value = number.value;
                 if !(0.0..=255.0).contains(&value) || value.fract() != 0.0 {
                     let found = text!(
-                        "{to_uppercase} {value} in {name}",
-                        to_uppercase = key.to_uppercase(),
+                        "{component} {value} in {name}",
+                        component = key.to_uppercase(),
                         value = value,
                         name = name
                     );
@@ -163,10 +163,7 @@ pub(super) fn aggregate(words: &Words, k: usize) -> Result<(Aggregate, usize), P
             .insert(key.clone(), component)
             .is_some()
         {
-            let found = text!(
-                "{to_uppercase} a second time",
-                to_uppercase = key.to_uppercase()
-            );
+            let found = text!("{component} a second time", component = key.to_uppercase());
             return Err(Problem::new(key_at, found, text!("every component once")));
         }
         match words.kind(end) {

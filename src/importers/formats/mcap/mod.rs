@@ -75,7 +75,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 fn read(case: &mut Case<'_>) -> Option<Columns> {
     let topics = gathered(case)?;
     case.found.names = topics.names().map(str::to_owned).collect();
-    case.note(text!("topics: {in_words}", in_words = topics.in_words()));
+    case.note(text!("topics: {topics}", topics = topics.in_words()));
     let joints = chosen(case, &topics, &JOINTS);
     let measured = chosen(case, &topics, &MEASURED);
     let (joints, measured) = (joints.ok()?, measured.ok()?);
