@@ -60,7 +60,7 @@ impl Failure {
                     let lines: Vec<_> = words.lines().map(of_core).collect();
                     format!("{place}: {}", lines.join("\n"))
                 }
-                None => format!("{place}: {}", text.spoken()),
+                None => format!("{place}: {}", spoken(text)),
             },
             Self::Rejected(rejected) => {
                 let findings: Vec<String> = rejected.diagnostics.iter().map(finding).collect();

@@ -13,7 +13,6 @@ use crate::language::finding;
 use crate::pipeline::{load, load_robot};
 use crate::robots::{LibraryRobot, named};
 use crate::sessions::Loaded;
-use crate::text::Text;
 
 use super::failure::Failure;
 
@@ -84,9 +83,11 @@ pub(crate) fn robot_and_origin(
     if is_a_robots_name(path) {
         let text = path.to_string_lossy();
         let found = named(&text).map_err(|error| {
-            // One sentence of the core for both: what it says is known by its words.
-            let words = format!("there is no file '{text}', and {error}");
-            Failure::WrongInput(Text::verbatim(words))
+            Failure::WrongInput(text!(
+                "there is no file '{file}', and {error}",
+                file = text.as_ref(),
+                error = error.to_string()
+            ))
         })?;
         return Ok((found.robot.clone(), Some(found)));
     }

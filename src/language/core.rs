@@ -56,13 +56,10 @@ pub(crate) fn of_core(english: &str) -> Cow<'_, str> {
     Cow::Owned(said)
 }
 
-/// A sentence of the core, in the language of this thread. Words that no template made, as those of an error, are
-/// looked for among the patterns.
+/// A sentence of the core, in the language of this thread. Words in it that no template made, as those of an error,
+/// are looked for among the patterns.
 pub(crate) fn spoken(text: &Text) -> String {
-    match text.words() {
-        Some(words) => of_core(words).into_owned(),
-        None => text.spoken(),
-    }
+    text.spoken_by(current(), &|words| of_core(words).into_owned())
 }
 
 /// A finding, with where it is and what was expected.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::english::Template;
 use super::language::Language;
-use super::speech::{current, filled_in};
+use super::speech::filled_in;
 
 /// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are nobody's to
 /// translate: a name in a file, what a library or the system reported.
@@ -41,21 +41,24 @@ impl Text {
         Self(Kind::Verbatim(words.into()))
     }
 
-    /// In the language of this thread.
-    pub(crate) fn spoken(&self) -> String {
-        self.spoken_in(current())
+    /// In this language; words that no template made stay as they are.
+    pub fn spoken_in(&self, language: Language) -> String {
+        self.spoken_by(language, &str::to_owned)
     }
 
-    /// In this language.
-    pub fn spoken_in(&self, language: Language) -> String {
+    /// In this language, with what stands for words that no template made.
+    pub(crate) fn spoken_by(&self, language: Language, words: &dyn Fn(&str) -> String) -> String {
         match &self.0 {
-            Kind::Verbatim(text) => text.clone(),
-            Kind::Joined(clauses) => clauses.iter().map(|one| one.spoken_in(language)).collect(),
+            Kind::Verbatim(text) => words(text),
+            Kind::Joined(clauses) => {
+                let clauses = clauses.iter();
+                clauses.map(|one| one.spoken_by(language, words)).collect()
+            }
             Kind::Sentence(sentence) => {
                 let (template, arguments) = &**sentence;
                 let said: Vec<(&str, String)> = arguments
                     .iter()
-                    .map(|(name, value)| (*name, value.spoken_in(language)))
+                    .map(|(name, value)| (*name, value.spoken_by(language, words)))
                     .collect();
                 let said: Vec<(&str, &dyn fmt::Display)> = said
                     .iter()
@@ -67,6 +70,7 @@ impl Text {
     }
 
     /// The words, where no template made them.
+    #[cfg(feature = "cli")]
     pub(crate) fn words(&self) -> Option<&str> {
         match &self.0 {
             Kind::Verbatim(words) => Some(words),
@@ -81,9 +85,9 @@ impl Text {
 }
 
 impl Argument {
-    fn spoken_in(&self, language: Language) -> String {
+    fn spoken_by(&self, language: Language, words: &dyn Fn(&str) -> String) -> String {
         match self {
-            Self::Text(text) => text.spoken_in(language),
+            Self::Text(text) => text.spoken_by(language, words),
             Self::Count(count) => count.to_string(),
         }
     }

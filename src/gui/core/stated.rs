@@ -27,7 +27,7 @@ impl Stated {
             read.map_err(|found| {
                 say!(
                     "Logo {found}; expected {expected}",
-                    found = found.spoken(),
+                    found = crate::language::spoken(&found),
                     expected = spoken(Logo::EXPECTED)
                 )
             })
