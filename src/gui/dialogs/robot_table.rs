@@ -11,12 +11,14 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::gui::workspace::robot_alone;
 
 /// Width of the table with axes, of that with rows, of the robot, and how high both are, points.
-const AXES: f32 = 720.0;
-const DH: f32 = 600.0;
-const PICTURE: f32 = 300.0;
+const AXES: f32 = 708.0;
+const DH: f32 = 594.0;
+const PICTURE: f32 = 230.0;
 const HEIGHT: f32 = 300.0;
-/// Width of a number.
-const NUMBER: f32 = 64.0;
+/// A number, the name of a joint and how it moves: all of one height.
+const NUMBER: f32 = 54.0;
+const NAME: [f32; 2] = [76.0, 28.0];
+const MOVES: [f32; 2] = [54.0, 28.0];
 
 pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mut Vec<Command>) {
     let mut typed = table.clone();
@@ -101,37 +103,40 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable) {
     let heads = typed.form.numbers();
     let mut gone = None;
     let several = typed.rows.len() > 1;
-    Grid::new("joints").spacing(vec2(4.0, 4.0)).show(ui, |ui| {
-        let head = |ui: &mut Ui, text: &str| {
-            ui.label(egui::RichText::new(text).small().color(muted));
-        };
-        head(ui, "");
-        head(ui, say!("joint"));
-        head(ui, say!("moves"));
-        for (name, unit) in heads {
-            let name = heading(name);
-            let text = if unit.is_empty() {
-                name.to_owned()
-            } else {
-                format!("{name}, {unit}")
+    Grid::new("joints")
+        .min_col_width(0.0)
+        .spacing(vec2(4.0, 4.0))
+        .show(ui, |ui| {
+            let head = |ui: &mut Ui, text: &str| {
+                ui.label(egui::RichText::new(text).small().color(muted));
             };
-            head(ui, &text);
-        }
-        head(ui, say!("from"));
-        head(ui, say!("to"));
-        head(ui, "");
-        ui.end_row();
-        for (index, row) in typed.rows.iter_mut().enumerate() {
-            head(ui, &(index + 1).to_string());
-            joint(ui, index + 1, row, heads);
-            let remove = ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, 24.0)));
-            widgets::label(&remove, say!("Remove joint {joint}", joint = index + 1));
-            if remove.clicked() {
-                gone = Some(index);
+            head(ui, "");
+            head(ui, say!("joint"));
+            head(ui, say!("moves"));
+            for (name, unit) in heads {
+                let name = heading(name);
+                let text = if unit.is_empty() {
+                    name.to_owned()
+                } else {
+                    format!("{name}, {unit}")
+                };
+                head(ui, &text);
             }
+            head(ui, say!("from"));
+            head(ui, say!("to"));
+            head(ui, "");
             ui.end_row();
-        }
-    });
+            for (index, row) in typed.rows.iter_mut().enumerate() {
+                head(ui, &(index + 1).to_string());
+                joint(ui, index + 1, row, heads);
+                let remove = ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, 24.0)));
+                widgets::label(&remove, say!("Remove joint {joint}", joint = index + 1));
+                if remove.clicked() {
+                    gone = Some(index);
+                }
+                ui.end_row();
+            }
+        });
     if let Some(index) = gone {
         typed.remove(index);
     }
@@ -154,14 +159,14 @@ fn heading(name: &'static str) -> &'static str {
 
 /// One joint: its name, whether it turns, its numbers and its travel.
 fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'static str)]) {
-    let name = ui.add(TextEdit::singleline(&mut row.name).desired_width(72.0));
+    let name = ui.add_sized(NAME, TextEdit::singleline(&mut row.name));
     widgets::label(&name, say!("Name of joint {joint}", joint = number));
     let says = if row.slides {
         say!(in "joint", "slides")
     } else {
         say!(in "joint", "turns")
     };
-    let kind = ui.add(Button::new(says).min_size(vec2(56.0, 24.0)));
+    let kind = ui.add_sized(MOVES, Button::new(says));
     widgets::label(
         &kind,
         say!("Joint {joint} {moves}", joint = number, moves = says),
@@ -184,14 +189,12 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let mut travel = row.travel.is_some();
     let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
     let ends = [(say!("from"), &mut from), (say!("to"), &mut to)];
-    ui.add_enabled_ui(travel, |ui| {
-        for (end, value) in ends {
-            ui.horizontal(|ui| {
-                let label = say!("{number} of joint {joint}", number = end, joint = number);
-                cell(ui, &label, unit, value);
-            });
-        }
-    });
+    for (end, value) in ends {
+        ui.add_enabled_ui(travel, |ui| {
+            let label = say!("{number} of joint {joint}", number = end, joint = number);
+            cell(ui, &label, unit, value);
+        });
+    }
     let known = ui.checkbox(&mut travel, "");
     widgets::label(
         &known,
