@@ -183,6 +183,9 @@ pub mod programs;
 pub mod standards;
 
 pub(crate) mod language;
+
+pub mod explain;
+
 pub mod report;
 
 /// Steps inside the library that the benches time and the tests of `tests` look at; they change

@@ -31,7 +31,7 @@ use crate::diagnosis::Diagnosis;
 /// A turn this near to 1 is one.
 const TURNS: f64 = 0.1;
 
-/// See the module.
+/// The paper's regional model of a session, held against the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RegionalStart {
     /// The paper's identification of the session.

@@ -59,7 +59,7 @@ impl RecordError {
     }
 }
 
-/// See the module. `open` makes the file when the first line of it is known: a stream that brings
+/// Puts the lines of a stream into a CSV file. `open` makes the file when the first line of it is known: a stream that brings
 /// nothing leaves nothing.
 pub struct Recorder<F, W> {
     open: Option<F>,

@@ -206,7 +206,7 @@ impl Unnamed {
     }
 }
 
-/// See the module.
+/// What a diagnosis answers, with everything that terminal, window, report and JSON need; see [`crate::diagnosis`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
     /// Name of the session.

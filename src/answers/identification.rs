@@ -135,7 +135,7 @@ pub struct Quality {
     pub condition: f64,
 }
 
-/// See the module.
+/// A fit of the parameters that every calibration has: values, intervals, errors in mm, what was left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identification {
     /// Name of the session.

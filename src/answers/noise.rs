@@ -7,7 +7,7 @@ use crate::sessions::{Session, Sigma};
 /// variances of the slow part in units of the white one's.
 pub(crate) type Trial = (f64, f64, [f64; 3]);
 
-/// See the module.
+/// Noise of a session: a white part for each axis and, where the residuals show one, a part that wanders.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Noise {
     /// Standard deviation of the white part along x, y, z, mm.

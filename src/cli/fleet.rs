@@ -29,7 +29,6 @@ use super::diagnose::Asked;
 use super::failure::Failure;
 use super::in_order::in_order;
 use super::output;
-use super::undetected::named;
 use super::words::{effect, effects};
 
 /// What is said of one session.
@@ -57,11 +56,17 @@ impl Row {
         Self {
             machine: session.robot.name.clone(),
             verdict: d.verdict.name(),
-            names: found
-                .map(|f| named(d, f.effect, f.joint.map(|joint| joint - 1)))
-                .collect(),
+            names: found.map(|f| named(d, f.effect, f.joint)).collect(),
             errors_mm: [d.gap.start_mm, d.gap.end_mm, d.floor.mm],
         }
+    }
+}
+
+/// A name, of several joints with its joint, counted from 1.
+fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
+    match joint.filter(|_| d.model.robot.joints.len() > 1) {
+        Some(joint) => format!("{effect} {joint}"),
+        None => effect.to_owned(),
     }
 }
 

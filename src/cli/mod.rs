@@ -5,6 +5,7 @@
 //! many sessions. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod blocks;
 mod compensate;
 mod diagnose;
 mod diagnosed;
@@ -32,7 +33,6 @@ mod robots;
 mod simulate;
 mod standards;
 mod test_cube;
-mod undetected;
 mod verify;
 mod window;
 mod words;

@@ -20,15 +20,6 @@ pub(super) fn effect(name: &str) -> Cow<'_, str> {
     }
 }
 
-/// An effect whose id options take as well, so that it can be typed.
-pub(super) fn effect_with_id(id: &str) -> Cow<'_, str> {
-    if is_english() {
-        id.into()
-    } else {
-        format!("{} ({id})", names::title(id)).into()
-    }
-}
-
 /// Coefficients that stand together.
 pub(super) fn combination(names: &str) -> Cow<'_, str> {
     if is_english() {

@@ -41,7 +41,7 @@ impl Side {
     }
 }
 
-/// See the module.
+/// Load, temperature, speed and direction of approach for which a correction is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions {
     /// Speed of every joint while it passes, without sign, rad/s or mm/s.

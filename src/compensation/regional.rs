@@ -21,7 +21,7 @@ use crate::model::RegionalCorrection;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 
-/// See the module.
+/// The paper's compensation: a constant correction of angle and radius for each region of the joint.
 #[derive(Debug, Clone)]
 pub struct Regional {
     corrections: Vec<RegionalCorrection>,

@@ -30,7 +30,7 @@ pub struct Share {
     pub remedy: String,
 }
 
-/// See the module.
+/// What corrected joint commands cannot remove, mm, with its causes and the change of the controller that would.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Remainder {
     /// Root mean square over the poses, mm.

@@ -105,7 +105,7 @@ pub struct HeldOutErrors {
     pub model_mm: f64,
 }
 
-/// See the module.
+/// Errors in mm of the nominal robot, the model and corrected commands on one session.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// Name of the session.

@@ -66,7 +66,7 @@ pub(crate) fn conditioned(
     } else {
         1
     };
-    let mut slots = Slots::new(arm, poses, varied, seed, stretches);
+    let mut slots = ConditionedPoses::new(arm, poses, varied, seed, stretches);
     let order = choose(&mut slots, poses.len());
     let robot = &arm.session.robot;
     let at_home = |range: &Range| 0.0_f64.clamp(range.from, range.to);
@@ -88,7 +88,7 @@ pub(crate) fn conditioned(
 }
 
 /// Poses under all conditions that are offered.
-struct Slots {
+struct ConditionedPoses {
     candidates: Vec<Candidate>,
     pose: Vec<usize>,
     stretch: Vec<usize>,
@@ -97,7 +97,7 @@ struct Slots {
     room: Vec<usize>,
 }
 
-impl Slots {
+impl ConditionedPoses {
     fn new(arm: &Arm, poses: &[Candidate], varied: Varied, seed: u64, stretches: usize) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51de);
         let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
@@ -159,7 +159,7 @@ fn possible(arm: &Arm, q: &[f64], dir: &[f64]) -> Vec<f64> {
     joints.zip(q.iter().zip(dir)).map(one).collect()
 }
 
-impl Criterion for Slots {
+impl Criterion for ConditionedPoses {
     fn worths(&self) -> Vec<f64> {
         let of = |k: usize| {
             let free = !self.used[self.pose[k]] && self.room[self.stretch[k]] > 0;

@@ -36,7 +36,7 @@ pub struct Alike {
     pub correlation: f64,
 }
 
-/// See the module.
+/// What planned poses are expected to tell apart, computed on an imagined measurement of them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExpectedInformation {
     /// What will be seen above which size, with a chance of 95 %.

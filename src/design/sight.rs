@@ -19,7 +19,7 @@ pub(crate) const THICK_MM: f64 = 80.0;
 pub(crate) const AT_TARGET_MM: f64 = 150.0;
 
 /// A pose as the rule takes it, everything in the measuring frame, mm.
-struct Posed {
+struct SightPose {
     joints: Vec<Point3<f64>>,
     target: Point3<f64>,
     faces: Vector3<f64>,
@@ -34,7 +34,7 @@ pub(crate) fn seen(
     cone_rad: Option<f64>,
 ) -> Vec<bool> {
     let posed = posed(session, model, poses);
-    let visible = |(pose, from): (&Posed, &Option<Point3<f64>>)| {
+    let visible = |(pose, from): (&SightPose, &Option<Point3<f64>>)| {
         from.is_none_or(|from| pose.lit(&from) && cone_rad.is_none_or(|c| pose.faces(&from, c)))
     };
     posed.iter().zip(from).map(visible).collect()
@@ -42,7 +42,7 @@ pub(crate) fn seen(
 
 /// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints
 /// before it alone.
-fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Posed> {
+fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<SightPose> {
     let robot = &session.robot;
     let n = robot.joints.len();
     let home = |p: &Point3<f64>| <[f64; 3]>::from((robot.base_from_tool * p).coords);
@@ -77,7 +77,7 @@ fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Posed
         let first = k * per;
         let (origin, target) = (at(first + n), at(first + n + 2));
         let out = target - origin;
-        Posed {
+        SightPose {
             joints: (first..first + n).map(at).collect(),
             target,
             faces: if out.norm() > 1.0 {
@@ -90,7 +90,7 @@ fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Posed
     (0..poses.len()).map(one).collect()
 }
 
-impl Posed {
+impl SightPose {
     /// Whether no rod is in the line of sight.
     fn lit(&self, from: &Point3<f64>) -> bool {
         let sight = self.target - from;

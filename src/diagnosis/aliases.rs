@@ -125,7 +125,7 @@ pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fi
         .collect()
 }
 
-struct Trial {
+struct RivalTrial {
     removed: Vec<Term>,
     rest: Rc<Fit>,
     instead: Vec<usize>,
@@ -139,7 +139,7 @@ pub(crate) fn rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
 
 fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let added: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
-    let mut trials: Vec<Trial> = Vec::new();
+    let mut trials: Vec<RivalTrial> = Vec::new();
     for (i, first) in added.iter().enumerate() {
         try_without(regression, fit, std::slice::from_ref(first), &mut trials);
         if added.len() > MOST_FOR_PAIRS {
@@ -175,7 +175,7 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     rivals
 }
 
-fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mut Vec<Trial>) {
+fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mut Vec<RivalTrial>) {
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
@@ -196,7 +196,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     };
     scores.retain(is_new);
     let mut push = |instead: Vec<usize>, ln_odds: f64| {
-        trials.push(Trial {
+        trials.push(RivalTrial {
             removed: removed.to_vec(),
             rest: Rc::clone(&rest),
             instead,

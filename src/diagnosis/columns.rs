@@ -46,7 +46,7 @@ pub(crate) enum Among {
     All,
 }
 
-/// See the module.
+/// The columns of all candidates, held as the few numbers that they are made of.
 #[derive(Debug, Clone)]
 pub(crate) struct Columns {
     rows: usize,

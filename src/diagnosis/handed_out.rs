@@ -51,7 +51,7 @@ pub(crate) struct HandedOut<'a> {
 }
 
 /// One way to values, and what it is worth.
-struct Candidate<'a> {
+struct WayToValues<'a> {
     values: Values<'a>,
     end_mm: f64,
     held_out_mm: Option<f64>,
@@ -73,7 +73,7 @@ pub(crate) fn choose<'a>(
     let identified = identified(prepared, problem);
     let identified_mm = rms_mm(problem, &identified);
     let identified_held_out = unseen::of(prepared, &base_fit, Procedure::Identify);
-    let no_worse = |c: &Candidate| {
+    let no_worse = |c: &WayToValues| {
         let held_out = match (c.held_out_mm, identified_held_out) {
             (Some(own), Some(identified)) => own <= identified,
             _ => true,
@@ -81,13 +81,13 @@ pub(crate) fn choose<'a>(
         let tame = || runs_away(problem, &c.values.model).is_none();
         held_out && c.end_mm <= identified_mm && tame()
     };
-    let candidate = |values: Values<'a>, fit: &Fit, procedure| Candidate {
+    let candidate = |values: Values<'a>, fit: &Fit, procedure| WayToValues {
         end_mm: rms_mm(problem, &values.model),
         held_out_mm: unseen::of_model(prepared, &values.model)
             .or_else(|| unseen::of(prepared, fit, procedure)),
         values,
     };
-    let handed_out = |own: Candidate<'a>, dropped: Vec<Term>| HandedOut {
+    let handed_out = |own: WayToValues<'a>, dropped: Vec<Term>| HandedOut {
         values: own.values,
         identified_mm,
         end_mm: own.end_mm,
@@ -155,7 +155,7 @@ pub(crate) fn choose<'a>(
     let all = regression.added(names).into_iter().cloned().collect();
     let of_names = || Values::of(prepared, problem, &base_fit, stopped);
     let values = of_base.at(&identified).unwrap_or_else(of_names);
-    let own = Candidate {
+    let own = WayToValues {
         end_mm: rms_mm(problem, &values.model),
         held_out_mm: identified_held_out,
         values,

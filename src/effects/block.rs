@@ -102,7 +102,7 @@ struct JointTangent {
     lanes: Lanes,
 }
 
-/// See the module.
+/// Up to 64 samples on their way from joint commands to measured points, with derivatives where they are asked for.
 #[derive(Clone)]
 pub struct Block<'a> {
     /// The robot as its controller believes it to be.

@@ -179,7 +179,7 @@ fn split(u: f64, largest: usize) -> (usize, f64) {
     (whole, u - whole as f64)
 }
 
-/// See the module.
+/// A cubic spline over a joint's value in three directions, given at equal steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     knots: Knots,

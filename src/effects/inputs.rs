@@ -21,7 +21,7 @@ pub enum JointValues {
     Read,
 }
 
-/// See the module. Borrows the session's columns where it can.
+/// What effects read of the samples. Borrows the session's columns where it can.
 #[derive(Debug, Clone)]
 pub struct Inputs<'a> {
     /// Commanded joint values, rad or mm.

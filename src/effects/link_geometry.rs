@@ -55,7 +55,7 @@ const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
         .then(|| "the robot has a single axis: axis tilt and base offset take its place".to_owned())
 });
 
-/// See the module.
+/// The effect `link-geometry`: position in mm and direction in rad of a joint's axis.
 pub static LINK_GEOMETRY: Effect = Effect {
     remedy: Some(remedy),
     ..Effect::new(ABOUT, act)

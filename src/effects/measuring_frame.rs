@@ -48,7 +48,7 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-/// See the module.
+/// The effect `measuring-frame`: the instrument's frame of one setup, free in six parameters.
 pub static MEASURING_FRAME: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {

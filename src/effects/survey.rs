@@ -35,7 +35,7 @@ pub struct JointSurvey {
     pub torque_range_nm: Option<f64>,
 }
 
-/// See the module.
+/// Which conditions vary in a session, and how far.
 #[derive(Debug, Clone)]
 pub struct Survey {
     /// One for each joint.

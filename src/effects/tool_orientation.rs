@@ -50,7 +50,7 @@ const THREE_TARGETS: Need = Need::of_samples("three targets, or orientation", |s
     })
 });
 
-/// See the module.
+/// The effect `tool-orientation`: three turns of the tool about its own axes.
 pub static TOOL_ORIENTATION: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {

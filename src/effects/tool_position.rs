@@ -37,7 +37,7 @@ const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| 
         .then(|| "the robot has a single axis: link length takes its place".to_owned())
 });
 
-/// See the module.
+/// The effect `tool-position`: three shifts of the targets in the tool's frame.
 pub static TOOL_POSITION: Effect = Effect {
     remedy: Some(remedy),
     ..Effect::new(ABOUT, act)

@@ -51,7 +51,7 @@ const NO_NAME: Need = Need::of_samples("a smooth correction", |_, _| {
     )
 });
 
-/// See the module.
+/// The effect `unexplained`: a smooth curve over one joint, asked for with `--correct-unexplained`.
 pub static SMOOTH: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {

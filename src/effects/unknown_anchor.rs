@@ -19,5 +19,5 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-/// See the module.
+/// The effect `unknown-anchor`: position and offset of a distance's anchor.
 pub static UNKNOWN_ANCHOR: Effect = Effect::new(ABOUT, places::NOTHING);

@@ -19,5 +19,5 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-/// See the module.
+/// The effect `unknown-plane`: normal and distance of a touched plane.
 pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, places::NOTHING);

@@ -13,5 +13,5 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-/// See the module.
+/// The effect `unknown-socket`: position of a socket in the base frame.
 pub static UNKNOWN_SOCKET: Effect = Effect::new(ABOUT, places::NOTHING);

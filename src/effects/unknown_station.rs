@@ -21,5 +21,5 @@ const ABOUT: About = About {
     ..places::ABOUT
 };
 
-/// See the module.
+/// The effect `unknown-station`: position and attitude of an instrument of directions.
 pub static UNKNOWN_STATION: Effect = Effect::new(ABOUT, places::NOTHING);

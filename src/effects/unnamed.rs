@@ -51,7 +51,7 @@ const NO_NAME: Need = Need::of_samples("a diagnosis", |_, _| {
     )
 });
 
-/// See the module.
+/// The effect `unnamed`: what predicts unseen poses and has no proven name.
 pub static REST: Effect = Effect::new(ABOUT, act);
 
 /// By how much a command is moved to find how the correction follows it, rad or mm.

@@ -92,7 +92,7 @@ pub(super) struct Frames {
 }
 
 #[derive(Serialize)]
-struct Sidecar<'a> {
+struct DescriptionSidecar<'a> {
     format: &'static str,
     table: &'a str,
     table_format: &'static str,
@@ -107,7 +107,7 @@ struct Sidecar<'a> {
     level: Level,
     level_in_words: &'static str,
     zeros: ZerosTwin,
-    example: Example,
+    example: DescriptionExample,
     #[serde(skip_serializing_if = "Option::is_none")]
     base_link: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -123,7 +123,7 @@ struct Sidecar<'a> {
 }
 
 #[derive(Serialize)]
-struct Example {
+struct DescriptionExample {
     says: String,
 }
 
@@ -203,7 +203,7 @@ fn sidecar<'a>(
     written: &Written,
     driven: &Robot,
     leaves: Leaves,
-) -> Sidecar<'a> {
+) -> DescriptionSidecar<'a> {
     let calibration = job.calibration;
     let nominal = &calibration.model.robot;
     let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
@@ -220,7 +220,7 @@ fn sidecar<'a>(
         Some([base, tip]) => [Some(base.clone()), Some(tip.clone())],
         None => [None, None],
     };
-    Sidecar {
+    DescriptionSidecar {
         format: "truepose-table/1",
         table: job.file_name,
         table_format: written.format,
@@ -235,7 +235,7 @@ fn sidecar<'a>(
         level: written.level,
         level_in_words: written.level.says(),
         zeros: zeros(nominal, chain, written.zeros.clone()),
-        example: Example {
+        example: DescriptionExample {
             says: format!(
                 "at home the nominal tool is at {}, and this robot has it at {}",
                 place(nominal.base_from_tool.translation.vector),

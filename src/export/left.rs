@@ -200,7 +200,7 @@ fn lever(job: &Job) -> f64 {
     (sum / f64::max(count, 1.0)).sqrt()
 }
 
-/// See the module.
+/// RMS error in mm that a table leaves, from the written file as the controller applies it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Left {
     /// What the table adds to the exact correction, root mean square, mm.

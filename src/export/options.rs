@@ -47,7 +47,7 @@ pub struct Reference<'a> {
     pub bytes: &'a [u8],
 }
 
-/// See the module.
+/// Options of an export of a robot's description.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options<'a> {
     /// Who takes the zero offsets; `None`: whoever the format is for.

@@ -63,7 +63,7 @@ pub enum Directions {
     },
 }
 
-/// See the module.
+/// Sign, digits, grid and limits of one table format.
 #[derive(Debug, Clone, Copy)]
 pub struct Rules {
     /// Name of the format.

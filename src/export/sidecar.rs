@@ -45,7 +45,7 @@ impl Sidecar<'_> {
         let remainder = self.stays();
         let [from, to] = sheet.ends();
         let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.outer(end));
-        let example = Example::new(job, sheet, rules);
+        let example = WorkedExample::new(job, sheet, rules);
         let texts = |texts: &[String]| texts.iter().collect::<Value>();
         let document = object! {
             "format": "truepose-table/1",
@@ -118,7 +118,7 @@ impl Sidecar<'_> {
     /// what stays.
     pub(super) fn notes(&self) -> Vec<String> {
         let remainder = self.stays();
-        let mut notes = vec![Example::new(self.job, self.sheet, self.rules).says];
+        let mut notes = vec![WorkedExample::new(self.job, self.sheet, self.rules).says];
         notes.extend(self.in_the_controller.iter().cloned());
         notes.extend(self.rules.label.map(str::to_owned));
         notes.extend(self.sheet.notes.iter().cloned());
@@ -131,7 +131,7 @@ impl Sidecar<'_> {
     }
 }
 
-struct Example {
+struct WorkedExample {
     commanded: f64,
     robot_reaches: f64,
     table_says: f64,
@@ -139,7 +139,7 @@ struct Example {
     says: String,
 }
 
-impl Example {
+impl WorkedExample {
     /// The entry with the largest correction, forward, in the measured range where there is one.
     fn new(job: &Job, sheet: &Sheet, rules: &Rules) -> Self {
         let size = |k: &usize| {

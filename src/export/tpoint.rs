@@ -92,7 +92,7 @@ fn horizon(d: &Vector3<f64>) -> [f64; 2] {
 }
 
 #[derive(Serialize)]
-struct Sidecar<'a> {
+struct PointingSidecar<'a> {
     format: &'static str,
     table: &'a str,
     table_format: &'static str,
@@ -152,7 +152,7 @@ impl Exporter for Tpoint {
                 term.effect.about().title.english().to_lowercase()
             )
         }));
-        let sidecar = Sidecar {
+        let sidecar = PointingSidecar {
             format: "truepose-table/1",
             table: job.file_name,
             table_format: FORMAT.id,

@@ -88,12 +88,12 @@ struct Sample {
 struct Cell {
     first_q: f64,
     last_q: f64,
-    sums: Sums,
+    sums: SegmentSums,
 }
 
 /// Sums over samples.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sums {
+struct SegmentSums {
     n: f64,
     dx: f64,
     l1_dy: f64,
@@ -101,7 +101,7 @@ struct Sums {
     square: f64,
 }
 
-impl Sums {
+impl SegmentSums {
     fn of(s: &Sample) -> Self {
         Self {
             n: 1.0,
@@ -143,7 +143,7 @@ fn gather(samples: &[Sample]) -> Vec<Cell> {
     let least = samples.len().div_ceil(MOST_CELLS);
     let mut cells: Vec<Cell> = Vec::new();
     for sample in samples {
-        let sums = Sums::of(sample);
+        let sums = SegmentSums::of(sample);
         match cells.last_mut() {
             Some(cell) if sample.q == cell.last_q || cell.sums.n < least as f64 => {
                 cell.last_q = sample.q;
@@ -161,7 +161,7 @@ fn gather(samples: &[Sample]) -> Vec<Cell> {
 
 /// Places at which the cells are cut, ascending.
 fn best_cuts(cells: &[Cell], variance: f64, price: f64) -> Vec<usize> {
-    let mut before = vec![Sums::default()];
+    let mut before = vec![SegmentSums::default()];
     for cell in cells {
         before.push(before[before.len() - 1].plus(&cell.sums, 1.0));
     }
@@ -285,8 +285,8 @@ mod tests {
         });
         let samples: Vec<Sample> = samples.collect();
         let sums = |some: &[Sample]| {
-            let all = some.iter().map(Sums::of);
-            all.fold(Sums::default(), |sum, one| sum.plus(&one, 1.0))
+            let all = some.iter().map(SegmentSums::of);
+            all.fold(SegmentSums::default(), |sum, one| sum.plus(&one, 1.0))
         };
         // The sums of some are those of all without those before.
         let some = &samples[11..];

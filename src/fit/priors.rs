@@ -25,7 +25,7 @@ use super::normal::Normal;
 /// `--no-prior` leaves them out.
 const MISSED: f64 = 4.0;
 
-/// See the module.
+/// Weak priors on the geometry, as rows of the least-squares problem.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Priors {
     /// Whether the weak ones hold.

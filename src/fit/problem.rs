@@ -13,7 +13,7 @@ use crate::sessions::{Session, Sigma};
 use super::noise::Noise;
 use super::priors::Priors;
 
-/// See the module.
+/// The rows of a least-squares problem: which samples count, and with what weight.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
     /// The session.

@@ -14,7 +14,7 @@ use super::file_state::watcher;
 use super::preferences::Preferences;
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
-use crate::gui::core::compensated::Wanted;
+use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::tokens::{self, Palette, space};
@@ -200,7 +200,7 @@ impl App {
 
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
-        let wanted = Wanted::new(path.to_path_buf());
+        let wanted = CompensationRequest::new(path.to_path_buf());
         self.workbench.execute(Command::Compensate(wanted));
     }
 

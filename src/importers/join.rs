@@ -123,7 +123,7 @@ pub(crate) fn by_time(
     let mut findings = Vec::new();
     findings.extend(left_outside(&measured, &usable, measured_place));
     let robot_kinds: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();
-    let job = Job {
+    let job = Joining {
         path: &path,
         kinds: &robot_kinds,
         at: &at,
@@ -225,7 +225,7 @@ fn stop_at(stops: &[Stop], time_s: f64) -> Option<usize> {
     (time_s <= stops[index].to_s).then_some(index)
 }
 
-struct Job<'a> {
+struct Joining<'a> {
     path: &'a Path,
     kinds: &'a [JointKind],
     /// Time of each measurement on the clock of the commands, s.
@@ -236,7 +236,7 @@ struct Job<'a> {
     is_recorded: bool,
 }
 
-impl Job<'_> {
+impl Joining<'_> {
     fn unit(&self, joint: usize) -> Unit {
         match self.kinds[joint] {
             JointKind::Revolute => Unit::Angle(1.0),

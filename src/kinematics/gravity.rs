@@ -18,7 +18,7 @@ use super::robot::{JointKind, Pose, Robot};
 const M_PER_MM: f64 = 1e-3;
 
 /// A mass where it is at the pose in question.
-struct Mass {
+struct PosedMass {
     /// m g, N.
     weight_n: Vector3<f64>,
     /// In the base frame, mm.
@@ -49,10 +49,10 @@ impl Robot {
         }
     }
 
-    fn masses(&self, q: &[f64], load_kg: f64) -> Option<Vec<Mass>> {
+    fn masses(&self, q: &[f64], load_kg: f64) -> Option<Vec<PosedMass>> {
         let gravity = self.gravity_m_s2?;
         let motions = self.motions_from_home(q);
-        let mass = |mass_kg: f64, motion: &Pose, at_home: &Point3<f64>, carried_by| Mass {
+        let mass = |mass_kg: f64, motion: &Pose, at_home: &Point3<f64>, carried_by| PosedMass {
             weight_n: gravity * mass_kg,
             at_mm: motion * at_home,
             carried_by,
@@ -73,7 +73,7 @@ impl Robot {
 #[cfg(test)]
 fn potential_n_mm(robot: &Robot, q: &[f64], load_kg: f64) -> f64 {
     let masses = robot.masses(q, load_kg).unwrap();
-    let energy = |mass: &Mass| -mass.weight_n.dot(&mass.at_mm.coords);
+    let energy = |mass: &PosedMass| -mass.weight_n.dot(&mass.at_mm.coords);
     masses.iter().map(energy).sum()
 }
 

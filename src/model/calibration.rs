@@ -58,7 +58,7 @@ pub struct Conditions {
     pub temperature_c: Option<Range>,
 }
 
-/// See the module.
+/// A model with its covariance, its history and the hash of the samples that it came from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
     /// Name of the session.

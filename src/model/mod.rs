@@ -27,7 +27,7 @@ use crate::effects::{Inputs, Placed, Stage, Term, rank};
 use crate::kinematics::Robot;
 use crate::lanes::LANES;
 
-/// See the module.
+/// The nominal robot and its effects with their coefficients: the forward map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// The robot as its controller believes it to be.

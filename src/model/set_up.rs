@@ -19,7 +19,7 @@ use std::borrow::Cow;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
 
-/// See the module.
+/// Corrections between what controller and instrument write and what the robot's description means.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SetUp {
     conventions: Vec<Mend>,

@@ -93,7 +93,7 @@ pub enum Profile {
     TimesTurn,
 }
 
-/// See the module.
+/// A shape without a name over a joint, time, load or temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// What it depends on.

@@ -30,7 +30,7 @@ pub struct Errors {
     pub after_max: f64,
 }
 
-/// See the module.
+/// Errors and noise of one kind of measurement, in its unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KindFigures {
     /// The kind.

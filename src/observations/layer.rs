@@ -16,7 +16,7 @@ use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
 use super::{KINDS, Kind, Looks, Residual, Seen};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
 
-/// See the module.
+/// All observations of a session: residuals and derivatives for a model.
 #[derive(Debug, Clone)]
 pub struct Layer<'a> {
     /// The session.

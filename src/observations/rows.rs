@@ -11,7 +11,7 @@ use crate::model::Model;
 
 use super::{KINDS, Kind, Layer, Looks, Residual};
 
-/// See the module.
+/// Observations as rows of a regression, up to three each.
 #[derive(Debug, Clone)]
 pub struct ObservedRows<'a> {
     layer: Layer<'a>,

@@ -71,6 +71,14 @@ pub(crate) fn usual_size(one: &Estimate) -> &'static str {
 
 /// From which size (95 %) an effect would have been seen, parameter by parameter.
 pub(crate) fn detection_limit(limit: &Limit) -> String {
+    let seen = |(full, size): &(&str, f64)| sight(limit.effect, full, *size);
+    let all = |one: Sight| limit.sizes.iter().all(|size| seen(size) == one);
+    if all(Sight::AtAnySize) {
+        return say!("any size, there is no noise").to_owned();
+    }
+    if all(Sight::AtNoSize) {
+        return say!("not observable with these poses").to_owned();
+    }
     let sizes = limit.sizes.iter().map(|(full, size)| {
         let (name, unit) = parameter(full);
         match sight(limit.effect, full, *size) {

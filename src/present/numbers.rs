@@ -26,7 +26,7 @@ pub(crate) fn write_numbers(notation: Notation) {
 }
 
 /// The notation of this thread.
-pub(super) fn notation() -> Notation {
+pub(crate) fn notation() -> Notation {
     NOTATION.get()
 }
 

@@ -19,14 +19,14 @@ pub(crate) struct Group {
     /// Under which conditions.
     pub says: String,
     /// The figures that there are.
-    pub rows: Vec<Row>,
+    pub rows: Vec<FigureRow>,
     /// Why others are missing.
     pub missing: Vec<String>,
 }
 
 /// One figure, in the unit of its group.
 #[derive(Debug, Clone)]
-pub(crate) struct Row {
+pub(crate) struct FigureRow {
     /// Its symbol in the standard.
     pub symbol: &'static str,
     /// What it is.
@@ -104,7 +104,7 @@ fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
     let rows = series.before.rows().into_iter().enumerate();
     let row = |(k, (symbol, name, before)): (usize, (_, _, Option<f64>))| {
         let after = after.as_ref().and_then(|rows| rows[k].2);
-        before.map(|before| Row {
+        before.map(|before| FigureRow {
             symbol,
             name,
             before,
@@ -130,7 +130,7 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
     let after = test.largest(true).rows();
     let row = |((symbol, name, before), (_, _, after)): ((_, _, Option<f64>), (_, _, _))| {
         let after: Option<f64> = after;
-        before.map(|before| Row {
+        before.map(|before| FigureRow {
             symbol,
             name,
             before,

@@ -18,7 +18,7 @@ pub enum Slot {
     External(usize),
 }
 
-/// See the module.
+/// For each axis of a controller the joint of the model that it moves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axes {
     /// The axis of each joint.

@@ -73,7 +73,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
     let mut program = Program::default();
     let held = Held::of(&lines, &mut program);
-    let mut reader = Reader {
+    let mut reader = KrlReader {
         axes,
         types: declared_types(&lines),
         program,
@@ -121,7 +121,7 @@ fn declared_types(lines: &[Words]) -> BTreeMap<String, Type> {
     types
 }
 
-struct Reader<'x> {
+struct KrlReader<'x> {
     axes: &'x Axes,
     types: BTreeMap<String, Type>,
     program: Program,
@@ -130,7 +130,7 @@ struct Reader<'x> {
     held: Held,
 }
 
-impl Reader<'_> {
+impl KrlReader<'_> {
     fn line(&mut self, words: &Words) -> Result<(), Problem> {
         let mut k = 0;
         while k < words.tokens.len() {

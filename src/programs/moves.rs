@@ -30,7 +30,7 @@ struct Move {
 }
 
 /// What a motion went to, in the order of the file.
-enum Visit {
+enum MotionVisit {
     Inline(usize),
     Move(Move),
 }
@@ -47,7 +47,7 @@ struct Named {
 pub(super) struct Moves {
     by_name: BTreeMap<String, usize>,
     names: Vec<Named>,
-    all: Vec<Visit>,
+    all: Vec<MotionVisit>,
     /// Names that something is assigned to at run time, how they are spelled, and where.
     changed: Vec<(String, String, usize)>,
 }
@@ -95,14 +95,14 @@ impl Moves {
         let (name, spelled) = match goal {
             Goal::Inline(index) => {
                 program.targets[index].ways.add(way);
-                return self.all.push(Visit::Inline(index));
+                return self.all.push(MotionVisit::Inline(index));
             }
             Goal::Named(name, spelled) => (name, Some(spelled.into_boxed_str())),
             Goal::Mentioned(name) => (name, None),
         };
         let name = self.name(&name);
         self.names[name].ways.add(way);
-        self.all.push(Visit::Move(Move { at, name, spelled }));
+        self.all.push(MotionVisit::Move(Move { at, name, spelled }));
     }
 
     /// A name that is assigned to at run time.
@@ -115,11 +115,11 @@ impl Moves {
     pub(super) fn finish(self, mut program: Program, elsewhere: Template) -> Program {
         for visit in self.all {
             let one = match visit {
-                Visit::Inline(index) => {
+                MotionVisit::Inline(index) => {
                     program.visits.push(index);
                     continue;
                 }
-                Visit::Move(one) => one,
+                MotionVisit::Move(one) => one,
             };
             match (&self.names[one.name].targets[..], one.spelled) {
                 ([index], Some(_)) => program.visits.push(*index),

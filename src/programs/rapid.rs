@@ -48,7 +48,7 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("eax_a to eax_f")?;
     let tokens = words(text, text.start()..text.bytes.len(), DIALECT).map_err(|p| vec![p])?;
-    let mut reader = Reader {
+    let mut reader = RapidReader {
         words: Words {
             text,
             tokens,
@@ -77,7 +77,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
 }
 
-struct Reader<'t, 'a> {
+struct RapidReader<'t, 'a> {
     words: Words<'t, 'a>,
     axes: &'t Axes,
     program: Program,
@@ -89,7 +89,7 @@ struct Reader<'t, 'a> {
     gripped: Vec<(String, usize)>,
 }
 
-impl<'t, 'a> Reader<'t, 'a> {
+impl<'t, 'a> RapidReader<'t, 'a> {
     fn run(&mut self) {
         let mut k = 0;
         while k < self.words.tokens.len() {

@@ -28,7 +28,7 @@ pub(super) struct Resolved {
     pub(super) pose: Pose,
 }
 
-/// See the module. Targets have to come in the order in which they are gone to.
+/// Finds the joint values that targets mean. Targets have to come in the order in which they are gone to.
 pub(super) struct Resolver<'a> {
     robot: &'a Robot,
     convention: Convention<'a>,

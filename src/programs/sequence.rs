@@ -18,7 +18,7 @@ use super::target::{Program, Remark, Target};
 /// A joint that moves less than this (rad or mm) does not move.
 const STANDS: f64 = 1e-9;
 
-/// See the module. Joint by joint for each target, one target after the other.
+/// Load, temperature, speed and approach of every target. Joint by joint for each target, one target after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sequence<'m> {
     joints: usize,

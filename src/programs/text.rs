@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 
 use super::target::Problem;
 
-/// See the module. Programs are read as bytes: what is not ASCII stands in comments, strings and
+/// A program as bytes, with its lines. Programs are read as bytes: what is not ASCII stands in comments, strings and
 /// names only, so that any encoding with ASCII in it comes back as it was.
 #[derive(Debug, Clone)]
 pub struct Text<'a> {

@@ -54,7 +54,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         end: phrase!("the end of the file"),
     };
     let mut problems = Vec::new();
-    let mut reader = Reader {
+    let mut reader = UrscriptReader {
         assigned: assigned(&words, &mut problems),
         words,
         axes,
@@ -76,7 +76,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
 }
 
-struct Reader<'t, 'a> {
+struct UrscriptReader<'t, 'a> {
     words: Words<'t, 'a>,
     axes: &'t Axes,
     program: Program,
@@ -97,7 +97,7 @@ struct Reader<'t, 'a> {
     unsure: bool,
 }
 
-impl Reader<'_, '_> {
+impl UrscriptReader<'_, '_> {
     fn run(&mut self) {
         let mut k = 0;
         while k < self.words.tokens.len() {

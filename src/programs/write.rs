@@ -78,7 +78,7 @@ pub fn stops(
     let program = match language {
         "rapid" => {
             own("RAPID")?;
-            Words {
+            LanguageWords {
                 head: "MODULE Measuring\n",
                 comment: "  ! ",
                 start: "  PROC measure()\n",
@@ -94,7 +94,7 @@ pub fn stops(
         }
         "krl" => {
             own("KRL")?;
-            Words {
+            LanguageWords {
                 head: "&ACCESS RVP\nDEF measuring( )\n",
                 comment: "; ",
                 start: "BAS(#INITMOV,0)\n",
@@ -107,7 +107,7 @@ pub fn stops(
             if robot.joints.iter().any(|j| j.kind == JointKind::Prismatic) {
                 return Err(WriteError::Slide);
             }
-            Words {
+            LanguageWords {
                 head: "def measuring():\n",
                 comment: "  # ",
                 start: "",
@@ -122,7 +122,7 @@ pub fn stops(
 }
 
 /// The words of a language.
-struct Words {
+struct LanguageWords {
     head: &'static str,
     comment: &'static str,
     start: &'static str,
@@ -131,7 +131,7 @@ struct Words {
     end: &'static str,
 }
 
-impl Words {
+impl LanguageWords {
     fn written(&self, axes: &Axes, title: &str, stops: &[Stop]) -> String {
         let mut text = self.head.to_owned();
         // Comments end with their line, and what is not ASCII is not every controller's.

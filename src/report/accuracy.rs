@@ -6,7 +6,8 @@ use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
 
 use super::document::{Block, Column, Section, Table, clean};
-use super::parts::{all_of_core, told};
+use super::parts::all_of_core;
+use crate::explain::translated;
 use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
@@ -32,11 +33,11 @@ pub(super) fn section(standards: &Standards) -> Section {
 fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
     blocks.push(Block::Heading(format!(
         "{}, {}",
-        told(&group.title()),
+        translated(&group.title()),
         group.standard
     )));
     if !group.rows.is_empty() {
-        blocks.push(Block::Text(told(&group.says)));
+        blocks.push(Block::Text(translated(&group.says)));
         blocks.push(Block::Table(group.table()));
     }
     if !group.missing.is_empty() {

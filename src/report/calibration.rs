@@ -2,16 +2,14 @@
 
 use crate::compensation::VerifiedCalibration;
 use crate::compensation::decision::Outcome;
+use crate::explain::{fact, implausible, parameters};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;
 
 use super::document::{Block, Column, Figure, Report, Section, Table, clean};
-use super::parts::{
-    details, fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
-    tolerance,
-};
+use super::parts::{details, foot, gap, or_unnamed, robot_facts, signatures, tables, tolerance};
 use super::plots::gap as gap_plot;
 use super::{Extras, history as past};
 use crate::present::chart::in_words;
@@ -123,16 +121,16 @@ fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
             gap(step.held_out_mm),
         ]);
     }
-    Section {
-        title: say!("The gap step by step").to_owned(),
-        blocks: vec![
+    Section::new(
+        say!("The gap step by step"),
+        vec![
             Block::Table(table),
             Block::Plot(
                 gap_plot(&steps, None, tolerance_mm),
                 say!("Each step keeps what the ones before it brought").to_owned(),
             ),
         ],
-    }
+    )
 }
 
 pub(super) fn values(c: &Calibration) -> Section {
@@ -184,9 +182,9 @@ pub(super) fn values(c: &Calibration) -> Section {
 }
 
 fn missing() -> Section {
-    Section {
-        title: say!("What only a session can show").to_owned(),
-        blocks: vec![Block::List(
+    Section::new(
+        say!("What only a session can show"),
+        vec![Block::List(
             [
                 say!(
                     "the evidence for each name: the chance that noise alone looks like it, the odds over other names, what stays unexplained, what could not be tested"
@@ -198,5 +196,5 @@ fn missing() -> Section {
             .map(str::to_owned)
             .to_vec(),
         )],
-    }
+    )
 }

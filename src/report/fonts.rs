@@ -43,7 +43,7 @@ struct Source<'f> {
     face: Face<'f>,
 }
 
-/// See the module.
+/// The fonts of a report, with the glyphs that it uses.
 pub(super) struct Fonts<'f> {
     sources: Vec<Source<'f>>,
     /// What was asked for, and no face has.

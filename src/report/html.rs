@@ -97,7 +97,7 @@ fn decision((outcome, says): &(Outcome, String), language: Language) -> String {
 fn write_block(block: &Block, out: &mut String) {
     let _ = match block {
         Block::Heading(text) => writeln!(out, "<h3>{}</h3>", escape(text)),
-        Block::Text(text) => writeln!(out, "<p>{}</p>", escape(text)),
+        Block::Text(text) | Block::Warning(text) => writeln!(out, "<p>{}</p>", escape(text)),
         Block::List(points) => {
             out.push_str("<ul>\n");
             for point in points {

@@ -62,7 +62,9 @@ fn texts(report: &Report) -> Vec<String> {
         all.push(section.title.clone());
         for block in &section.blocks {
             match block {
-                Block::Heading(text) | Block::Text(text) => all.push(text.clone()),
+                Block::Heading(text) | Block::Text(text) | Block::Warning(text) => {
+                    all.push(text.clone());
+                }
                 Block::List(points) => all.extend(points.iter().cloned()),
                 Block::Facts(facts) | Block::Sign(facts) => {
                     all.extend(

@@ -1,14 +1,13 @@
 //! Pieces that reports of sessions and of models share.
 
-use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
-use super::document::{Block, Column, Section, Table, clean};
+use super::document::{Block, Section, clean};
 use super::{Details, Extras};
-use crate::language::names::{parameter, title_on, usual_size};
+use crate::explain::fact;
 use crate::language::of_core;
-use crate::present::numbers::{plain, short, with_interval};
+use crate::present::numbers::{plain, short};
 
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
@@ -63,60 +62,6 @@ pub(super) fn instrument(instrument: &Instrument) -> String {
         }
     };
     format!("{}, {noise}", or_unnamed(&instrument.name))
-}
-
-/// Parameters with their intervals.
-pub(super) fn parameters<'a>(
-    estimates: impl Iterator<Item = &'a Estimate>,
-    robot: &Robot,
-) -> Block {
-    let mut table = Table::of([
-        Column::words(say!("Effect")),
-        Column::words(say!("Parameter")),
-        Column::numbers(say!("Value")),
-        Column::words(say!("Unit")),
-        Column::numbers(say!("95 % interval")),
-    ]);
-    let mut last = String::new();
-    for estimate in estimates {
-        let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
-        let (mut parameter, unit) = parameter(estimate.name);
-        if let Some(setup) = &estimate.setup {
-            parameter += &say!(", setup {setup}", setup = clean(setup));
-        }
-        let (value, interval) = if estimate.is_whole_number() {
-            (short(estimate.value), String::new())
-        } else {
-            let [value, _, interval] = with_interval(estimate.value, estimate.ci95);
-            (value, interval)
-        };
-        let shown = if name == last {
-            String::new()
-        } else {
-            name.clone()
-        };
-        last = name;
-        table.row([shown, parameter, value, unit.to_owned(), interval]);
-    }
-    Block::Table(table)
-}
-
-/// Sizes that no machine has, where there are any.
-pub(super) fn implausible<'a>(
-    estimates: impl Iterator<Item = &'a Estimate>,
-    robot: &Robot,
-) -> Option<Block> {
-    let remark = |one: &Estimate| {
-        let usual = usual_size(one);
-        let name = title_on(one.effect, one.joint, robot.joints.len());
-        let (parameter, _) = parameter(one.name);
-        format!("{name}, {parameter}: {} ({usual})", of_core(IMPLAUSIBLE))
-    };
-    let remarks: Vec<String> = estimates
-        .filter(|one| one.is_implausible())
-        .map(remark)
-        .collect();
-    (!remarks.is_empty()).then_some(Block::List(remarks))
 }
 
 /// A gap, or a dash where there is none.
@@ -175,9 +120,7 @@ pub(super) fn details(own: &Details) -> Option<Section> {
 pub(super) fn signatures(extras: &Extras) -> Section {
     let own = &extras.details;
     let line = |name: &str| (name.to_owned(), String::new());
-    Section {
-        title: say!("Signatures").to_owned(),
-        blocks: vec![
+    Section::new(say!("Signatures"), vec![
             Block::Text(
                 say!(
                     "The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions"
@@ -192,8 +135,7 @@ pub(super) fn signatures(extras: &Extras) -> Section {
                 line(say!("Signature")),
                 line(say!("Signature")),
             ]),
-        ],
-    }
+    ])
 }
 
 /// What stands at the foot of every page.
@@ -213,16 +155,6 @@ pub(super) fn all_of_core(lines: &[String]) -> Vec<String> {
         .iter()
         .map(|line| of_core(line).into_owned())
         .collect()
-}
-
-/// What the core says with a user's names in it, in the language of this thread.
-pub(super) fn told(english: &str) -> String {
-    of_core(&clean(english)).into_owned()
-}
-
-/// A tolerance or a floor beside a name.
-pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
-    (name.to_owned(), value.into())
 }
 
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {

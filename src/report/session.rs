@@ -3,8 +3,9 @@
 use crate::compensation::decision::{Fitted, Measured, Outcome, Rule};
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, VerifiedCalibration};
-use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
+use crate::diagnosis::{Diagnosis, FloorFrom};
 use crate::effects::{Inputs, JointValues};
+use crate::explain::{self, Detail, fact, implausible, parameters, translated};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
 use crate::fit::measured_ranges;
@@ -25,8 +26,7 @@ use super::accuracy;
 use super::calibration::values;
 use super::document::{Block, Column, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
-    details, fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts,
-    signatures, tables, told, tolerance,
+    details, foot, gap, instrument, or_unnamed, robot_facts, signatures, tables, tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
@@ -83,8 +83,9 @@ impl Report {
         };
         let mut sections: Vec<Section> = details(&extras.details).into_iter().collect();
         sections.extend([known.measured(&hash), known.result(), known.parameters()]);
-        sections.extend(known.effects());
-        sections.push(known.open());
+        let findings = known.findings();
+        sections.extend(findings.effects);
+        sections.push(findings.open);
         let stages = stages(session, calibration, verification, Some(found.floor.mm))?;
         sections.push(deviations_of(&stages));
         sections.push(match &evidence.standards {
@@ -93,7 +94,7 @@ impl Report {
         });
         let history = extras.history.as_ref();
         sections.extend(history.and_then(|h| history::section(h, &given.robot.name)));
-        sections.push(known.limits());
+        sections.push(findings.sight);
         sections.extend(tables(extras, &hash, &known.model_hash));
         sections.push(signatures(extras));
         let subject = or_unnamed(&given.name);
@@ -142,7 +143,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
     })
 }
 
-/// Everything that is there to be told.
+/// Everything that is there to be translated.
 pub(super) struct Told<'a> {
     pub(super) session: &'a Session,
     pub(super) given: &'a Session,
@@ -159,38 +160,17 @@ impl Told<'_> {
         &self.session.robot
     }
 
+    /// The answer in one sentence.
     fn answer(&self) -> String {
-        let d = self.found;
-        let found = match d.verdict {
-            Verdict::Noise => {
-                say!("Nothing is missing in the model: the remaining error is noise")
-            }
-            Verdict::Explained => say!("Explained: the remaining error is at the noise floor"),
-            Verdict::PartlyExplained => {
-                say!("Partly explained: an error is left that no effect of the catalogue explains")
-            }
-            Verdict::Unexplained => {
-                say!("Not explained: an error is left that no effect of the catalogue explains")
-            }
-        };
-        let mut answer = found.to_owned();
-        if !d.tested_anything() {
-            answer +=
-                say!("; but the samples can show no effect, so that says nothing about the robot");
-        }
-        if !d.equivalent.is_empty() {
-            answer += say!("; the samples cannot decide between some names");
-        }
-        if !d.data_problems.is_empty() {
-            answer += say!("; the data had problems, which are named below");
-        }
-        if !d.identification.quality.converged {
-            answer += say!("; the fit did not converge");
-        }
+        let mut all = vec![explain::answer(self.found.verdict).to_owned()];
+        all.extend(explain::remarks(self.found));
         if let Some(other) = &self.other {
-            answer += &say!("; the model in use is another one: {other}", other = other);
+            all.push(say!(
+                "the model in use is another one: {other}",
+                other = other
+            ));
         }
-        answer
+        all.join("; ")
     }
 
     /// Whether the robot is within its tolerance, and what that rests on.
@@ -451,6 +431,7 @@ impl Told<'_> {
             Block::Table(table),
         ];
         blocks.extend(self.by_kind());
+        blocks.extend(explain::expected(&d.identification, Detail::REPORT));
         blocks.push(Block::List(self.remarks()));
         blocks.push(Block::Plot(
             gap_plot(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
@@ -464,7 +445,7 @@ impl Told<'_> {
     fn remarks(&self) -> Vec<String> {
         let (d, v) = (self.found, self.verification);
         let mut remarks = vec![if d.held_out.gaps.is_some() {
-            say!("cross-validation: {how}", how = told(&d.held_out.how))
+            say!("cross-validation: {how}", how = translated(&d.held_out.how))
         } else {
             say!("cross-validation: none, there are too few samples").to_owned()
         }];
@@ -478,11 +459,12 @@ impl Told<'_> {
                 Remainder::new(self.calibration, &homes)
                     .says()
                     .iter()
-                    .map(|s| told(s)),
+                    .map(|s| translated(s)),
             );
         }
-        remarks.extend(self.noise());
-        remarks.extend(v.notes.iter().map(|n| told(n)));
+        let noise = explain::noise(d).into_iter();
+        remarks.extend(noise.map(|(name, says)| format!("{name}: {says}")));
+        remarks.extend(v.notes.iter().map(|n| translated(n)));
         remarks
     }
 
@@ -511,29 +493,6 @@ impl Told<'_> {
             ),
             Block::Table(kinds::table(kinds)),
         ]
-    }
-
-    /// What there is to say of the noise, and of a fit that cannot be relied on.
-    fn noise(&self) -> Vec<String> {
-        let d = self.found;
-        let mut lines = Vec::new();
-        if let Some(noise) = &d.unexplained.noise {
-            lines.push(say!(
-                "measurement noise: {noise}",
-                noise = of_core(&noise.says())
-            ));
-        }
-        if let Some(slow) = &d.noise.slow {
-            lines.push(say!("slow noise: {slow}", slow = of_core(&slow.says())));
-        }
-        let quality = &d.identification.quality;
-        if !quality.converged {
-            lines.push(say!(
-                "the fit did not converge: {stopped}",
-                stopped = of_core(quality.stopped)
-            ));
-        }
-        lines
     }
 
     fn parameters(&self) -> Section {

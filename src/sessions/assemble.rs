@@ -82,7 +82,7 @@ pub(crate) fn samples(
     let headings = table.layout.headings;
     let columns = headings.iter().zip(table.names).zip(table.columns);
     for (index, ((heading, name), cells)) in columns.enumerate() {
-        let mut column = Column {
+        let mut column = PlacedColumn {
             index,
             locate,
             findings: &mut *findings,
@@ -208,13 +208,13 @@ impl Samples {
 }
 
 /// One column and where to complain about it.
-struct Column<'a> {
+struct PlacedColumn<'a> {
     index: usize,
     locate: Locate<'a>,
     findings: &'a mut Vec<Diagnostic>,
 }
 
-impl Column<'_> {
+impl PlacedColumn<'_> {
     fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
         for &row in rows.iter().take(MOST_COMPLAINTS) {
             let place = (self.locate)(self.index, row);
@@ -261,7 +261,7 @@ impl Column<'_> {
             return;
         }
         let rows = rows_where(values, beyond);
-        let column = Column {
+        let column = PlacedColumn {
             index: self.index,
             locate: self.locate,
             findings: &mut *self.findings,

@@ -45,7 +45,7 @@ pub(crate) enum Quantity {
 
 /// A column of a session: what is read, written and kept as it stands here, in the order in which
 /// files have them.
-struct Declared {
+struct ColumnDeclaration {
     /// Its heading: `#` stands for the number of a joint, `~` for a unit.
     heading: &'static str,
     takes: Takes,
@@ -65,7 +65,7 @@ enum Takes {
     Fixed,
 }
 
-const COLUMNS: &[Declared] = &{
+const COLUMNS: &[ColumnDeclaration] = &{
     use CellKind::{Name, Number};
     use Takes::{Angle, Fixed, Length, OfJoint};
     const fn column(
@@ -73,8 +73,8 @@ const COLUMNS: &[Declared] = &{
         takes: Takes,
         cells: CellKind,
         of: fn(usize) -> Quantity,
-    ) -> Declared {
-        Declared {
+    ) -> ColumnDeclaration {
+        ColumnDeclaration {
             heading,
             takes,
             cells,
@@ -111,7 +111,7 @@ const COLUMNS: &[Declared] = &{
     ]
 };
 
-impl Declared {
+impl ColumnDeclaration {
     /// The quantity and the unit of a heading that is this column's.
     fn read(&self, heading: &str) -> Option<(Quantity, Unit)> {
         let (name, own, unit) = match self.heading.split_once("_~") {
@@ -154,8 +154,8 @@ impl Quantity {
         })
     }
 
-    fn declared(self) -> &'static Declared {
-        let of = |column: &&Declared| (column.of)(self.joint().unwrap_or(0)) == self;
+    fn declared(self) -> &'static ColumnDeclaration {
+        let of = |column: &&ColumnDeclaration| (column.of)(self.joint().unwrap_or(0)) == self;
         COLUMNS.iter().find(of).expect("a column for each quantity")
     }
 

@@ -31,7 +31,7 @@ pub enum Growth {
     Anew(Samples),
 }
 
-/// See the module.
+/// A samples file that is being recorded, read as it grows.
 #[derive(Debug, Clone)]
 pub struct Growing {
     path: PathBuf,

@@ -179,7 +179,7 @@ fn read_session(
                 &name,
                 &place,
                 beside,
-                &Wanted {
+                &TableRequest {
                     joints: joints.as_deref(),
                     declared: Declared {
                         targets: &head.targets,
@@ -224,7 +224,7 @@ fn read_session(
 }
 
 /// What the document says of the samples beside it, and which part of the work it is to read them.
-struct Wanted<'a> {
+struct TableRequest<'a> {
     joints: Option<&'a [Joint]>,
     declared: Declared<'a>,
     part: Part<'a>,
@@ -237,7 +237,7 @@ fn samples_file(
     name: &str,
     place: &Place,
     beside: Beside<'_>,
-    wanted: &Wanted<'_>,
+    wanted: &TableRequest<'_>,
     fields: &mut Fields<'_>,
 ) -> Option<Samples> {
     let findings = &mut fields.findings;
@@ -277,7 +277,7 @@ fn samples_from(
     bytes: Option<u64>,
     file: &Place,
     named_at: &Place,
-    wanted: &Wanted<'_>,
+    wanted: &TableRequest<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
     let hash = file_hash::begun(wanted.sha256.is_some());

@@ -91,7 +91,7 @@ pub struct Pointing {
     pub stations: Option<Vec<usize>>,
 }
 
-/// See the module.
+/// Anchors, stations, planes and sockets of a session, in the measuring frame, mm.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct References {
     /// Anchors of distances.

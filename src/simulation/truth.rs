@@ -6,7 +6,7 @@ use crate::document::{Member, Value, object, text_of};
 use crate::effects::Term;
 use crate::model::Positions;
 
-/// See the module.
+/// Parameters that were put into a simulated session.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truth {
     /// Name of the session.

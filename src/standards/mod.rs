@@ -32,7 +32,7 @@ use crate::sessions::Session;
 
 use points::Points;
 
-/// See the module.
+/// Figures of ISO 230-2 and ISO 9283, before and after correction, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standards {
     /// Name of the session.

@@ -66,7 +66,7 @@ pub struct PathAttained {
 pub(super) fn paths(points: &Points<'_>) -> (Vec<PathFigures>, Vec<bool>) {
     let mut on_paths = vec![false; points.inputs.len()];
     let mut all = Vec::new();
-    for cycles in Series::new(points).map_or_else(Vec::new, |series| series.families()) {
+    for cycles in CommandedSeries::new(points).map_or_else(Vec::new, |series| series.families()) {
         if let Some(figures) = figures(points, &cycles) {
             all.push(figures);
             for i in cycles.into_iter().flatten() {
@@ -78,7 +78,7 @@ pub(super) fn paths(points: &Points<'_>) -> (Vec<PathFigures>, Vec<bool>) {
 }
 
 /// Commanded values in the order of time, without those that only last.
-struct Series<'p, 'a> {
+struct CommandedSeries<'p, 'a> {
     points: &'p Points<'a>,
     samples: Vec<usize>,
     /// rad, and mm by the robot's reach, by sample of the series.
@@ -90,7 +90,7 @@ struct Series<'p, 'a> {
 /// Cycles of one path: the samples of each, as many in all.
 type Family = Vec<Vec<usize>>;
 
-impl<'p, 'a> Series<'p, 'a> {
+impl<'p, 'a> CommandedSeries<'p, 'a> {
     /// `None` where the session is no time series of a motion.
     fn new(points: &'p Points<'a>) -> Option<Self> {
         let (inputs, session) = (&points.inputs, points.session);

@@ -55,7 +55,7 @@ pub struct TestPose {
     pub q: Vec<f64>,
 }
 
-/// See the module.
+/// The cube of ISO 9283, 6.8: five poses and the paths between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TestCube {
     /// Length of the edges, mm.

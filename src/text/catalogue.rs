@@ -14,7 +14,7 @@ struct Sentence {
     forms: Vec<String>,
 }
 
-/// See the module.
+/// The translations of one language.
 pub(super) struct Catalogue {
     sentences: BTreeMap<(String, String), Sentence>,
 }

@@ -461,24 +461,24 @@ fn noise_outliers_and_sizes_that_no_machine_has_are_said_in_words() {
         let found = lines.find(|line| line.starts_with(start));
         found.unwrap_or_else(|| panic!("{start}: {text}"))
     };
-    let noise = line("measurement noise: σ = ");
+    let noise = line("Measurement noise");
+    assert!(noise.contains("σ = "), "{noise}");
     assert!(
         noise.contains("0.0200 mm as stated for the instrument"),
         "{noise}"
     );
-    assert!(line("slow noise: the measuring frame wanders by ").ends_with(" min"));
-    assert_eq!(
-        line("excluded outliers: "),
-        "excluded outliers: 3 of 160 samples"
-    );
+    let slow = line("Slow noise");
+    assert!(slow.contains("the measuring frame wanders by "), "{slow}");
+    assert!(slow.ends_with(" min"), "{slow}");
+    line("Excluded outliers: 3 of 160 samples");
     for sample in [17, 71, 122] {
-        line(&format!("sample {sample}: "));
+        line(&format!("sample {sample} "));
     }
-    let amplitude = line("encoder-eccentricity: amplitude_deg ");
-    let says = "), implausibly large: more than ten times what is usual";
-    assert!(amplitude.ends_with(says), "{amplitude}");
+    let amplitude = line("amplitude: ");
+    let says = "implausibly large: more than ten times what is usual";
+    assert!(amplitude.contains(says), "{amplitude}");
     // A whole number is no estimate: it has no interval.
-    assert_eq!(line("bearing-runout: order"), "bearing-runout: order 3");
+    assert!(text.contains("order 3;"), "{text}");
 
     let identified = truepose(&["identify", &facts()]).stdout;
     let identified = String::from_utf8(identified).unwrap();

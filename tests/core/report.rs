@@ -418,8 +418,8 @@ fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
     };
     let said = page(&found);
     for part in [
-        "measurement noise: σ = ",
-        "slow noise: the measuring frame wanders by ",
+        "Measurement noise: σ = ",
+        "Slow noise: the measuring frame wanders by ",
         "Excluded outliers: 3 of 160 samples",
         "implausibly large: more than ten times what is usual",
     ] {

@@ -31,6 +31,7 @@ mod languages;
 mod letters;
 mod many;
 mod models;
+mod one_voice;
 mod pictures;
 mod preferences;
 mod record;

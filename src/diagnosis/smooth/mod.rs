@@ -85,7 +85,7 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         }
         fitted = self::fitted(&problem, prepared, model, joint, over)?;
     }
-    let Fitted {
+    let LikeliestCurve {
         columns,
         best,
         curve,
@@ -154,7 +154,7 @@ pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Op
 }
 
 /// The likeliest curve on some samples, with what it was fitted to.
-struct Fitted<'a> {
+struct LikeliestCurve<'a> {
     columns: Columns<'a>,
     best: Choice,
     curve: Curve,
@@ -166,7 +166,7 @@ fn fitted<'a>(
     model: &Model,
     joint: usize,
     over: &Shape,
-) -> Result<Fitted<'a>, String> {
+) -> Result<LikeliestCurve<'a>, String> {
     let columns = Columns::new(problem, &prepared.regression.noise, model, joint);
     let values = columns.values.len();
     if values < FEWEST_VALUES {
@@ -184,7 +184,7 @@ fn fitted<'a>(
     };
     let best = likeliest(&columns, over).ok_or_else(none)?;
     let curve = best.curve(&columns).ok_or_else(none)?;
-    Ok(Fitted {
+    Ok(LikeliestCurve {
         columns,
         best,
         curve,

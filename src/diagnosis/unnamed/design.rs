@@ -22,7 +22,7 @@ const MOST_SAMPLES: usize = 1500;
 /// Orders that are added at most.
 const MOST_ORDERS: usize = 8;
 
-/// See the module.
+/// Columns of the geometry and of each family, with their products fold by fold.
 pub(super) struct Design<'a> {
     rows: Rows<'a>,
     noise: Noise,

@@ -42,7 +42,7 @@ pub struct Along {
     pub waves: Vec<Wave>,
 }
 
-/// See the module. Directions as those of a curve: along the joint's motion, radial, axial.
+/// Coefficients of what predicts without a name. Directions as those of a curve: along the joint's motion, radial, axial.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Rest {
     /// Measured range of every joint, rad or mm.

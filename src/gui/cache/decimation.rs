@@ -19,7 +19,7 @@ const LARGEST: usize = 250;
 /// Cells along each side.
 const CELLS: f64 = 26.0;
 
-/// See the module. In ascending order.
+/// Which of many marks are drawn. In ascending order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Thinned {
     pub(crate) samples: Vec<u32>,

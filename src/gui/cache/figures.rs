@@ -16,12 +16,12 @@ pub(crate) struct Figures {
     /// What noise alone leaves, where a diagnosis has shown it.
     pub(crate) floor_mm: Option<f64>,
     /// The figures, or why there are none; `None` while they are worked out.
-    pub(crate) made: Option<Result<Made, String>>,
+    pub(crate) made: Option<Result<StandardsFigures, String>>,
 }
 
 /// What the standards say.
 #[derive(Debug, Clone)]
-pub(crate) struct Made {
+pub(crate) struct StandardsFigures {
     /// The deviation that is held against the tolerance, or why there is none.
     pub(crate) measured: Result<Measured, String>,
     /// One for each axis, and one for the poses.
@@ -42,7 +42,7 @@ impl Figures {
     }
 }
 
-fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<Made, String> {
+fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
     let figures =
@@ -53,7 +53,7 @@ fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<Made, String> {
         held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
         floor_mm,
     };
-    Ok(Made {
+    Ok(StandardsFigures {
         measured: pipeline::conformity(session, &answer.calibration, fitted),
         groups: groups(&figures, 1),
         notes: figures.notes,
@@ -61,7 +61,7 @@ fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<Made, String> {
 }
 
 /// The figures as a table for a spreadsheet, tabs between the columns.
-pub(crate) fn as_text(made: &Made) -> String {
+pub(crate) fn as_text(made: &StandardsFigures) -> String {
     let mut table =
         Table::headed("standard | of | symbol | figure | unit | as measured | corrected commands");
     for group in &made.groups {

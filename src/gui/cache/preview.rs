@@ -14,7 +14,7 @@ use crate::gui::core::document::ExportChoice;
 
 /// What is to be exported.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Wanted {
+pub(crate) struct PreviewRequest {
     /// The identification that it comes from.
     pub(crate) outcome: Arc<Outcome>,
     pub(crate) choice: ExportChoice,
@@ -25,14 +25,14 @@ pub(crate) struct Wanted {
 
 #[derive(Debug, Clone)]
 pub(crate) struct Preview {
-    pub(crate) wanted: Wanted,
+    pub(crate) wanted: PreviewRequest,
     /// What it gives, or why it gives nothing.
-    pub(crate) made: Result<Made, String>,
+    pub(crate) made: Result<ExportPreview, String>,
 }
 
 /// An export and what it does.
 #[derive(Debug, Clone)]
-pub(crate) struct Made {
+pub(crate) struct ExportPreview {
     /// Name of the joint whose table it is.
     pub(crate) joint: String,
     pub(crate) export: Export,
@@ -53,14 +53,14 @@ const SIDECAR: &str = ".meta.json";
 
 impl Preview {
     /// Makes the export in memory.
-    pub(crate) fn of(wanted: Wanted) -> Self {
+    pub(crate) fn of(wanted: PreviewRequest) -> Self {
         let made = made(&wanted);
         Self { wanted, made }
     }
 }
 
-fn made(wanted: &Wanted) -> Result<Made, String> {
-    let Wanted {
+fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
+    let PreviewRequest {
         outcome,
         choice,
         name,
@@ -88,7 +88,7 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
         let said = said.as_ref()?.pointer(pointer)?;
         said.as_str().map(str::to_owned)
     };
-    Ok(Made {
+    Ok(ExportPreview {
         sign: text("/sign"),
         example: text("/example/says"),
         remainder: Remainder::new(calibration, &inputs),

@@ -19,7 +19,7 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::Subject;
 use crate::model::Model;
 
-/// See the module.
+/// Standard uncertainty in mm of the model's prediction at each measured pose.
 #[derive(Debug, Clone)]
 pub(crate) struct Uncertain {
     /// Of each sample of the session, mm; NaN for samples that cannot be used.

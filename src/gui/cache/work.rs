@@ -34,7 +34,7 @@ pub(crate) type WorkedOut = Arc<dyn Any + Send + Sync>;
 
 type Make = dyn Fn(Given<'_>) -> WorkedOut + Send + Sync;
 
-/// See the module. Two are the same if they are of one chart and have the same key.
+/// What a chart has computed for one key. Two are the same if they are of one chart and have the same key.
 #[derive(Clone)]
 pub(crate) struct Work {
     chart: &'static str,

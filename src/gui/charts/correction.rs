@@ -2,7 +2,7 @@
 
 use super::{About, Kind, Missing, Pointed, Scene, Shown};
 use crate::compensation::SortedTable;
-use crate::gui::cache::preview::Made;
+use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
 use crate::gui::view::Step;
@@ -30,7 +30,7 @@ impl Kind for Correction {
         let alone = scene.subject.is_empty();
         let step = scene.view.step == Step::Export || alone;
         // A description of the robot has no curve; then the samples are more to look at.
-        let shows = |made: &Made| step && (alone || made.export.reads_as.is_some());
+        let shows = |made: &ExportPreview| step && (alone || made.export.reads_as.is_some());
         scene.made.is_some_and(shows)
     }
 
@@ -88,7 +88,7 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
 }
 
 /// The curve; `None` where the export has no table.
-fn chart(made: &Made) -> Option<Chart> {
+fn chart(made: &ExportPreview) -> Option<Chart> {
     let table = made.export.reads_as.as_ref()?;
     let degrees = table.kind == JointKind::Revolute;
     let unit = if degrees { "°" } else { "mm" };

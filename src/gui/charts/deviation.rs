@@ -25,7 +25,7 @@ const COLUMN: f64 = 2.0;
 /// More samples in sight than this are shown by their extremes.
 const MOST_DOTS: usize = 600;
 
-/// See the module.
+/// A component of the deviation, mm, over a quantity of the samples.
 pub(crate) struct Along {
     variable: Variable,
     about: About,
@@ -94,7 +94,7 @@ impl Kind for Along {
     }
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-        let drawn = Drawn::of(scene, self.over(scene));
+        let drawn = DrawnDeviations::of(scene, self.over(scene));
         if drawn.is_missing() {
             let [title, why] = drawn.over.needs();
             return Err(Missing::new(title, why));
@@ -132,7 +132,7 @@ impl Kind for Along {
 
     /// Every sample: inner units, in measuring order.
     fn numbers(&self, scene: &Scene) -> Table {
-        let drawn = Drawn::of(scene, self.over(scene));
+        let drawn = DrawnDeviations::of(scene, self.over(scene));
         let component = scene.component().name();
         let along = drawn.over.heading(scene.subject);
         let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
@@ -161,7 +161,7 @@ struct Dot {
 }
 
 /// What is shown at present.
-struct Drawn<'a> {
+struct DrawnDeviations<'a> {
     scene: &'a Scene<'a>,
     over: Over,
     scale: Scale,
@@ -175,7 +175,7 @@ struct Drawn<'a> {
     unplaced: usize,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> DrawnDeviations<'a> {
     fn of(scene: &'a Scene<'a>, over: Over) -> Self {
         let envelope: Option<&Envelope> = scene.found();
         let count = scene.usable().len();
@@ -358,7 +358,7 @@ fn are_many(envelope: &Envelope, x: [f64; 2]) -> bool {
     envelope.count(x) > MOST_DOTS
 }
 
-impl Samples for Drawn<'_> {
+impl Samples for DrawnDeviations<'_> {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let dot = self.dot(sample);
         if !dot.x.is_finite() {
@@ -430,7 +430,7 @@ mod tests {
 
     fn dots(workbench: &Workbench) -> Vec<Dot> {
         let scene = workbench.scene_of(&ANGLE);
-        Drawn::of(&scene, ANGLE.over(&scene)).dots
+        DrawnDeviations::of(&scene, ANGLE.over(&scene)).dots
     }
 
     #[test]

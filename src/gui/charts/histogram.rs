@@ -53,7 +53,7 @@ impl Kind for Histogram {
                 component = scene.component().name()
             ),
             says: says(scene, found),
-            pointed: Pointed::Bars(Box::new(Drawn {
+            pointed: Pointed::Bars(Box::new(DrawnBars {
                 scene,
                 counted: found.shown(scene.only_after()),
             })),
@@ -88,12 +88,12 @@ fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, Missing> {
 }
 
 /// What the pointer finds.
-struct Drawn<'a> {
+struct DrawnBars<'a> {
     scene: &'a Scene<'a>,
     counted: &'a Counted,
 }
 
-impl Drawn<'_> {
+impl DrawnBars<'_> {
     /// The component of a sample that is counted: what is left if anything is, else before.
     fn value(&self, sample: usize, after: bool) -> f64 {
         let subject = self.scene.subject;
@@ -105,7 +105,7 @@ impl Drawn<'_> {
     }
 }
 
-impl Bars for Drawn<'_> {
+impl Bars for DrawnBars<'_> {
     fn at(&self, x: f64) -> Option<Facts> {
         let (units, bins) = (self.scene.units, self.counted.bins);
         let mm = x / units.length_value(1.0);

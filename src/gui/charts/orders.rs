@@ -61,7 +61,7 @@ impl Kind for Orders {
                 component = scene.component().name()
             ),
             says: says(scene, spectrum),
-            pointed: Pointed::Bars(Box::new(Drawn { scene, spectrum })),
+            pointed: Pointed::Bars(Box::new(DrawnOrders { scene, spectrum })),
         })
     }
 
@@ -120,12 +120,12 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
 }
 
 /// What the pointer finds.
-struct Drawn<'a> {
+struct DrawnOrders<'a> {
     scene: &'a Scene<'a>,
     spectrum: &'a Spectrum,
 }
 
-impl Bars for Drawn<'_> {
+impl Bars for DrawnOrders<'_> {
     fn at(&self, x: f64) -> Option<Facts> {
         let slot = (x.round() >= 0.0).then(|| whole(x.round()))?;
         let order = self.spectrum.orders.get(slot)?;

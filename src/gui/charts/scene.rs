@@ -5,7 +5,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::preview::Made;
+use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, Subject};
@@ -14,7 +14,7 @@ use crate::gui::view::ViewState;
 use crate::present::chart::Lengths;
 use crate::present::units::Units;
 
-/// See the module.
+/// Document, answer and view, as charts need them.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub(crate) document: &'a Document,
@@ -25,7 +25,7 @@ pub(crate) struct Scene<'a> {
     /// The search of this session.
     pub(crate) search: Option<&'a Arc<Search>>,
     /// The export as it would be written.
-    pub(crate) made: Option<&'a Made>,
+    pub(crate) made: Option<&'a ExportPreview>,
     /// What the background has worked out for the chart.
     pub(crate) worked_out: Option<&'a (dyn Any + Send + Sync)>,
 }

@@ -46,7 +46,7 @@ pub(crate) struct Chain {
 }
 
 #[derive(Deserialize)]
-struct Document {
+struct AppearanceFile {
     robot: RobotOfDocument,
 }
 
@@ -111,7 +111,7 @@ impl Chain {
         // The reader of sessions says what is wrong with it.
         let bytes = files::read_document(path).ok()?;
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-        let document: Document = serde_json::from_slice(start).ok()?;
+        let document: AppearanceFile = serde_json::from_slice(start).ok()?;
         let chain = document.robot.urdf?;
         let file = path.parent()?.join(&chain.file);
         Some(Self { file, ..chain })

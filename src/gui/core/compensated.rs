@@ -39,7 +39,7 @@ impl Whose {
 
 /// What is to be corrected, and how.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Wanted {
+pub(crate) struct CompensationRequest {
     pub(crate) path: PathBuf,
     /// Load at the tool's origin where the file says none, kg.
     pub(crate) load_kg: f64,
@@ -51,7 +51,7 @@ pub(crate) struct Wanted {
     pub(crate) frame: Whose,
 }
 
-impl Wanted {
+impl CompensationRequest {
     /// Without a load, in the base frame; a tool or frame that differs is asked for.
     pub(crate) fn new(path: PathBuf) -> Self {
         Self {
@@ -76,7 +76,7 @@ pub(crate) struct NotCorrected {
 /// A file of targets, and what became of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Compensated {
-    pub(crate) wanted: Wanted,
+    pub(crate) wanted: CompensationRequest,
     /// What was made of it, or why nothing was.
     pub(crate) result: Result<Corrected, NotCorrected>,
 }
@@ -105,13 +105,17 @@ pub(crate) struct Changed {
 
 impl Compensated {
     /// Reads and corrects a file; `model` is what the model's file is called.
-    pub(crate) fn of(calibration: &VerifiedCalibration, model: &str, wanted: Wanted) -> Self {
+    pub(crate) fn of(
+        calibration: &VerifiedCalibration,
+        model: &str,
+        wanted: CompensationRequest,
+    ) -> Self {
         let result = corrected(calibration, model, &wanted);
         Self { wanted, result }
     }
 
     /// Nothing is corrected: the model is not handed out.
-    pub(crate) fn refused(wanted: Wanted, says: String) -> Self {
+    pub(crate) fn refused(wanted: CompensationRequest, says: String) -> Self {
         let result = Err(NotCorrected {
             says: vec![says],
             differs: Vec::new(),
@@ -136,7 +140,7 @@ impl Compensated {
 fn corrected(
     calibration: &VerifiedCalibration,
     model: &str,
-    wanted: &Wanted,
+    wanted: &CompensationRequest,
 ) -> Result<Corrected, NotCorrected> {
     let path: &Path = &wanted.path;
     let lines = |error: &dyn std::fmt::Display| NotCorrected {

@@ -8,7 +8,7 @@ use crate::recorder::source::Address;
 
 /// What is wanted, as it is typed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Wanted {
+pub(crate) struct RecordingRequest {
     /// `tcp://HOST:PORT` or `udp://:PORT`.
     pub(crate) address: String,
     /// Headings between commas; empty: the stream begins with them.
@@ -17,7 +17,7 @@ pub(crate) struct Wanted {
     pub(crate) path: PathBuf,
 }
 
-impl Wanted {
+impl RecordingRequest {
     pub(crate) fn columns(&self) -> Vec<String> {
         let columns = self.columns.split([',', ';']).map(str::trim);
         let columns = columns.filter(|name| !name.is_empty());

@@ -26,7 +26,7 @@ use crate::units::{deg_from_rad, rad_from_deg};
 /// In which terms the joints are typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Form {
+pub(crate) enum TableForm {
     /// Direction and point of each axis at home.
     Axes,
     /// Denavit–Hartenberg rows, the joint before the link.
@@ -35,7 +35,7 @@ pub(crate) enum Form {
     Modified,
 }
 
-impl Form {
+impl TableForm {
     fn convention(self) -> Option<DhConvention> {
         match self {
             Self::Axes => None,
@@ -66,7 +66,7 @@ pub(crate) struct Row {
     pub(crate) name: String,
     /// Whether it slides; else it turns.
     pub(crate) slides: bool,
-    /// As many as [`Form::numbers`] has, in its order; the others are not used.
+    /// As many as [`TableForm::numbers`] has, in its order; the others are not used.
     pub(crate) numbers: [f64; 6],
     /// Travel, deg or mm, where it is known.
     pub(crate) travel: Option<[f64; 2]>,
@@ -80,7 +80,7 @@ pub(crate) struct Row {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct RobotTable {
     pub(crate) name: String,
-    pub(crate) form: Form,
+    pub(crate) form: TableForm,
     pub(crate) rows: Vec<Row>,
     /// The frame before the first row in the base frame: mm and degrees; of axes it is not used.
     pub(crate) base: [f64; 6],
@@ -135,15 +135,15 @@ impl RobotTable {
             RobotSource::Dh { rows, .. }
                 if rows.iter().all(|r| r.convention == DhConvention::Modified) =>
             {
-                Form::Modified
+                TableForm::Modified
             }
-            RobotSource::Dh { .. } => Form::Standard,
-            RobotSource::Axes | RobotSource::Links(_) => Form::Axes,
+            RobotSource::Dh { .. } => TableForm::Standard,
+            RobotSource::Axes | RobotSource::Links(_) => TableForm::Axes,
         };
         Self::in_form(robot, form)
     }
 
-    fn in_form(robot: &Robot, form: Form) -> Self {
+    fn in_form(robot: &Robot, form: TableForm) -> Self {
         let mut base = Pose::identity();
         let mut tool = robot.base_from_tool;
         let mut dh = Vec::new();
@@ -191,7 +191,7 @@ impl RobotTable {
 
     /// The same robot in other terms; `None` while it is no robot.
     #[must_use]
-    pub(crate) fn turned_into(&self, form: Form) -> Option<Self> {
+    pub(crate) fn turned_into(&self, form: TableForm) -> Option<Self> {
         Some(Self::in_form(&self.robot().ok()?, form))
     }
 
@@ -202,12 +202,12 @@ impl RobotTable {
         }
         let last = self.rows.last();
         let numbers = match self.form {
-            Form::Axes => {
+            TableForm::Axes => {
                 let [x, y, z, ..] = self.tool;
                 let [a, b, c, ..] = last.map_or([0.0, 0.0, 1.0, 0.0, 0.0, 0.0], |row| row.numbers);
                 [a, b, c, x, y, z]
             }
-            Form::Standard | Form::Modified => [0.0; 6],
+            TableForm::Standard | TableForm::Modified => [0.0; 6],
         };
         self.rows.push(Row {
             name: format!("joint {}", self.rows.len() + 1),
@@ -394,7 +394,7 @@ mod tests {
     fn every_robot_of_the_library_is_the_same_in_every_form() {
         for one in library() {
             let table = RobotTable::of(&one.robot);
-            for form in [Form::Axes, Form::Standard, Form::Modified] {
+            for form in [TableForm::Axes, TableForm::Standard, TableForm::Modified] {
                 let turned = table.turned_into(form).expect("it is a robot");
                 let robot = turned.robot().expect("it is a robot");
                 let off = off_mm(&one.robot, &robot);
@@ -426,7 +426,7 @@ mod tests {
         assert!(says.starts_with("joint 1: every field"), "{says}");
         assert!(!wrong(|t| t.tool[0] = 1e12).is_empty());
         let axes = |t: &mut RobotTable| {
-            *t = t.turned_into(Form::Axes).expect("it is a robot");
+            *t = t.turned_into(TableForm::Axes).expect("it is a robot");
             t.rows[0].numbers[..3].copy_from_slice(&[0.0; 3]);
         };
         assert!(!wrong(axes).is_empty());

@@ -11,7 +11,7 @@ use crate::gui::workbench::{Command, Workbench};
 
 /// What was typed, and which of the actions that fit is chosen.
 #[derive(Clone, Default)]
-struct Typed {
+struct PaletteInput {
     text: String,
     chosen: usize,
 }
@@ -20,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.set_width(460.0);
     let ctx = ui.ctx().clone();
     let id = ui.scope_id().with("typed command");
-    let before: Option<Typed> = ui.data(|data| data.get_temp(id));
+    let before: Option<PaletteInput> = ui.data(|data| data.get_temp(id));
     let first = before.is_none();
     let mut typed = before.unwrap_or_default();
     let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter]
@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     if done.is_some() || ui.input(|i| i.key_pressed(Key::Escape)) {
         // Next time it begins anew.
-        typed = Typed::default();
+        typed = PaletteInput::default();
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
     if let Some(command) = done {

@@ -11,7 +11,7 @@ use crate::gui::workbench::{Command, Workbench};
 use super::ends::buttons;
 
 /// What was done with a path that is being typed.
-enum Typed {
+enum PathInput {
     /// It is complete.
     Done {
         path: PathBuf,
@@ -34,11 +34,11 @@ pub(super) fn save(
 ) {
     let says = say!("The samples are written beside it, as a CSV file of the same name");
     match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
-        Typed::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
-        Typed::Changed { path, replace } => {
+        PathInput::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
+        PathInput::Changed { path, replace } => {
             commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
         }
-        Typed::Same => {}
+        PathInput::Same => {}
     }
 }
 
@@ -48,7 +48,7 @@ fn path_form(
     (title, says): (&str, &str),
     (path, replace): (&str, bool),
     commands: &mut Vec<Command>,
-) -> Typed {
+) -> PathInput {
     ui.set_width(420.0);
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
@@ -76,17 +76,17 @@ fn path_form(
     let named = !typed.trim().is_empty();
     let pressed = buttons(ui, say!("Save"), named, commands);
     if named && (pressed || entered) {
-        Typed::Done {
+        PathInput::Done {
             path: typed.trim().into(),
             replace: allowed,
         }
     } else if typed != path || allowed != replace {
-        Typed::Changed {
+        PathInput::Changed {
             path: typed,
             replace: allowed,
         }
     } else {
-        Typed::Same
+        PathInput::Same
     }
 }
 
@@ -131,18 +131,18 @@ pub(super) fn export(
         ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {
-        Typed::Done { path, replace } => commands.push(Command::ExportTo {
+        PathInput::Done { path, replace } => commands.push(Command::ExportTo {
             what,
             path,
             replace,
         }),
-        Typed::Changed { path, replace } => {
+        PathInput::Changed { path, replace } => {
             commands.push(Command::Sheet(Some(Sheet::ExportPath {
                 what,
                 path,
                 replace,
             })));
         }
-        Typed::Same => {}
+        PathInput::Same => {}
     }
 }

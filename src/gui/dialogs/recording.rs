@@ -2,7 +2,7 @@
 
 use egui::{Id, RichText, TextEdit, Ui};
 
-use crate::gui::core::recording::{Wanted, free_name};
+use crate::gui::core::recording::{RecordingRequest, free_name};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ),
     );
     let id = Id::unique("recording");
-    let blank = || Wanted {
+    let blank = || RecordingRequest {
         address: "tcp://".to_owned(),
         path: free_name(
             workbench
@@ -42,9 +42,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 .parent()
                 .unwrap_or("".as_ref()),
         ),
-        ..Wanted::default()
+        ..RecordingRequest::default()
     };
-    let mut wanted: Wanted = ui.data(|data| data.get_temp(id)).unwrap_or_else(blank);
+    let mut wanted: RecordingRequest = ui.data(|data| data.get_temp(id)).unwrap_or_else(blank);
     let mut path = wanted.path.display().to_string();
     let fields = [
         (
@@ -69,7 +69,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         });
     }
     wanted.path = path.into();
-    let placed = Wanted {
+    let placed = RecordingRequest {
         path: workbench.placed(&wanted.path),
         ..wanted.clone()
     };
@@ -89,7 +89,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.label(small.size(size::SMALL).color(Palette::of(ui).muted));
     ui.data_mut(|data| data.insert_temp(id, wanted));
     if super::ends::buttons_without_enter(ui, say!("Record"), problem.is_none(), commands) {
-        ui.data_mut(|data| data.remove_temp::<Wanted>(id));
+        ui.data_mut(|data| data.remove_temp::<RecordingRequest>(id));
         commands.push(Command::Record(Box::new(placed)));
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Button, DragValue, Grid, ScrollArea, TextEdit, Ui, vec2};
 
-use crate::gui::core::robot_table::{Form, RobotTable, Row};
+use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::simulate;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Camera, Sheet};
@@ -22,7 +22,11 @@ const MOVES: [f32; 2] = [54.0, 28.0];
 
 pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mut Vec<Command>) {
     let mut typed = table.clone();
-    let wide = if typed.form == Form::Axes { AXES } else { DH };
+    let wide = if typed.form == TableForm::Axes {
+        AXES
+    } else {
+        DH
+    };
     ui.set_width(wide + PICTURE + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robot as a table"));
     widgets::hint(
@@ -74,17 +78,17 @@ fn head(ui: &mut Ui, typed: &mut RobotTable) {
     widgets::form_row(ui, say!("Joints as"), |ui| {
         let forms = [
             (
-                Form::Axes,
+                TableForm::Axes,
                 say!("axes"),
                 say!("direction and a point of each axis at home, in the base frame"),
             ),
             (
-                Form::Standard,
+                TableForm::Standard,
                 say!("DH rows"),
                 say!("Denavit–Hartenberg rows, standard: the joint before the link"),
             ),
             (
-                Form::Modified,
+                TableForm::Modified,
                 say!("modified DH rows"),
                 say!("Denavit–Hartenberg rows, modified: the link before the joint"),
             ),
@@ -219,7 +223,7 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
             }
         });
     };
-    if typed.form != Form::Axes {
+    if typed.form != TableForm::Axes {
         six(ui, say!("Base of the rows"), &mut typed.base);
     }
     six(ui, say!("Tool"), &mut typed.tool);

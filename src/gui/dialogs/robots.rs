@@ -22,7 +22,7 @@ const HEIGHT: f32 = 300.0;
 
 /// What was typed, which robot is chosen, and from where it is seen.
 #[derive(Clone, Default)]
-struct Typed {
+struct RobotsInput {
     text: String,
     chosen: String,
     camera: Camera,
@@ -105,7 +105,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ),
     );
     let id = ui.scope_id().with("typed robot");
-    let before: Option<Typed> = ui.data(|data| data.get_temp(id));
+    let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
     let first = before.is_none();
     let mut typed = before.unwrap_or_default();
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
@@ -147,7 +147,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ends(ui, chosen, commands);
     if ui.input(|i| i.key_pressed(Key::Escape)) {
         // Next time it begins anew.
-        typed = Typed::default();
+        typed = RobotsInput::default();
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
@@ -237,7 +237,7 @@ fn own(ui: &mut Ui, table: &RobotTable, camera: &mut Camera, commands: &mut Vec<
     let joints = table.rows.len();
     let joints = say!(one "{count} joint", "{count} joints", count = joints);
     widgets::fact_of(ui, phrase!("kind"), joints);
-    widgets::hint(ui, say!("Typed here, and remembered on this computer"));
+    widgets::hint(ui, say!("RobotsInput here, and remembered on this computer"));
     if widgets::secondary(ui, say!("Forget it")).clicked() {
         commands.push(Command::ForgetRobot(table.name.clone()));
     }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
-use crate::gui::core::recording::{Heard, Wanted};
+use crate::gui::core::recording::{Heard, RecordingRequest};
 use crate::recorder::Recorder;
 use crate::recorder::live::record;
 use crate::recorder::source::Address;
@@ -25,7 +25,7 @@ struct Shared {
 /// A thread that records; it ends when this is dropped.
 #[derive(Debug)]
 pub(crate) struct Recording {
-    pub(crate) wanted: Wanted,
+    pub(crate) wanted: RecordingRequest,
     shared: Arc<Shared>,
 }
 
@@ -40,7 +40,10 @@ pub(crate) struct UnderWay {
 
 impl Recording {
     /// Begins; `tell` says to the window that it should look.
-    pub(crate) fn start(wanted: Wanted, tell: impl Fn() + Send + 'static) -> Result<Self, String> {
+    pub(crate) fn start(
+        wanted: RecordingRequest,
+        tell: impl Fn() + Send + 'static,
+    ) -> Result<Self, String> {
         let address = Address::parse(wanted.address.trim())?;
         let shared = Arc::new(Shared::default());
         let (own, path, columns) = (Arc::clone(&shared), wanted.path.clone(), wanted.columns());

@@ -10,7 +10,7 @@ use crate::pipeline;
 use crate::progress::Cancelled;
 use crate::report::exported::sidecar_of;
 
-use crate::gui::cache::preview::Wanted;
+use crate::gui::cache::preview::PreviewRequest;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
@@ -19,7 +19,7 @@ use super::advice::advice;
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
 pub(crate) fn export(
-    wanted: &Wanted,
+    wanted: &PreviewRequest,
     what: What,
     path: &Path,
     replace: bool,
@@ -32,7 +32,7 @@ pub(crate) fn export(
     }
 }
 
-fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
+fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
     let choice = wanted.choice;

@@ -29,7 +29,7 @@ pub(crate) enum Source {
 
 /// A report to be written.
 #[derive(Debug, Clone)]
-pub(crate) struct Wanted {
+pub(crate) struct ReportRequest {
     /// Where it comes from.
     pub(crate) source: Source,
     /// What the certificate states besides its measurements.
@@ -43,7 +43,7 @@ pub(crate) struct Wanted {
 }
 
 /// Writes it, whole or not at all.
-pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) -> Message {
+pub(crate) fn write(wanted: &ReportRequest, path: &Path, replace: bool, watch: &Watch) -> Message {
     let mut details = Vec::new();
     let written = make(wanted, path, replace, watch, &mut details);
     match written {
@@ -53,7 +53,7 @@ pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) 
 }
 
 fn make(
-    wanted: &Wanted,
+    wanted: &ReportRequest,
     path: &Path,
     replace: bool,
     watch: &Watch,
@@ -105,7 +105,7 @@ fn make(
 }
 
 /// What became of the machine, where its folder has more than one measurement of it.
-fn past(wanted: &Wanted, watch: &Watch) -> Result<Option<History>, String> {
+fn past(wanted: &ReportRequest, watch: &Watch) -> Result<Option<History>, String> {
     let Some((folder, robot)) = &wanted.past else {
         return Ok(None);
     };
@@ -140,8 +140,8 @@ mod tests {
     use super::*;
     use crate::gui::files::first_example;
 
-    fn wanted() -> Wanted {
-        Wanted {
+    fn wanted() -> ReportRequest {
+        ReportRequest {
             source: Source::Session(Arc::new(Document::new(first_example())), None, None),
             stated: Stated::default(),
             past: None,

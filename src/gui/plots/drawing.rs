@@ -7,7 +7,7 @@ use egui_plot::{PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform}
 
 type Draw<'a> = Box<dyn Fn(&PlotTransform, &mut Vec<Shape>) + 'a>;
 
-/// See the module. It takes part in the plot's bounds and in nothing else: what can be hovered is
+/// A drawing as an item of an egui plot. It takes part in the plot's bounds and in nothing else: what can be hovered is
 /// the plots' own affair.
 pub(crate) struct Drawing<'a> {
     base: PlotItemBase,

@@ -134,7 +134,7 @@ const ZOOM: [f64; 2] = [0.1, 1e5];
 /// The ball takes this part of the plot.
 const FILLED: f64 = 0.96;
 
-/// See the module.
+/// Direction, distance and centre of the three-dimensional view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Camera {
     /// About z, from x, rad.

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// See the module.
+/// A message to the user: an error in a banner, or a notice that goes by itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Message {
     /// Whether something went wrong.

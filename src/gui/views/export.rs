@@ -5,7 +5,7 @@ use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::export::{EXPORTERS, find};
-use crate::gui::cache::preview::Made;
+use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
@@ -214,7 +214,7 @@ fn joint_and_step(
 }
 
 /// The table as the controller gets it.
-fn text_of(made: &Made) -> String {
+fn text_of(made: &ExportPreview) -> String {
     let first = made.export.documents.first();
     first.map_or_else(String::new, |document| {
         String::from_utf8_lossy(&document.bytes).into_owned()
@@ -232,7 +232,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     super::standards::show(ui, workbench);
 }
 
-fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
+fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     widgets::card(ui, |ui| {

@@ -1,5 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
+mod blocks;
 mod chart;
 mod compensate;
 mod copies;

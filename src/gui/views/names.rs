@@ -7,9 +7,8 @@ use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::names::{combination, parameter, title_of, title_on, usual_size};
+use crate::language::names::{combination, parameter, title_on, usual_size};
 use crate::language::of_core;
-use crate::text::within;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
@@ -22,12 +21,6 @@ pub(in crate::gui::views) fn in_words(
     workbench: &Workbench,
 ) -> String {
     title_on(id, joint, workbench.subject().session.robot.joints.len())
-}
-
-/// Names in words; one with its joint is `id joint`.
-pub(in crate::gui::views) fn titles(all: &[String]) -> String {
-    let all = all.iter().map(|name| within(&title_of(name)).into_owned());
-    all.collect::<Vec<_>>().join(say!(" and "))
 }
 
 /// Says which sizes no machine has.

@@ -17,7 +17,7 @@ use crate::report::plots::workspace;
 use crate::report::{as_measured, stages};
 
 /// A picture to be drawn.
-struct Wanted {
+struct PlotRequest {
     plot: Plot,
     document: Document,
     /// What was identified, if anything was.
@@ -39,7 +39,7 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
     }
     let shown = workbench.answer().is_some();
     let view = workbench.view();
-    let wanted = Wanted {
+    let wanted = PlotRequest {
         plot,
         document: workbench.document().clone(),
         outcome: workbench.last_outcome().filter(|_| shown).cloned(),
@@ -70,7 +70,7 @@ fn chart(workbench: &Workbench, name: &str) -> Result<Chart, String> {
 const CAPTION: f64 = 14.0;
 
 /// The drawing, and what it shows.
-fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
+fn draw(wanted: &PlotRequest) -> Result<(Drawing, String), String> {
     let session = wanted.document.session_to_save();
     let of = |what: &str| format!("{}: {what}", crate::report::document::clean(&session.name));
     if let Some(chart) = &wanted.chart {

@@ -3,7 +3,7 @@
 use crate::language::of_core;
 use egui::{Grid, RichText, Ui};
 
-use crate::gui::cache::figures::{Made, as_text};
+use crate::gui::cache::figures::{StandardsFigures, as_text};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
@@ -27,7 +27,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
-fn tables(ui: &mut Ui, made: &Made) {
+fn tables(ui: &mut Ui, made: &StandardsFigures) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
         copies::button(ui, say!("figures"), || as_text(made));
     }

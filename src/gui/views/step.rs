@@ -6,7 +6,7 @@ use crate::gui::view::Step;
 use crate::gui::widgets::Progress;
 use crate::gui::workbench::{Command, Workbench};
 
-/// See the module. Each step's file has one; `steps` lists them.
+/// A step of the work, as a panel. Each step's file has one; `steps` lists them.
 pub(super) struct StepView {
     pub(super) step: Step,
     pub(super) show: fn(&mut Ui, &Workbench, &mut Vec<Command>),

@@ -1,12 +1,11 @@
 //! What no name explains: how much and where, and its smooth correction, added and taken back.
 
-use crate::language::of_core;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::effects::Term;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::style::tokens::{size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -14,60 +13,23 @@ use crate::model::Model;
 use crate::present::numbers::{significant, trimmed};
 use crate::units::deg_from_rad;
 
-use super::names::{curve_link, titles};
+use super::names::curve_link;
 
-/// The card of what a search could not name.
-pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
-    let left = &d.unexplained;
-    if !left.present {
-        return;
+/// What the window can do about what a search could not name.
+pub(super) fn actions(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    d: &Diagnosis,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(found) = d.unexplained.corrected() {
+        correction(ui, workbench, found, commands);
+        curve_link(ui, workbench, d.found.len(), commands);
     }
-    let warning = Palette::of(ui).warning;
-    widgets::card(ui, |ui| {
-        let text = RichText::new(say!("Unexplained")).font(strong(size::HEADING));
-        ui.label(text.color(warning));
-        widgets::fact_of(
-            ui,
-            phrase!("what is left"),
-            workbench.units().length(left.rms_mm),
-        );
-        if let Some(place) = &left.place {
-            widgets::fact_of(ui, phrase!("where"), of_core(&place.says()));
-        }
-        widgets::hint(ui, of_core(&left.says));
-        if !left.resembles.is_empty() {
-            let resembles = titles(&left.resembles);
-            widgets::hint(
-                ui,
-                say!("A part of it looks like {resembles}", resembles = resembles),
-            );
-        }
-        match &left.correction {
-            None => {}
-            Some(Err(because)) => {
-                widgets::hint(
-                    ui,
-                    say!(
-                        "It cannot be corrected: {because}",
-                        because = of_core(because)
-                    ),
-                );
-            }
-            Some(Ok(found)) => {
-                correction(ui, workbench, found, commands);
-                curve_link(ui, workbench, d.found.len(), commands);
-            }
-        }
-    });
 }
 
-/// What a smooth correction would bring, and the button that adds it.
+/// Where a smooth correction is measured, and the button that adds it.
 fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: &mut Vec<Command>) {
-    let units = workbench.units();
-    let mm = |mm: f64| significant(units.length_value(mm), 3);
-    let [before, after] = found.held_out_mm;
-    let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
-    widgets::fact_of(ui, phrase!("cross-validated RMS error, corrected"), gap);
     range(
         ui,
         workbench.subject().session.robot.joints[found.term.joint].kind,

@@ -14,7 +14,7 @@ pub(crate) use icons::{copy_button, history_button, save_button, side_button, si
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
     caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
-    folded, heading, hint, hint_about, label, question, section, title, wrong,
+    folded, heading, hint, label, question, section, title, wrong,
 };
 
 use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};

@@ -70,14 +70,6 @@ fn sentence(ui: &mut Ui, text: RichText) -> Response {
     .inner
 }
 
-/// A sentence that explains, with a word in it that can be explained in turn.
-pub(crate) fn hint_about(ui: &mut Ui, text: impl Into<String>, word: Word) {
-    let muted = Palette::of(ui).muted;
-    let text = RichText::new(text).size(size::NOTE).color(muted);
-    let response = sentence(ui, text);
-    explained(response, word);
-}
-
 /// What is wrong with the field above.
 pub(crate) fn wrong(ui: &mut Ui, text: &str) {
     let color = Palette::of(ui).outside;

@@ -12,7 +12,7 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{After, Outcome};
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::plot_cache::{Backdrop, Scenery};
-use crate::gui::cache::preview::{Made, Wanted};
+use crate::gui::cache::preview::{ExportPreview, PreviewRequest};
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::answer::{Answer, measuring_from_base};
 use crate::gui::core::document::{Method, Question};
@@ -158,7 +158,7 @@ impl Workbench {
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
     /// is the one before.
-    pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
+    pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
         let preview = self.preview.as_ref()?;
         let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
@@ -256,7 +256,7 @@ impl Workbench {
         };
         let choice = self.document().export;
         let saved = self.saved_as.as_ref().filter(|(of, _)| *of == choice);
-        let wanted = Wanted {
+        let wanted = PreviewRequest {
             outcome,
             choice,
             name: saved.map(|(_, name)| name.clone()),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::plot_cache::{Backdrop, Scenery};
-use crate::gui::cache::preview::{Preview, Wanted};
+use crate::gui::cache::preview::{Preview, PreviewRequest};
 use crate::gui::core::document::Question;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Subject;
@@ -93,7 +93,7 @@ impl Workbench {
     }
 
     /// Asks for the preview of an export, if it is not on its way.
-    pub(super) fn want_preview(&mut self, wanted: Wanted) {
+    pub(super) fn want_preview(&mut self, wanted: PreviewRequest) {
         if !self.asked.previews.is_asked(&wanted)
             && let Some(wanted) = self.asked.previews.ask(wanted)
         {
@@ -101,7 +101,7 @@ impl Workbench {
         }
     }
 
-    fn prepare(&mut self, wanted: Wanted) {
+    fn prepare(&mut self, wanted: PreviewRequest) {
         self.jobs.start(
             Kind::Prepares,
             say!("preparing the table"),

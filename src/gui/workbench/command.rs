@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use egui::Response;
 
 use crate::gui::core::boundary_entry::End;
-use crate::gui::core::compensated::Wanted;
+use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::recording;
@@ -121,14 +121,14 @@ pub(crate) enum Command {
     /// Ask for a folder of sessions.
     ChooseFolder,
     /// Record what an instrument sends.
-    Record(Box<recording::Wanted>),
+    Record(Box<recording::RecordingRequest>),
     StopRecording,
     /// Ask for a picture for the head of the report.
     ChooseLogo,
     /// Ask for a table of targets or a robot program to be corrected.
     ChooseTargets,
     /// Correct its targets by the model that is shown, and show what changes.
-    Compensate(Wanted),
+    Compensate(CompensationRequest),
     /// Divide the joint's range where the samples ask for it.
     Adapt,
     /// What is being typed for an end of a region; `None`: what the document says.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::compensated::{Compensated, MOST_KG, Wanted};
+use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Sheet, What};
@@ -25,14 +25,14 @@ impl Workbench {
             ask,
             |bench, path| {
                 if let Some(path) = path {
-                    bench.execute(Command::Compensate(Wanted::new(path)));
+                    bench.execute(Command::Compensate(CompensationRequest::new(path)));
                 }
             },
         );
     }
 
     /// Corrects the targets of a file by the model that is shown.
-    pub(super) fn compensate(&mut self, mut wanted: Wanted) {
+    pub(super) fn compensate(&mut self, mut wanted: CompensationRequest) {
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
                 say!("There is no model to correct targets by"),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::export::find;
-use crate::gui::cache::preview::Wanted;
+use crate::gui::cache::preview::PreviewRequest;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;
@@ -92,7 +92,7 @@ impl Workbench {
         };
         let choice = self.document().export;
         let work = move |path: &Path, _: &Watch| {
-            let wanted = Wanted {
+            let wanted = PreviewRequest {
                 outcome,
                 choice,
                 name: None,

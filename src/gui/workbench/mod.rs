@@ -24,6 +24,7 @@ mod recording;
 mod recovering;
 mod recovery_writer;
 mod robots;
+mod said;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -38,6 +39,7 @@ use std::sync::Arc;
 
 pub(crate) use command::{Command, of_field};
 
+use said::Said;
 use state::{Asked, Desk};
 
 use crate::gui::cache::figures::Figures;
@@ -84,6 +86,7 @@ pub(crate) struct Workbench {
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
+    said: Said,
     /// What a search that was stopped had found until then, and in which session.
     stopped: Option<(Arc<Subject>, Vec<String>)>,
     preview: Option<Preview>,
@@ -116,6 +119,7 @@ impl Workbench {
             view: ViewState::default(),
             outcome: None,
             searched: None,
+            said: Said::default(),
             stopped: None,
             preview: None,
             backdrop: None,

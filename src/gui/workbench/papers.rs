@@ -57,7 +57,7 @@ impl Workbench {
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
         let robot = self.subject().session.robot.name.clone();
-        let wanted = reporting::Wanted {
+        let wanted = reporting::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::gui::core::recording::{Heard, Wanted};
+use crate::gui::core::recording::{Heard, RecordingRequest};
 use crate::gui::file_state::recording::{Recording, UnderWay};
 use crate::gui::view::{Message, Then};
 use crate::pipeline;
@@ -13,13 +13,13 @@ use super::Workbench;
 
 impl Workbench {
     /// What is being recorded, and how it stands.
-    pub(crate) fn recording(&self) -> Option<(&Wanted, &Heard)> {
+    pub(crate) fn recording(&self) -> Option<(&RecordingRequest, &Heard)> {
         let under_way = self.desk.recording.as_ref()?;
         Some((&under_way.recording.wanted, &under_way.heard))
     }
 
     /// Begins to record.
-    pub(super) fn record(&mut self, mut wanted: Wanted) {
+    pub(super) fn record(&mut self, mut wanted: RecordingRequest) {
         wanted.path = self.placed(&wanted.path);
         let title = say!("Nothing can be recorded");
         if let Some(problem) = wanted.problem() {
@@ -82,7 +82,7 @@ impl Workbench {
 
     /// Makes a session of the open robot and the table that grows. A table that has other columns is
     /// opened as what an instrument wrote.
-    fn open_recording(&mut self, wanted: Wanted) {
+    fn open_recording(&mut self, wanted: RecordingRequest) {
         let session = self.new_session(&wanted);
         let work = move || {
             let path = wanted.session();
@@ -104,7 +104,7 @@ impl Workbench {
     }
 
     /// A session of this robot and instrument without samples.
-    fn new_session(&self, wanted: &Wanted) -> Session {
+    fn new_session(&self, wanted: &RecordingRequest) -> Session {
         let open = &self.subject().session;
         let name = wanted.path.file_stem().unwrap_or_default();
         Session {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::gui::cache::plot_cache::Scenery;
-use crate::gui::cache::preview::Wanted;
+use crate::gui::cache::preview::PreviewRequest;
 use crate::gui::core::disk::Print;
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::past::Past;
@@ -73,6 +73,6 @@ pub(super) struct Desk {
 #[derive(Default)]
 pub(super) struct Asked {
     pub(super) questions: Latest<Question>,
-    pub(super) previews: Latest<Wanted>,
+    pub(super) previews: Latest<PreviewRequest>,
     pub(super) sceneries: Latest<Scenery>,
 }

@@ -233,7 +233,7 @@ impl Axis {
     }
 }
 
-/// See the module.
+/// A chart: axes, lines, bars, marks and legend, in the units of its axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// What it shows, in one line.

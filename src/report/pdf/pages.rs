@@ -224,7 +224,7 @@ impl Flow<'_> {
     fn least_height(&self, block: &Block) -> f64 {
         match block {
             Block::Heading(_) => 26.0,
-            Block::Text(_) | Block::List(_) => 2.0 * LINE,
+            Block::Text(_) | Block::Warning(_) | Block::List(_) => 2.0 * LINE,
             Block::Facts(facts) => self.facts_height(facts).min(150.0),
             Block::Table(table) => {
                 let TableLayout { head, rows, .. } = self.table_layout(table);
@@ -252,7 +252,7 @@ impl Flow<'_> {
                 }
                 self.y += 2.0;
             }
-            Block::Text(text) => {
+            Block::Text(text) | Block::Warning(text) => {
                 self.paragraph(text, TEXT, LINE, INK);
                 self.y += 3.0;
             }

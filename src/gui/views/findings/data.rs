@@ -1,38 +1,31 @@
-//! What is wrong with the data itself, and how to mend it.
+//! How to mend what is wrong with the data itself.
 
-use crate::language::of_core;
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use crate::diagnosis::{Diagnosis, Mend};
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::widgets::{self};
+use crate::gui::widgets;
 use crate::gui::workbench::Command;
+use crate::language::of_core;
+use crate::set_up_errors::DataProblem;
 
-pub(super) fn show(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
-    let palette = Palette::of(ui);
-    let mends: Vec<_> = d
-        .data_problems
-        .iter()
-        .filter_map(|p| p.mend.clone())
-        .collect();
-    for problem in &d.data_problems {
-        widgets::card(ui, |ui| {
-            let text = RichText::new(of_core(&problem.what)).font(strong(size::BODY));
-            ui.label(text.color(palette.outside));
-            widgets::hint(ui, of_core(&problem.evidence));
-            ui.label(of_core(&problem.proposal));
-            if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
-                commands.push(Command::Mark(problem.samples.clone()));
-            }
-            let Some(mend) = &problem.mend else {
-                return;
-            };
-            if widgets::secondary(ui, &of_core(&mend.says())).clicked() {
-                commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
-            }
-        });
+/// The samples that it is about, and its mend.
+pub(super) fn actions(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<Command>) {
+    if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
+        commands.push(Command::Mark(problem.samples.clone()));
     }
+    let Some(mend) = &problem.mend else {
+        return;
+    };
+    if widgets::secondary(ui, &of_core(&mend.says())).clicked() {
+        commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
+    }
+}
+
+/// All of them at once, where there are several.
+pub(super) fn mend_all(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
+    let problems = d.data_problems.iter();
+    let mends: Vec<_> = problems.filter_map(|p| p.mend.clone()).collect();
     if mends.len() > 1 {
         let text = say!("Mend all {mends}", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {

@@ -1,25 +1,23 @@
-//! What a search found: the verdict, names with their evidence, what cannot be told apart, what no
+//! What a search found: the verdict, names with their evidence, what cannot be translated apart, what no
 //! name explains, and what to measure next.
 
 mod card;
 mod data;
 mod hidden;
-mod limits;
 mod next;
 
-use egui::{RichText, Ui};
+use egui::Ui;
 
-use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
+use crate::diagnosis::{Diagnosis, Verdict};
+use crate::explain::{Section, Topic};
 use crate::gui::jobs::Running;
-use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::workbench::{Command, Workbench};
-use crate::gui::{help, widgets};
-use crate::present::numbers::{grouped, significant};
-
-use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::views::blocks::{self, Title};
+use crate::gui::views::names::title;
 use crate::gui::views::{copies, unexplained};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
 use crate::language::names::title_of;
-use crate::language::of_core;
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Diagnosis"));
@@ -85,170 +83,76 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
 }
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
-    verdict(ui, workbench, d);
-    hidden::show(ui, workbench, d);
-    data::show(ui, d, commands);
-    for (index, found) in d.found.iter().enumerate() {
-        widgets::card(ui, |ui| {
-            card::show(ui, workbench, d, found, commands);
-            curve_link(ui, workbench, index, commands);
-        });
+    let sections = workbench.said();
+    for section in sections.iter() {
+        match section.topic {
+            Topic::Limits | Topic::NotTestable => in_small(ui, section, d),
+            _ => {
+                widgets::card(ui, |ui| {
+                    heading(ui, section, d);
+                    if section.topic == Topic::NextPoses {
+                        next::show(ui, workbench, &d.next_poses, commands);
+                    } else {
+                        blocks::show(ui, &section.blocks);
+                    }
+                    actions(ui, workbench, d, section, commands);
+                });
+            }
+        }
+        match section.topic {
+            Topic::Answer => hidden::show(ui, workbench, d),
+            Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
+                data::mend_all(ui, d, commands);
+            }
+            Topic::Found(index) if index + 1 == d.found.len() => {
+                copies::button(ui, say!("found effects"), || copies::found(d));
+            }
+            _ => {}
+        }
     }
-    if !d.found.is_empty() {
-        copies::button(ui, say!("found effects"), || copies::found(d));
-    }
-    equivalent(ui, d);
-    unexplained::card(ui, workbench, d, commands);
-    if !d.next_poses.is_empty() {
-        widgets::card(ui, |ui| next::show(ui, workbench, &d.next_poses, commands));
-    }
-    excluded(ui, workbench, d);
-    not_identifiable(ui, &d.identification.not_identifiable);
-    limits::show(ui, d);
-    limits::not_testable(ui, d);
 }
 
-fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+/// The title of a card: in the colour of the verdict, of a mistake; an effect is explained under the pointer.
+fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
     let palette = Palette::of(ui);
-    let units = workbench.units();
-    let (says, color) = match d.verdict {
-        Verdict::Noise => (say!("Nothing is missing"), palette.within),
-        Verdict::Explained => (
-            say!("Explained: the remaining error is at the noise floor"),
-            palette.within,
-        ),
-        Verdict::PartlyExplained => (
-            say!("Partly explained: an error is left without a name"),
-            palette.warning,
-        ),
-        Verdict::Unexplained => (say!("Not explained by any effect"), palette.warning),
+    let look = match section.topic {
+        Topic::Answer => Title::Large(match d.verdict {
+            Verdict::Noise | Verdict::Explained => palette.within,
+            Verdict::PartlyExplained | Verdict::Unexplained => palette.warning,
+        }),
+        Topic::DataProblem(_) => Title::Large(palette.outside),
+        Topic::Unexplained => Title::Large(palette.warning),
+        Topic::Found(_) => Title::Large(palette.text),
+        _ => Title::Plain,
     };
-    let from = match d.floor.from {
-        FloorFrom::Repeats => say!("from repeats"),
-        FloorFrom::Instrument => say!("of the instrument"),
-        FloorFrom::Estimated => say!("estimated"),
-    };
-    widgets::card(ui, |ui| {
-        let says = RichText::new(says).font(strong(size::HEADING));
-        ui.label(says.color(color));
-        if d.stopped == Some(Stopped::Asked) {
-            let says = say!("Diagnosis stopped");
-            ui.label(RichText::new(says).color(palette.warning));
-        }
-        if !d.tested_anything() {
-            let none =
-                say!("these samples can show no effect: that nothing was found says nothing");
-            ui.label(RichText::new(none).color(palette.warning));
-        }
-        if !d.equivalent.is_empty() {
-            let also = say!("the samples also allow another explanation, see below");
-            ui.label(RichText::new(also).color(palette.warning));
-        }
-        let mm = |mm: f64| units.length_number(mm);
-        let gaps = format!(
-            "{} → {} → {} {}",
-            mm(d.gap.start_mm),
-            mm(d.gap.identified_mm),
-            mm(d.gap.end_mm),
-            units.length_name()
-        );
-        widgets::fact_of(ui, phrase!("RMS error"), gaps);
-        if let Some(unseen) = &d.held_out.gaps {
-            let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
-            widgets::fact_of(
-                ui,
-                phrase!("held out"),
-                format!("{gaps} {}", units.length_name()),
-            );
-        }
-        let floor = format!("{}, {from}", units.length(d.floor.mm));
-        widgets::fact_of(ui, phrase!("noise floor"), floor);
-        noise(ui, workbench, d);
-        widgets::hint(ui, say!("Held out: {how}", how = of_core(&d.held_out.how)));
-    });
-}
-
-/// What there is to say of the noise, and of a fit that cannot be relied on.
-fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let units = workbench.units();
-    if let Some(noise) = &d.unexplained.noise {
-        widgets::fact_of(
-            ui,
-            phrase!("noise σ, stated"),
-            units.length(noise.stated_mm),
-        );
-        widgets::fact_of(
-            ui,
-            phrase!("noise σ, as found"),
-            units.length(noise.found_mm),
-        );
-    }
-    if let Some(slow) = &d.noise.slow {
-        let says = say!("Slow noise: {slow}", slow = of_core(&slow.says()));
-        widgets::hint_about(ui, says, help::SLOW_NOISE);
-    }
-    let quality = &d.identification.quality;
-    if !quality.converged {
-        let says = say!(
-            "the fit did not converge: {stopped}",
-            stopped = quality.stopped
-        );
-        ui.label(RichText::new(says).color(Palette::of(ui).warning));
+    let label = blocks::title(ui, section, look);
+    if let Topic::Found(index) = section.topic {
+        widgets::explained_effect(label, d.found[index].effect);
     }
 }
 
-fn equivalent(ui: &mut Ui, d: &Diagnosis) {
-    if d.equivalent.is_empty() {
-        return;
+/// What the window can do about a section.
+fn actions(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    d: &Diagnosis,
+    section: &Section,
+    commands: &mut Vec<Command>,
+) {
+    match section.topic {
+        Topic::DataProblem(index) => data::actions(ui, &d.data_problems[index], commands),
+        Topic::Found(index) => card::actions(ui, workbench, d, index, commands),
+        Topic::Unexplained => unexplained::actions(ui, workbench, d, commands),
+        _ => {}
     }
-    widgets::card(ui, |ui| {
-        title(ui, say!("The samples cannot rule out"));
-        for one in &d.equivalent {
-            ui.label(say!(
-                "{instead} instead of {explanation}",
-                instead = titles(&one.instead),
-                explanation = titles(&one.explanation)
-            ));
-            let odds = significant(one.odds, 2);
-            widgets::hint(
-                ui,
-                say!(
-                    "{odds} : 1 against it. {separate_by}",
-                    odds = odds,
-                    separate_by = of_core(&one.separate_by)
-                ),
-            );
-        }
-    });
 }
 
-fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    const MOST: usize = 8;
-    if let Some(says) = d.identification.excluded_in_words() {
-        widgets::card(ui, |ui| {
-            title(ui, say!("Excluded by hand"));
-            widgets::hint(ui, says);
-        });
-    }
-    if d.outliers.is_empty() {
-        return;
-    }
-    widgets::card(ui, |ui| {
-        let (excluded, all) = (d.outliers.len(), grouped(d.samples));
-        title(
-            ui,
-            &say!(
-                "Excluded outliers: {excluded} of {all}",
-                excluded = excluded,
-                all = all
-            ),
-        );
-        for one in d.outliers.iter().take(MOST) {
-            let off = workbench.units().length(one.deviation_mm);
-            widgets::fact(ui, &say!("sample {sample}", sample = one.sample + 1), off);
-        }
-        if d.outliers.len() > MOST {
-            widgets::hint(ui, say!("and {more} more", more = d.outliers.len() - MOST));
+/// What is looked up once in a while, folded below its title.
+fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
+    widgets::folded(ui, &section.title, size::SMALL, |ui| {
+        blocks::show(ui, &section.blocks);
+        if section.topic == Topic::Limits {
+            copies::button(ui, say!("detection limits"), || copies::limits(d));
         }
     });
 }

@@ -12,8 +12,6 @@ use crate::language::of_core;
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 
-use crate::gui::views::names::title;
-
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
@@ -22,7 +20,6 @@ pub(super) fn show(
 ) {
     const MOST: usize = 24;
     let robot = &workbench.subject().session.robot;
-    title(ui, say!("Measure these poses next"));
     let table = table(poses, robot);
     let rows = &table.rows[..table.rows.len().min(MOST)];
     let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();

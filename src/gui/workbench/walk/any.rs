@@ -11,7 +11,7 @@ use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::boundary_entry::{End, Joint};
-use crate::gui::core::compensated::{Wanted, Whose};
+use crate::gui::core::compensated::{CompensationRequest, Whose};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{Component, Subject};
@@ -374,12 +374,12 @@ fn look(random: &mut ChaCha8Rng) -> Command {
 
 /// Of files that hold no targets as well, under loads that are none.
 fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
-    Command::Compensate(Wanted {
+    Command::Compensate(CompensationRequest {
         load_kg: angle(random),
         measured_frame: random.random(),
         tool: pick(random, &[Whose::Asked, Whose::Model, Whose::Program]),
         frame: pick(random, &[Whose::Asked, Whose::Model, Whose::Program]),
-        ..Wanted::new(files.any(random))
+        ..CompensationRequest::new(files.any(random))
     })
 }
 

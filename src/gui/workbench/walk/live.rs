@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::{any, back_and_forth, consistent, frame, kinds, prepared};
 use crate::gui::App;
-use crate::gui::core::recording::Wanted;
+use crate::gui::core::recording::RecordingRequest;
 use crate::gui::testing::workbench;
 use crate::gui::workbench::Command;
 
@@ -79,11 +79,12 @@ fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
     let address = format!("tcp://{}", server.local_addr().expect("it has one"));
     let serving = std::thread::spawn(move || serve(&server));
     let table = folder.path().join("live.csv");
-    app.bench().execute(Command::Record(Box::new(Wanted {
-        address,
-        columns: "q1_deg, x_mm, y_mm, z_mm".to_owned(),
-        path: table.clone(),
-    })));
+    app.bench()
+        .execute(Command::Record(Box::new(RecordingRequest {
+            address,
+            columns: "q1_deg, x_mm, y_mm, z_mm".to_owned(),
+            path: table.clone(),
+        })));
     assert!(
         app.bench().recording().is_some(),
         "{:?}",

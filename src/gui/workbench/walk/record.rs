@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::any::{Files, one_of};
 use crate::compensation::decision::Rule;
-use crate::gui::core::recording::Wanted;
+use crate::gui::core::recording::RecordingRequest;
 use crate::gui::core::stated::Stated;
 use crate::gui::view::Sheet;
 use crate::gui::workbench::{Command, Workbench};
@@ -24,7 +24,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
 }
 
 /// From nowhere: no walk depends on the network.
-fn recording(random: &mut ChaCha8Rng, files: &Files) -> Wanted {
+fn recording(random: &mut ChaCha8Rng, files: &Files) -> RecordingRequest {
     let addresses = [
         "",
         "tcp://",
@@ -32,7 +32,7 @@ fn recording(random: &mut ChaCha8Rng, files: &Files) -> Wanted {
         "tcp://127.0.0.1:99999",
         "file:///x:1",
     ];
-    Wanted {
+    RecordingRequest {
         address: one_of(random, &addresses)
             .copied()
             .unwrap_or_default()

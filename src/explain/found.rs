@@ -1,0 +1,122 @@
+//! What a search found: each effect with its size, its evidence and what to check on the machine.
+
+use super::{Block, Detail, Fact, Section, Topic, fact};
+use crate::diagnosis::{Diagnosis, Found};
+use crate::effects;
+use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::language::names::{figure, parameter, title_of, title_on, usual_size};
+use crate::language::of_core;
+use crate::present::numbers::significant;
+use crate::text::{spoken, within};
+
+/// Odds beyond these are said to be more, as the models behind them are no better than that.
+const MOST_ODDS: f64 = 1000.0;
+
+pub(super) fn effects(d: &Diagnosis, detail: Detail) -> impl Iterator<Item = Section> {
+    let found = d.found.iter().enumerate();
+    found.map(move |(index, found)| effect(d, detail, index, found))
+}
+
+fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &Found) -> Section {
+    let title = title_on(found.effect, found.joint, d.model.robot.joints.len());
+    let title = if detail.brief {
+        // With its id, which is what options take.
+        format!("{title} ({})", found.effect)
+    } else {
+        title
+    };
+    let mut facts = Vec::new();
+    if detail.sizes {
+        facts.push(fact(say!("Size"), sizes(detail, &found.parameters)));
+    }
+    if detail.brief {
+        facts.push(fact(say!("Evidence"), evidence(detail, found)));
+    } else {
+        facts.extend(evidence_in_facts(detail, found));
+        let share = format!("{:.1} %", found.share * 100.0);
+        facts.push(fact(say!("Share of what was explained"), share));
+        if let Some(effect) = effects::find(found.effect) {
+            facts.push(fact(say!("Usual cause"), spoken(effect.about().cause)));
+        }
+    }
+    facts.push(fact(say!("Check on the machine"), of_core(found.check)));
+    let mut blocks = vec![Block::Facts(facts)];
+    if detail.sizes {
+        blocks.extend(found.figures.iter().map(|one| Block::Text(figure(*one))));
+        blocks.extend(found.parameters.iter().filter_map(implausible));
+    }
+    Section::of(Topic::Found(index), title, blocks)
+}
+
+/// Its parameters with half of their 95 % intervals.
+fn sizes(detail: Detail, parameters: &[Estimate]) -> String {
+    let size = |one: &Estimate| {
+        let (name, unit) = parameter(one.name);
+        let units = detail.units.unwrap_or_default();
+        let (value, half, unit) = units.estimate(one, unit);
+        let size = format!("{name} {value} {}", of_core(&half));
+        let size = format!("{} {unit}", size.trim_end());
+        size.trim_end().replace(" °", "°")
+    };
+    let sizes: Vec<String> = parameters.iter().map(size).collect();
+    sizes.join("; ")
+}
+
+/// What is said of a size that no machine has.
+fn implausible(one: &Estimate) -> Option<Block> {
+    one.is_implausible().then(|| {
+        Block::Warning(format!(
+            "{}: {} ({})",
+            parameter(one.name).0,
+            of_core(IMPLAUSIBLE),
+            usual_size(one)
+        ))
+    })
+}
+
+/// Detail often noise alone looks like this.
+fn chance(found: &Found) -> String {
+    say!(
+        "p {sign} {p} (chance that noise alone looks like this)",
+        sign = if found.p_family.bound { '<' } else { '=' },
+        p = found.p_family.p
+    )
+}
+
+/// Detail much likelier it is than the next name.
+fn odds(found: &Found) -> String {
+    match found.next.as_ref().map(|next| title_of(next)) {
+        None => say!("no other effect was a candidate").to_owned(),
+        Some(next) if found.odds_over_next > MOST_ODDS => say!(
+            "more than 1000 times likelier than the next candidate ({next})",
+            next = within(&next)
+        ),
+        Some(next) => say!(
+            "{odds} times likelier than the next candidate ({next})",
+            odds = significant(found.odds_over_next, 2),
+            next = within(&next)
+        ),
+    }
+}
+
+fn evidence(detail: Detail, found: &Found) -> String {
+    let unseen = found
+        .held_out_mm
+        .map(|gap| say!("cross-validated RMS error {gap}", gap = detail.lengths(gap)));
+    let all = [Some(chance(found)), Some(odds(found)), unseen];
+    let all: Vec<String> = all.into_iter().flatten().collect();
+    all.join("; ")
+}
+
+fn evidence_in_facts(detail: Detail, found: &Found) -> [Fact; 4] {
+    let unseen = found.held_out_mm.map_or_else(
+        || say!("too few samples").to_owned(),
+        |gap| detail.lengths(gap),
+    );
+    [
+        fact(say!("Evidence"), chance(found)),
+        fact(say!("Odds"), odds(found)),
+        fact(say!("RMS error, fit"), detail.lengths(found.gap_mm)),
+        fact(say!("RMS error, cross-validated"), unseen),
+    ]
+}

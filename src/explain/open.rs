@@ -1,0 +1,203 @@
+//! What a diagnosis leaves open: problems of the data, rivals, what has no name, poses that would decide, samples that
+//! do not count, what the samples do not determine.
+
+use super::{Block, Detail, Section, Topic, clean, fact, translated};
+use crate::diagnosis::{Correction, Diagnosis};
+use crate::language::names::{combination, title_of};
+use crate::language::of_core;
+use crate::present::numbers::grouped;
+use crate::present::poses::{new_reflectors, table};
+use crate::text::within;
+
+/// Combinations that are listed on one page; of an arm there may be dozens.
+const MOST_COMBINATIONS: usize = 2;
+
+pub(super) fn data_problems(d: &Diagnosis) -> impl Iterator<Item = Section> {
+    let problems = d.data_problems.iter().enumerate();
+    problems.map(|(index, problem)| {
+        let title = say!("Data: {problem}", problem = translated(&problem.what));
+        let facts = vec![
+            fact(say!("Evidence"), translated(&problem.evidence)),
+            fact(say!("Proposal"), translated(&problem.proposal)),
+        ];
+        Section::of(Topic::DataProblem(index), title, vec![Block::Facts(facts)])
+    })
+}
+
+pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let says = |names: &[String]| {
+        let titles = names.iter().map(|name| title_of(name));
+        titles.collect::<Vec<_>>().join(" + ")
+    };
+    let rivals = d.equivalent.iter().map(|rival| {
+        say!(
+            "{instead} instead of {explanation} (odds {odds} : 1 against it): {separate_by}",
+            instead = says(&rival.instead),
+            explanation = within(&says(&rival.explanation)),
+            odds = format!("{:.1}", rival.odds),
+            separate_by = translated(&rival.separate_by)
+        )
+    });
+    let rivals: Vec<String> = rivals.collect();
+    (!rivals.is_empty()).then(|| {
+        let title = say!("Names that the samples cannot tell apart");
+        Section::of(
+            Topic::Rivals,
+            title,
+            vec![Block::List(detail.first(rivals))],
+        )
+    })
+}
+
+pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let left = &d.unexplained;
+    let mut facts = Vec::new();
+    if left.present {
+        facts.push(fact(say!("Size"), detail.length(left.rms_mm)));
+        facts.push(fact(say!("Evidence"), translated(&left.says)));
+        if let Some(place) = &left.place {
+            facts.push(fact(say!("Where"), translated(&place.says())));
+        }
+        if !left.resembles.is_empty() {
+            let names = left.resembles.iter().map(|name| title_of(name));
+            let names = names.collect::<Vec<_>>().join(", ");
+            facts.push(fact(say!("Resembles in part"), names));
+        }
+    }
+    facts.extend(left.correction.iter().map(|correction| match correction {
+        Ok(correction) => fact(say!("Smooth correction"), corrected(detail, correction)),
+        Err(because) => fact(
+            say!("Smooth correction"),
+            say!("none: {because}", because = translated(because)),
+        ),
+    }));
+    (!facts.is_empty()).then(|| {
+        let title = say!("Left without a name");
+        Section::of(Topic::Unexplained, title, vec![Block::Facts(facts)])
+    })
+}
+
+fn corrected(detail: Detail, correction: &Correction) -> String {
+    say!(
+        "{says}; RMS error {fit}, cross-validated {unseen} ({how})",
+        says = translated(&correction.says),
+        fit = detail.lengths(correction.gap_mm),
+        unseen = detail.lengths(correction.held_out_mm),
+        how = translated(&correction.how)
+    )
+}
+
+pub(super) fn unnamed(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let unnamed = d.unnamed.as_ref()?;
+    let over: Vec<_> = unnamed.over.iter().map(|over| translated(over)).collect();
+    let facts = vec![
+        fact(say!("Size"), detail.length(unnamed.rms_mm)),
+        fact(
+            say!("RMS error, cross-validated"),
+            detail.lengths(unnamed.held_out_mm),
+        ),
+        fact(say!("Follows"), over.join(", ")),
+    ];
+    let says = say!(
+        "No name is proven for it; it predicts unseen poses all the same, so it is in the model. Outside the measured range it fades to nothing"
+    );
+    let blocks = vec![Block::Facts(facts), Block::Text(says.to_owned())];
+    let title = say!("Predicts without a name");
+    Some(Section::of(Topic::Unnamed, title, blocks))
+}
+
+pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let poses = &d.next_poses;
+    if poses.is_empty() {
+        return None;
+    }
+    let title = if d.equivalent.is_empty() {
+        say!("Poses that would make more testable")
+    } else {
+        say!("Poses that would decide")
+    };
+    let blocks = if detail.brief {
+        vec![Block::Text(say!(
+            one "{count} pose: --json lists it, `truepose plan` makes a measuring list",
+            "{count} poses: --json lists them, `truepose plan` makes a measuring list",
+            count = poses.len()
+        ))]
+    } else {
+        let shown = &poses[..poses.len().min(detail.most)];
+        let mut table = table(shown, &d.model.robot);
+        for row in &mut table.rows {
+            for cell in row.iter_mut() {
+                cell.shown = clean(&cell.shown);
+            }
+            // Why, as the core says it.
+            if let Some(why) = row.last_mut() {
+                why.shown = of_core(&why.shown).into_owned();
+            }
+        }
+        let mut blocks = vec![Block::Table(table)];
+        let new = new_reflectors(poses);
+        if !new.is_empty() {
+            blocks.push(Block::List(new.iter().map(|line| clean(line)).collect()));
+        }
+        if poses.len() > detail.most {
+            let more = poses.len() - detail.most;
+            blocks.push(Block::Text(say!("and {more} more", more = more)));
+        }
+        blocks
+    };
+    Some(Section::of(Topic::NextPoses, title, blocks))
+}
+
+pub(super) fn outliers(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let outliers = d.outliers.iter().map(|outlier| {
+        fact(
+            &say!("sample {sample}", sample = outlier.sample + 1),
+            detail.length(outlier.deviation_mm),
+        )
+    });
+    let outliers: Vec<_> = outliers.collect();
+    let by_hand = d.identification.excluded_in_words();
+    if outliers.is_empty() && by_hand.is_none() {
+        return None;
+    }
+    let title = if outliers.is_empty() {
+        say!("Samples excluded by hand").to_owned()
+    } else {
+        say!(
+            "Excluded outliers: {excluded} of {all} samples",
+            excluded = outliers.len(),
+            all = grouped(d.samples)
+        )
+    };
+    let mut blocks: Vec<Block> = by_hand.map(Block::Text).into_iter().collect();
+    if !outliers.is_empty() {
+        if !detail.brief {
+            let counted =
+                say!("They count in the largest deviation and in no root mean square").to_owned();
+            blocks.push(Block::Text(counted));
+        }
+        blocks.extend(detail.first_facts(outliers));
+    }
+    Some(Section::of(Topic::Outliers, title, blocks))
+}
+
+pub(super) fn not_identifiable(d: &Diagnosis, detail: Detail) -> Option<Section> {
+    let open = &d.identification.not_identifiable;
+    if open.is_empty() {
+        return None;
+    }
+    let blocks = if detail.brief && open.len() > MOST_COMBINATIONS {
+        vec![Block::Text(say!(
+            "{combinations} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
+            combinations = open.len()
+        ))]
+    } else {
+        let facts = open.iter().take(4 * detail.most).map(|open| {
+            let combination = combination(&clean(&open.combination));
+            (combination, translated(&open.because))
+        });
+        vec![Block::Facts(facts.collect())]
+    };
+    let title = say!("Not identifiable");
+    Some(Section::of(Topic::NotIdentifiable, title, blocks))
+}

@@ -1,0 +1,63 @@
+//! Parameters with their values and intervals, and sizes that no machine has.
+
+use super::{Block, clean};
+use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::kinematics::Robot;
+use crate::language::names::{parameter, title_on, usual_size};
+use crate::language::of_core;
+use crate::present::numbers::{short, with_interval};
+use crate::present::table::{Column, Table};
+
+/// Parameters with their intervals.
+pub(crate) fn parameters<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    robot: &Robot,
+) -> Block {
+    let mut table = Table::of([
+        Column::words(say!("Effect")),
+        Column::words(say!("Parameter")),
+        Column::numbers(say!("Value")),
+        Column::words(say!("Unit")),
+        Column::numbers(say!("95 % interval")),
+    ]);
+    let mut last = String::new();
+    for estimate in estimates {
+        let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
+        let (mut parameter, unit) = parameter(estimate.name);
+        if let Some(setup) = &estimate.setup {
+            parameter += &say!(", setup {setup}", setup = clean(setup));
+        }
+        let (value, interval) = if estimate.is_whole_number() {
+            (short(estimate.value), String::new())
+        } else {
+            let [value, _, interval] = with_interval(estimate.value, estimate.ci95);
+            (value, interval)
+        };
+        let shown = if name == last {
+            String::new()
+        } else {
+            name.clone()
+        };
+        last = name;
+        table.row([shown, parameter, value, unit.to_owned(), interval]);
+    }
+    Block::Table(table)
+}
+
+/// Sizes that no machine has, where there are any.
+pub(crate) fn implausible<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    robot: &Robot,
+) -> Option<Block> {
+    let remark = |one: &Estimate| {
+        let usual = usual_size(one);
+        let name = title_on(one.effect, one.joint, robot.joints.len());
+        let (parameter, _) = parameter(one.name);
+        format!("{name}, {parameter}: {} ({usual})", of_core(IMPLAUSIBLE))
+    };
+    let remarks: Vec<String> = estimates
+        .filter(|one| one.is_implausible())
+        .map(remark)
+        .collect();
+    (!remarks.is_empty()).then_some(Block::List(remarks))
+}

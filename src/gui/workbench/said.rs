@@ -1,0 +1,38 @@
+//! What a diagnosis says, kept until it is another one or is to be said otherwise: it is shown in every frame.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use super::Workbench;
+use crate::explain::{Detail, Section, diagnosis};
+use crate::gui::core::search::Search;
+use crate::present::numbers::{Notation, notation};
+use crate::present::units::Units;
+use crate::text::{Language, current};
+
+/// Sections as they were said last; nothing until they are asked for.
+#[derive(Debug, Default)]
+pub(super) struct Said(RefCell<Option<Kept>>);
+
+/// Of which diagnosis, how it is said, and the sections.
+type Kept = (Arc<Search>, Voice, Arc<[Section]>);
+type Voice = (Units, Language, Notation);
+
+impl Workbench {
+    /// What the diagnosis of the open session says; nothing where there is none.
+    pub(crate) fn said(&self) -> Arc<[Section]> {
+        let (Some(search), Some(found)) = (self.searched.as_ref(), self.diagnosis()) else {
+            return Arc::default();
+        };
+        let voice = (self.units(), current(), notation());
+        let mut said = self.said.0.borrow_mut();
+        let kept = said
+            .take()
+            .filter(|(whose, how, _)| Arc::ptr_eq(whose, search) && *how == voice);
+        let (_, _, sections) = said.insert(kept.unwrap_or_else(|| {
+            let sections = diagnosis(found, Detail::window(voice.0)).into();
+            (Arc::clone(search), voice, sections)
+        }));
+        Arc::clone(sections)
+    }
+}
