@@ -14,6 +14,8 @@ const MOST: usize = 24;
 const FEWEST: usize = 5;
 /// Room for the number behind the longest bar, as a part of it, and for a second one.
 const NUMBERS: [f64; 2] = [0.45, 0.35];
+/// From the end of a bar, or the diamond beyond it, to its number, as a part of the chart's width.
+const APART: f64 = 0.02;
 /// Room for the noise floor's name, rows.
 const FOOT: f64 = 0.8;
 
@@ -37,6 +39,11 @@ pub fn gap(
     let value = |mm: f64| mm * lengths.per_mm;
     let says = |mm: f64| format!("{} {}", (lengths.number)(mm), lengths.unit);
     let rows = shown.len().max(FEWEST) as f64;
+    let has_unseen = shown
+        .iter()
+        .any(|s| s.held_out_mm.is_some_and(f64::is_finite));
+    let room = if has_unseen { NUMBERS[1] } else { 0.0 };
+    let width = value(largest) * (1.0 + NUMBERS[0] + room);
     let mut items = Vec::new();
     let mut marks = Vec::new();
     for (k, step) in shown.iter().enumerate() {
@@ -59,8 +66,8 @@ pub fn gap(
             });
         }
         items.push(Item::Word(Word {
-            at: [value(end), y],
-            text: format!("   {text}"),
+            at: [value(end) + APART * width, y],
+            text,
             anchor: Anchor::Start,
             below: false,
         }));
@@ -94,7 +101,6 @@ pub fn gap(
             }
         }
     }
-    let room = if marks.is_empty() { 0.0 } else { NUMBERS[1] };
     if !marks.is_empty() {
         legend.push(cross_validated());
         items.push(Item::Marks(marks, Stands::Curve, false));
@@ -111,10 +117,7 @@ pub fn gap(
             label: String::new(),
             ticks: Ticks::Words(shown.iter().enumerate().map(named).collect()),
         },
-        bounds: [
-            [0.0, ends[1] - FOOT],
-            [value(largest) * (1.0 + NUMBERS[0] + room), ends[0]],
-        ],
+        bounds: [[0.0, ends[1] - FOOT], [width, ends[0]]],
         items,
         legend,
         note: String::new(),
