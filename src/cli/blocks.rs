@@ -8,6 +8,11 @@ use super::words::{line, padded};
 /// Names wider than this stand before their value without being aligned: one long name would push all values away.
 const WIDEST: usize = 36;
 
+/// Sections one after the other.
+pub(super) fn sections(sections: &[Section]) -> String {
+    sections.iter().map(section).collect()
+}
+
 /// A heading and what belongs to it.
 pub(super) fn section(section: &Section) -> String {
     let mut text = String::new();

@@ -2,13 +2,12 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::explain::{self, Detail, Topic, implausible, parameters};
-use crate::fit::{Estimate, NotIdentifiable};
+use crate::fit::Estimate;
 use crate::language::of_core;
 use crate::paper::RegionalStart;
 use crate::present::table::Table;
-use crate::set_up_errors::DataProblem;
 
-use super::words::{combination, line};
+use super::words::line;
 use super::{blocks, geometry};
 
 /// The regional model that a diagnosis was begun with.
@@ -67,29 +66,4 @@ fn identified(d: &Diagnosis) -> String {
     }
     let remarks = implausible(d.identified.iter(), robot);
     text + &blocks::blocks(remarks.as_slice(), 2)
-}
-
-/// A problem of the data: what it is, what shows it, what to do.
-pub(super) fn data_problem(problem: &DataProblem) -> String {
-    let what = say!("data: {what}", what = of_core(&problem.what));
-    let evidence = of_core(&problem.evidence);
-    format!("{what}\n  {evidence}\n  {}", of_core(&problem.proposal))
-}
-
-/// What the samples do not determine.
-pub(super) fn not_identifiable(open: &NotIdentifiable) -> String {
-    say!(
-        "not identifiable: {combination}: {because}",
-        combination = combination(&open.combination),
-        because = of_core(&open.because)
-    )
-}
-
-/// Detail many samples count as outliers.
-pub(super) fn excluded_outliers(excluded: usize, all: usize) -> String {
-    say!(
-        "excluded outliers: {excluded} of {all} samples",
-        excluded = excluded,
-        all = all
-    )
 }

@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::effects::JointValues;
-use crate::fit::noise::StatedNoise;
-use crate::fit::problem::Unusable;
+use crate::explain::{self, Detail};
 use crate::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
 use crate::language::of_core;
 use crate::pipeline;
@@ -18,10 +17,9 @@ use crate::sessions::division::RegionChoice;
 use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
-use super::diagnosed::{data_problem, excluded_outliers, not_identifiable};
 use super::failure::Failure;
 use super::words::{Labelled, effect, labelled, line, of_core_table, parameter, wide_of};
-use super::{geometry, levels, output};
+use super::{blocks, geometry, levels, output};
 
 /// What is taken up by the labels of errors, at least.
 const LABEL: usize = 13;
@@ -172,9 +170,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
         )
     };
     line(&mut text, head);
-    for problem in data_problems {
-        line(&mut text, data_problem(problem));
-    }
+    text += &blocks::sections(&explain::data_problems(data_problems));
     let errors = errors(answer);
     text += &labelled(&errors, wide_of(&errors).max(LABEL));
     if !answer.kinds.is_empty() {
@@ -198,11 +194,8 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
     if !answer.regions.is_empty() {
         text += &format!("\n{}", regions(&answer.regions).aligned(0));
     }
-    remarks_in_words(&mut text, answer, session);
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
-    text
+    let remarks = explain::remarks_on_fit(answer, session, Detail::TERMINAL);
+    text + &blocks::sections(&remarks)
 }
 
 fn errors(answer: &Identification) -> Vec<Labelled> {
@@ -228,59 +221,6 @@ fn errors(answer: &Identification) -> Vec<Labelled> {
         .into_iter()
         .chain(held_out)
         .collect()
-}
-
-/// What stands below the tables, each in a line of its own.
-fn remarks_in_words(text: &mut String, answer: &Identification, session: &Session) {
-    let mut add = |said: &str| {
-        text.push('\n');
-        text.push_str(said);
-    };
-    for open in &answer.not_identifiable {
-        add(&not_identifiable(open));
-    }
-    for said in noise_in_words(answer, session) {
-        add(&said);
-    }
-    if !answer.outliers.is_empty() {
-        add(&excluded_outliers(answer.outliers.len(), answer.samples));
-    }
-    for o in &answer.outliers {
-        let outlier = say!(
-            "sample {sample}: {deviation} mm from the model",
-            sample = o.sample + 1,
-            deviation = format!("{:.4}", o.deviation_mm)
-        );
-        add(&format!("  {outlier}"));
-    }
-    if let Some(says) = answer.excluded_in_words() {
-        add(&of_core(&says));
-    }
-    let lost = answer
-        .left_out
-        .iter()
-        .filter(|l| l.because != Unusable::Excluded);
-    for l in lost {
-        add(&say!(
-            "excluded: sample {sample}: {because}",
-            sample = l.sample + 1,
-            because = of_core(l.because.says())
-        ));
-    }
-    let quality = &answer.quality;
-    if !quality.converged {
-        add(say!("the fit did not converge"));
-    }
-    add(&say!(
-        "solver: {stopped}; {rank} of {coefficients} coefficients determined, condition {condition}",
-        stopped = of_core(quality.stopped),
-        rank = quality.rank,
-        coefficients = quality.coefficients,
-        condition = format!("{:.1}", quality.condition)
-    ));
-    for note in &answer.notes {
-        add(&say!("note: {note}", note = of_core(note)));
-    }
 }
 
 /// A row of the table of parameters.
@@ -333,21 +273,4 @@ fn regions(results: &[RegionResult]) -> Table {
         ]);
     }
     table
-}
-
-/// What there is to say of the noise that the fit allows for.
-fn noise_in_words(answer: &Identification, session: &Session) -> Vec<String> {
-    let mut lines = Vec::new();
-    let Some(noise) = &answer.noise else {
-        return lines;
-    };
-    if let Some(stated) = noise.against_stated(session).filter(StatedNoise::differs) {
-        let noise = of_core(&stated.says()).into_owned();
-        lines.push(say!("measurement noise: {noise}", noise = noise));
-    }
-    if let Some(slow) = &noise.slow {
-        let slow = of_core(&slow.says_of_remaining_error()).into_owned();
-        lines.push(say!("slow noise: {slow}", slow = slow));
-    }
-    lines
 }

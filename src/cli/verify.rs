@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::compensation::{Verification, VerifyError};
+use crate::explain;
 use crate::language::of_core;
 use crate::pipeline::{load_model, verify};
 use crate::present::verification_v1::document;
 
 use super::failure::Failure;
-use super::output;
 use super::words::{Labelled, labelled, line, wide_of};
+use super::{blocks, output};
 
 /// Check a model on another session
 #[derive(Debug, Args)]
@@ -49,28 +50,7 @@ fn in_words(v: &Verification) -> String {
     let (errors, tolerance) = (errors(v), tolerance(v));
     let wide = wide_of(errors.iter().chain(&tolerance));
     text += &labelled(&errors, wide);
-    for problem in &v.data_problems {
-        let lines = [
-            say!("data problem: {what}", what = of_core(&problem.what)),
-            format!(
-                "  {}",
-                say!(
-                    "evidence: {evidence}",
-                    evidence = of_core(&problem.evidence)
-                )
-            ),
-            format!(
-                "  {}",
-                say!(
-                    "proposal: {proposal}",
-                    proposal = of_core(&problem.proposal)
-                )
-            ),
-        ];
-        for said in &lines {
-            line(&mut text, said);
-        }
-    }
+    text += &blocks::sections(&explain::data_problems(&v.data_problems));
     text += &labelled(&tolerance, wide);
     for sample in &v.outliers {
         line(

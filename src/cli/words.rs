@@ -20,15 +20,6 @@ pub(super) fn effect(name: &str) -> Cow<'_, str> {
     }
 }
 
-/// Coefficients that stand together.
-pub(super) fn combination(names: &str) -> Cow<'_, str> {
-    if is_english() {
-        names.into()
-    } else {
-        names::combination(names).into()
-    }
-}
-
 /// Effects, with what stands between two of them.
 pub(super) fn effects<T: AsRef<str>>(all: &[T], between: &str) -> String {
     let all: Vec<_> = all.iter().map(|one| effect(one.as_ref())).collect();

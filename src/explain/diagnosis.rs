@@ -10,14 +10,19 @@ use crate::present::kinds;
 /// The whole answer, in the order in which it is read.
 pub(crate) fn diagnosis(d: &Diagnosis, detail: Detail) -> Vec<Section> {
     let mut sections = vec![verdict(d, detail)];
-    sections.extend(open::data_problems(d));
+    sections.extend(open::data_problems(&d.data_problems));
     sections.extend(found::effects(d, detail));
     sections.extend(open::rivals(d, detail));
     sections.extend(open::unexplained(d, detail));
     sections.extend(open::unnamed(d, detail));
     sections.extend(open::next_poses(d, detail));
-    sections.extend(open::not_identifiable(d, detail));
-    sections.extend(open::outliers(d, detail));
+    let fit = &d.identification;
+    sections.extend(open::not_identifiable(
+        &fit.not_identifiable,
+        detail,
+        open::MOST_COMBINATIONS,
+    ));
+    sections.extend(open::outliers(fit, detail));
     sections.extend(sight::limits(d, detail));
     sections.extend(sight::not_testable(d, detail));
     sections
@@ -149,10 +154,18 @@ pub(crate) fn expected(answer: &Identification, detail: Detail) -> Vec<Block> {
     if e.extrapolates() {
         let q = worst_pose(e, &answer.model.robot);
         let q: Vec<String> = q.iter().map(|v| format!("{v:.0}")).collect();
-        blocks.push(Block::Warning(say!(
-            "poorly observed: the measured poses show little of the joint ranges; measure near {q} as well (`truepose plan` proposes poses)",
-            q = q.join(", ")
-        )));
+        let q = q.join(", ");
+        blocks.push(Block::Warning(if detail.brief {
+            say!(
+                "poorly observed: the measured poses show little of the joint ranges; measure near {q} as well (`truepose plan` proposes poses)",
+                q = q
+            )
+        } else {
+            say!(
+                "Poorly observed: the measured poses show little of the joint ranges; measure near {q} as well",
+                q = q
+            )
+        }));
     }
     blocks
 }

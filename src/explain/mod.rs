@@ -5,6 +5,8 @@
 mod clean;
 mod diagnosis;
 mod found;
+#[cfg(any(feature = "cli", feature = "gui"))]
+mod identification;
 mod open;
 mod parameters;
 mod sight;
@@ -17,6 +19,10 @@ use crate::present::units::Units;
 pub(crate) use clean::translated;
 pub use clean::{clean, clean_note};
 pub(crate) use diagnosis::{answer, diagnosis, expected, noise, remarks};
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use identification::remarks_on_fit;
+#[cfg(feature = "cli")]
+pub(crate) use open::data_problems;
 pub(crate) use parameters::{implausible, parameters};
 
 /// A part of an answer.

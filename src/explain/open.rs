@@ -3,25 +3,29 @@
 
 use super::{Block, Detail, Section, Topic, clean, fact, translated};
 use crate::diagnosis::{Correction, Diagnosis};
+use crate::fit::{Identification, NotIdentifiable};
 use crate::language::names::{combination, title_of};
 use crate::language::of_core;
 use crate::present::numbers::grouped;
 use crate::present::poses::{new_reflectors, table};
+use crate::set_up_errors::DataProblem;
 use crate::text::within;
 
 /// Combinations that are listed on one page; of an arm there may be dozens.
-const MOST_COMBINATIONS: usize = 2;
+pub(super) const MOST_COMBINATIONS: usize = 2;
 
-pub(super) fn data_problems(d: &Diagnosis) -> impl Iterator<Item = Section> {
-    let problems = d.data_problems.iter().enumerate();
-    problems.map(|(index, problem)| {
+/// Set-up errors and mistakes of rows: each with its evidence and what to do.
+pub(crate) fn data_problems(problems: &[DataProblem]) -> Vec<Section> {
+    let problems = problems.iter().enumerate();
+    let sections = problems.map(|(index, problem)| {
         let title = say!("Data: {problem}", problem = translated(&problem.what));
         let facts = vec![
             fact(say!("Evidence"), translated(&problem.evidence)),
             fact(say!("Proposal"), translated(&problem.proposal)),
         ];
         Section::of(Topic::DataProblem(index), title, vec![Block::Facts(facts)])
-    })
+    });
+    sections.collect()
 }
 
 pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
@@ -148,15 +152,16 @@ pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::NextPoses, title, blocks))
 }
 
-pub(super) fn outliers(d: &Diagnosis, detail: Detail) -> Option<Section> {
-    let outliers = d.outliers.iter().map(|outlier| {
+/// Samples that do not count: suspected ones, and those that were excluded by hand.
+pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Section> {
+    let outliers = answer.outliers.iter().map(|outlier| {
         fact(
             &say!("sample {sample}", sample = outlier.sample + 1),
             detail.length(outlier.deviation_mm),
         )
     });
     let outliers: Vec<_> = outliers.collect();
-    let by_hand = d.identification.excluded_in_words();
+    let by_hand = answer.excluded_in_words();
     if outliers.is_empty() && by_hand.is_none() {
         return None;
     }
@@ -166,7 +171,7 @@ pub(super) fn outliers(d: &Diagnosis, detail: Detail) -> Option<Section> {
         say!(
             "Excluded outliers: {excluded} of {all} samples",
             excluded = outliers.len(),
-            all = grouped(d.samples)
+            all = grouped(answer.samples)
         )
     };
     let mut blocks: Vec<Block> = by_hand.map(Block::Text).into_iter().collect();
@@ -181,12 +186,16 @@ pub(super) fn outliers(d: &Diagnosis, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::Outliers, title, blocks))
 }
 
-pub(super) fn not_identifiable(d: &Diagnosis, detail: Detail) -> Option<Section> {
-    let open = &d.identification.not_identifiable;
+/// What the samples do not determine; more than so many combinations are only counted on one page.
+pub(super) fn not_identifiable(
+    open: &[NotIdentifiable],
+    detail: Detail,
+    most: usize,
+) -> Option<Section> {
     if open.is_empty() {
         return None;
     }
-    let blocks = if detail.brief && open.len() > MOST_COMBINATIONS {
+    let blocks = if detail.brief && open.len() > most {
         vec![Block::Text(say!(
             "{combinations} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
             combinations = open.len()

@@ -237,7 +237,7 @@ fn own(ui: &mut Ui, table: &RobotTable, camera: &mut Camera, commands: &mut Vec<
     let joints = table.rows.len();
     let joints = say!(one "{count} joint", "{count} joints", count = joints);
     widgets::fact_of(ui, phrase!("kind"), joints);
-    widgets::hint(ui, say!("RobotsInput here, and remembered on this computer"));
+    widgets::hint(ui, say!("Typed here, and remembered on this computer"));
     if widgets::secondary(ui, say!("Forget it")).clicked() {
         commands.push(Command::ForgetRobot(table.name.clone()));
     }

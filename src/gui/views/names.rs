@@ -2,12 +2,12 @@
 
 use egui::{RichText, Ui};
 
-use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
+use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::names::{combination, parameter, title_on, usual_size};
+use crate::language::names::{parameter, title_on, usual_size};
 use crate::language::of_core;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
@@ -35,20 +35,6 @@ pub(in crate::gui::views) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
         );
         ui.label(RichText::new(text).color(warning));
     }
-}
-
-/// The card of what the samples do not determine.
-pub(in crate::gui::views) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiable]) {
-    if all.is_empty() {
-        return;
-    }
-    widgets::card(ui, |ui| {
-        title(ui, say!("Not identifiable"));
-        for one in all {
-            ui.label(combination(&one.combination));
-            widgets::hint(ui, of_core(&one.because));
-        }
-    });
 }
 
 /// Shows what an effect does, in the chart.

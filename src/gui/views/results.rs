@@ -3,8 +3,7 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
-use crate::fit::noise::StatedNoise;
-use crate::fit::problem::Unusable;
+use crate::explain::{Detail, Topic, remarks_on_fit};
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
@@ -21,7 +20,8 @@ use crate::present::units::Units;
 use crate::text::spoken;
 use crate::units::deg_from_rad;
 
-use super::names::{implausible, not_identifiable, title};
+use super::blocks::{self, Title};
+use super::names::{implausible, title};
 use super::{copies, model, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
@@ -107,8 +107,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }
-    not_identifiable(ui, &found.not_identifiable);
-    notes(ui, workbench, answer);
+    remarks(ui, workbench, answer);
 }
 
 /// How many samples are within the tolerance, of how many; before the answer, or after it.
@@ -357,72 +356,20 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     copies::button(ui, say!("regions"), || copies::regions(results));
 }
 
-fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
-    const MOST: usize = 12;
-    let found = &answer.identification;
-    let units = workbench.units();
-    let mut lines: Vec<String> = found
-        .notes
-        .iter()
-        .map(|n| of_core(n).into_owned())
-        .collect();
-    if !found.quality.converged {
-        let stopped = found.quality.stopped;
-        lines.push(say!(
-            "the fit did not converge: {stopped}",
-            stopped = stopped
-        ));
-    }
-    if let Some(noise) = &found.noise {
-        let stated = noise.against_stated(&workbench.subject().session);
-        let differs = stated.filter(StatedNoise::differs);
-        lines.extend(
-            differs.map(|n| say!("measurement noise: {noise}", noise = of_core(&n.says()))),
-        );
-        lines.extend(
-            noise
-                .slow
-                .map(|slow| of_core(&slow.says_of_remaining_error()).into_owned()),
-        );
-    }
-    if !found.outliers.is_empty() {
-        let (excluded, all) = (found.outliers.len(), grouped(found.samples));
-        lines.push(say!(
-            "excluded outliers: {excluded} of {all} samples",
-            excluded = excluded,
-            all = all
-        ));
-    }
-    for outlier in found.outliers.iter().take(MOST) {
-        lines.push(say!(
-            "sample {sample} is an outlier: {deviation} from the model",
-            sample = outlier.sample + 1,
-            deviation = units.length(outlier.deviation_mm)
-        ));
-    }
-    lines.extend(found.excluded_in_words());
-    let lost = found
-        .left_out
-        .iter()
-        .filter(|l| l.because != Unusable::Excluded);
-    for left_out in lost.clone().take(MOST) {
-        lines.push(say!(
-            "sample {sample} is excluded: {because}",
-            sample = left_out.sample + 1,
-            because = of_core(left_out.because.says())
-        ));
-    }
-    let more = found.outliers.len().saturating_sub(MOST) + lost.count().saturating_sub(MOST);
-    if more > 0 {
-        lines.push(say!("and {more} more", more = more));
-    }
-    if lines.is_empty() {
-        return;
-    }
-    widgets::card(ui, |ui| {
-        title(ui, say!("Notes"));
-        for line in &lines {
-            widgets::hint(ui, line);
+fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    let detail = Detail::window(workbench.units());
+    let session = &workbench.subject().session;
+    for section in remarks_on_fit(&answer.identification, session, detail) {
+        if section.topic == Topic::NotIdentifiable {
+            // Of an arm there may be dozens.
+            widgets::folded(ui, &section.title, size::SMALL, |ui| {
+                blocks::show(ui, &section.blocks);
+            });
+            continue;
         }
-    });
+        widgets::card(ui, |ui| {
+            blocks::title(ui, &section, Title::Plain);
+            blocks::show(ui, &section.blocks);
+        });
+    }
 }

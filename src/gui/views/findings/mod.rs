@@ -86,7 +86,9 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
     let sections = workbench.said();
     for section in sections.iter() {
         match section.topic {
-            Topic::Limits | Topic::NotTestable => in_small(ui, section, d),
+            Topic::NotIdentifiable | Topic::Limits | Topic::NotTestable => {
+                in_small(ui, section, d);
+            }
             _ => {
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
