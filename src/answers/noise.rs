@@ -2,6 +2,7 @@
 //! [`crate::fit::noise`].
 
 use crate::sessions::{Session, Sigma};
+use crate::text::Text;
 
 /// Share of the probability (a log-likelihood while they are compared), time constant in seconds, and
 /// variances of the slow part in units of the white one's.
@@ -110,25 +111,30 @@ pub struct Slow {
 
 impl Slow {
     /// In words, where everything that has a name is in the model.
-    pub fn says(&self) -> String {
-        format!("the measuring frame wanders by {}", self.extent())
+    pub fn says(&self) -> Text {
+        let [size, time] = self.extent();
+        text!(
+            "the measuring frame wanders by {size} mm (root mean square) within {time} min",
+            size = size,
+            time = time
+        )
     }
 
     /// In words, where the model may lack what changes with time as the poses do.
-    pub fn says_of_remaining_error(&self) -> String {
-        format!(
-            "a part of the remaining error goes on from sample to sample, {}: a diagnosis looks \
-             for effects in it",
-            self.extent()
+    pub fn says_of_remaining_error(&self) -> Text {
+        let [size, time] = self.extent();
+        text!(
+            "a part of the remaining error goes on from sample to sample, {size} mm (root mean square) within {time} min: a diagnosis looks for effects in it",
+            size = size,
+            time = time
         )
     }
 
-    fn extent(&self) -> String {
+    /// How far it wanders, mm, and in which time, min.
+    fn extent(&self) -> [String; 2] {
         let length = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
-        format!(
-            "{length:.4} mm (root mean square) within {:.1} min",
-            self.time_constant_s / 60.0
-        )
+        let minutes = self.time_constant_s / 60.0;
+        [format!("{length:.4}"), format!("{minutes:.1}")]
     }
 }
 
@@ -164,15 +170,13 @@ impl StatedNoise {
     }
 
     /// In words.
-    pub fn says(&self) -> String {
-        let Self {
-            stated_mm,
-            found_mm,
-        } = self;
-        format!(
-            "σ = {found_mm:.4} mm as found, {stated_mm:.4} mm as stated for the instrument \
-             ({:.2} times)",
-            found_mm / stated_mm
+    pub fn says(&self) -> Text {
+        let times = self.found_mm / self.stated_mm;
+        text!(
+            "σ = {found} mm as found, {stated} mm as stated for the instrument ({times} times)",
+            found = format!("{:.4}", self.found_mm),
+            stated = format!("{:.4}", self.stated_mm),
+            times = format!("{times:.2}")
         )
     }
 }

@@ -3,7 +3,7 @@
 use super::{Block, Detail, Fact, Section, Topic, fact, found, open, sight, translated};
 use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
 use crate::fit::Identification;
-use crate::language::of_core;
+use crate::language::{of_core, spoken};
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
 
@@ -93,15 +93,12 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
         FloorFrom::Instrument => say!("from the instrument's noise"),
         FloorFrom::Estimated => say!("estimated from what is left"),
     };
-    let (start, identified, end) = (
-        held_out.map(|gaps| gaps.start_mm),
-        held_out.map(|gaps| gaps.identified_mm),
-        held_out.map(|gaps| gaps.end_mm),
-    );
+    let identified = held_out.map(|gaps| gaps.identified_mm);
+    let end = held_out.map(|gaps| gaps.end_mm);
     let mut facts = vec![
         fact(
             say!("RMS error, nominal robot"),
-            error(d.gap.start_mm, start),
+            detail.length(d.gap.start_mm),
         ),
         fact(
             say!("RMS error, identified"),
@@ -126,14 +123,9 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
 /// What there is to say of the noise.
 pub(crate) fn noise(d: &Diagnosis) -> Vec<Fact> {
     let stated = d.unexplained.noise.as_ref();
-    let stated = stated.map(|noise| {
-        fact(
-            say!("Measurement noise"),
-            of_core(&noise.says()).into_owned(),
-        )
-    });
+    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(&noise.says())));
     let slow = d.noise.slow.as_ref();
-    let slow = slow.map(|slow| fact(say!("Slow noise"), of_core(&slow.says()).into_owned()));
+    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(&slow.says())));
     stated.into_iter().chain(slow).collect()
 }
 

@@ -26,8 +26,13 @@ fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &Found) -> Section
         title
     };
     let mut facts = Vec::new();
-    if detail.sizes {
-        facts.push(fact(say!("Size"), sizes(detail, &found.parameters)));
+    let sizes = found.parameters.iter().map(|one| size(detail, one));
+    if detail.brief {
+        let sizes = sizes.map(|(name, size)| format!("{name} {size}"));
+        let sizes: Vec<String> = sizes.collect();
+        facts.push(fact(say!("Size"), sizes.join("; ")));
+    } else if detail.sizes {
+        facts.extend(sizes);
     }
     if detail.brief {
         facts.push(fact(say!("Evidence"), evidence(detail, found)));
@@ -48,18 +53,14 @@ fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &Found) -> Section
     Section::of(Topic::Found(index), title, blocks)
 }
 
-/// Its parameters with half of their 95 % intervals.
-fn sizes(detail: Detail, parameters: &[Estimate]) -> String {
-    let size = |one: &Estimate| {
-        let (name, unit) = parameter(one.name);
-        let units = detail.units.unwrap_or_default();
-        let (value, half, unit) = units.estimate(one, unit);
-        let size = format!("{name} {value} {}", of_core(&half));
-        let size = format!("{} {unit}", size.trim_end());
-        size.trim_end().replace(" °", "°")
-    };
-    let sizes: Vec<String> = parameters.iter().map(size).collect();
-    sizes.join("; ")
+/// A parameter with half of its 95 % interval.
+fn size(detail: Detail, one: &Estimate) -> Fact {
+    let (name, unit) = parameter(one.name);
+    let units = detail.units.unwrap_or_default();
+    let (value, half, unit) = units.estimate(one, unit);
+    let size = format!("{value} {}", of_core(&half));
+    let size = format!("{} {unit}", size.trim_end());
+    (name, size.trim_end().replace(" °", "°"))
 }
 
 /// What is said of a size that no machine has.
@@ -108,15 +109,19 @@ fn evidence(detail: Detail, found: &Found) -> String {
     all.join("; ")
 }
 
-fn evidence_in_facts(detail: Detail, found: &Found) -> [Fact; 4] {
-    let unseen = found.held_out_mm.map_or_else(
-        || say!("too few samples").to_owned(),
-        |gap| detail.lengths(gap),
-    );
+fn evidence_in_facts(detail: Detail, found: &Found) -> [Fact; 3] {
+    let fitted = detail.lengths(found.gap_mm);
+    let errors = match found.held_out_mm {
+        None => fitted,
+        Some(unseen) => say!(
+            "{fitted}; cross-validated {unseen}",
+            fitted = fitted,
+            unseen = detail.lengths(unseen)
+        ),
+    };
     [
         fact(say!("Evidence"), chance(found)),
         fact(say!("Odds"), odds(found)),
-        fact(say!("RMS error, fit"), detail.lengths(found.gap_mm)),
-        fact(say!("RMS error, cross-validated"), unseen),
+        fact(say!("RMS error"), errors),
     ]
 }

@@ -3,7 +3,7 @@
 use super::{Block, Detail, Fact, Section, Topic, fact, open, translated};
 use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, Unusable};
-use crate::language::of_core;
+use crate::language::{of_core, spoken};
 use crate::sessions::Session;
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.
@@ -61,15 +61,10 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
         return Vec::new();
     };
     let stated = noise.against_stated(session).filter(StatedNoise::differs);
-    let stated = stated.map(|stated| {
-        fact(
-            say!("Measurement noise"),
-            of_core(&stated.says()).into_owned(),
-        )
-    });
+    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(&stated.says())));
     let slow = noise.slow.as_ref().map(|slow| {
         let says = slow.says_of_remaining_error();
-        fact(say!("Slow noise"), of_core(&says).into_owned())
+        fact(say!("Slow noise"), spoken(&says))
     });
     stated.into_iter().chain(slow).collect()
 }

@@ -68,7 +68,10 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
             facts.push(fact(say!("Resembles in part"), names));
         }
     }
-    facts.extend(left.correction.iter().map(|correction| match correction {
+    // That nothing is left needs no correction is an answer only where one was asked for.
+    let correction = left.correction.iter();
+    let correction = correction.filter(|own| left.present || detail.brief || own.is_ok());
+    facts.extend(correction.map(|correction| match correction {
         Ok(correction) => fact(say!("Smooth correction"), corrected(detail, correction)),
         Err(because) => fact(
             say!("Smooth correction"),

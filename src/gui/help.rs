@@ -103,7 +103,6 @@ const NAMES: &[(&[Template], Word)] = &[
             phrase!("RMS error, nominal robot"),
             phrase!("RMS error, identified"),
             phrase!("RMS error, with what was found"),
-            phrase!("RMS error, fit"),
         ],
         GAP,
     ),

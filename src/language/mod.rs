@@ -3,8 +3,8 @@
 mod core;
 pub(crate) mod names;
 
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use core::finding;
 #[cfg(feature = "gui")]
 pub(crate) use core::known_words;
-pub(crate) use core::of_core;
-#[cfg(any(feature = "cli", feature = "gui"))]
-pub(crate) use core::{finding, spoken};
+pub(crate) use core::{of_core, spoken};

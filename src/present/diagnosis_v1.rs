@@ -176,7 +176,7 @@ fn noise(noise: &Noise) -> Json {
         "slow": noise.slow.map(|slow| object! {
             "rms_mm": slow.rms_mm,
             "time_constant_s": slow.time_constant_s,
-            "says": slow.says(),
+            "says": slow.says().to_string(),
         }),
     }
 }
