@@ -5,6 +5,7 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::model::shapes::{Shape, Where};
 use crate::model::{Calibration, GapStep, Model, SetUp};
 use crate::sessions::{Mend, Session};
+use crate::text::Text;
 
 use super::identification::{Estimate, Identification, Outlier};
 use super::limits::Limit;
@@ -340,11 +341,11 @@ pub struct NotTestable {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataProblem {
     /// What is wrong.
-    pub what: String,
+    pub what: Text,
     /// What speaks for it.
-    pub evidence: String,
+    pub evidence: Text,
     /// What to do.
-    pub proposal: String,
+    pub proposal: Text,
     /// The same as a change of the session, where that is mechanical.
     pub mend: Option<Mend>,
     /// The samples that it is about, counted from 0; empty where it is about all of them.

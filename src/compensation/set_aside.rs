@@ -4,6 +4,7 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::model::Calibration;
 use crate::sessions::Session;
+use crate::text::Text;
 
 /// More than this share of the samples is more than accidents.
 const MOST_SHARE: f64 = 0.02;
@@ -44,13 +45,13 @@ pub(super) fn findings(
         let square: f64 = samples.iter().map(|i| lengths_mm[*i].powi(2)).sum();
         (square / samples.len().max(1) as f64).sqrt()
     };
-    let mut problem = |what: String, evidence: String, samples: Vec<usize>| {
+    let mut problem = |what: Text, evidence: Text, samples: Vec<usize>| {
         problems.push(DataProblem {
             what,
             evidence,
-            proposal: "look at them before the model is used: the RMS error over all samples is the one that \
-                       counts"
-                .to_owned(),
+            proposal: text!(
+                "look at them before the model is used: the RMS error over all samples is the one that counts"
+            ),
             mend: None,
             samples,
         });
@@ -64,12 +65,12 @@ pub(super) fn findings(
         if whole && inside.len() >= FEWEST_TOGETHER && share >= SHARE_OF_A_GROUP {
             told = true;
             problem(
-                format!("{name} is elsewhere than the model has it"),
-                format!(
-                    "{} of its {} samples are suspected, with an RMS error of {:.3} mm",
-                    inside.len(),
-                    members.len(),
-                    far(&inside)
+                text!("{name} is elsewhere than the model has it", name = name),
+                text!(
+                    "{inside} of its {all} samples are suspected, with an RMS error of {error} mm",
+                    inside = inside.len(),
+                    all = members.len(),
+                    error = format!("{:.3}", far(&inside))
                 ),
                 inside,
             );
@@ -82,24 +83,29 @@ pub(super) fn findings(
         told = true;
         let (first, last) = (run[0] + 1, run[run.len() - 1] + 1);
         problem(
-            format!(
-                "samples {first} to {last} do not follow the model, {} in a row",
-                run.len()
+            text!(
+                "samples {first} to {last} do not follow the model, {count} in a row",
+                first = first,
+                last = last,
+                count = run.len()
             ),
-            format!("their RMS error is {:.3} mm", far(&run)),
+            text!(
+                "their RMS error is {error} mm",
+                error = format!("{:.3}", far(&run))
+            ),
             run,
         );
     }
     if !told && set_aside.len() as f64 > MOST_SHARE * all.len() as f64 {
-        let evidence = format!(
-            "their RMS error is {:.3} mm, more than {:.0} % of the samples are among them",
-            far(&set_aside),
-            100.0 * MOST_SHARE
+        let evidence = text!(
+            "their RMS error is {error} mm, more than {share} % of the samples are among them",
+            error = format!("{:.3}", far(&set_aside)),
+            share = format!("{:.0}", 100.0 * MOST_SHARE)
         );
-        let what = format!(
-            "{} of {} samples do not follow the model",
-            set_aside.len(),
-            all.len()
+        let what = text!(
+            "{suspected} of {all} samples do not follow the model",
+            suspected = set_aside.len(),
+            all = all.len()
         );
         problem(what, evidence, set_aside);
     }
@@ -107,27 +113,29 @@ pub(super) fn findings(
 }
 
 /// Samples by target and by setup, where there are several.
-fn groups(session: &Session, all: &[usize]) -> Vec<(String, Vec<usize>)> {
+fn groups(session: &Session, all: &[usize]) -> Vec<(Text, Vec<usize>)> {
     let samples = &session.samples;
     let mut groups = Vec::new();
-    let mut add = |what: &str, name: &str, index: &[u32], of: usize| {
+    let mut add = |group: Text, index: &[u32], of: usize| {
         let members: Vec<usize> = all
             .iter()
             .copied()
             .filter(|i| index[*i] as usize == of)
             .collect();
         if !members.is_empty() {
-            groups.push((format!("{what} {name}"), members));
+            groups.push((group, members));
         }
     };
     if let Some(index) = &samples.target {
         for (k, target) in session.targets.iter().enumerate() {
-            add("target", &target.name, index, k);
+            let group = text!("target {target}", target = &target.name);
+            add(group, index, k);
         }
     }
     if let Some(setups) = &samples.setups {
         for (k, name) in setups.names.iter().enumerate() {
-            add("setup", name, &setups.index, k);
+            let group = text!("setup {setup}", setup = name);
+            add(group, &setups.index, k);
         }
     }
     groups

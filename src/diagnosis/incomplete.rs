@@ -47,18 +47,17 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
         ""
     };
     Some(DataProblem {
-        what: format!(
-            "{} of {} samples lack {}",
-            lacking.len(),
-            fitted.len(),
-            columns.join(", ")
+        what: text!(
+            "{lacking} of {all} samples lack {columns}",
+            lacking = lacking.len(),
+            all = fitted.len(),
+            columns = columns.join(", ")
         ),
-        evidence: format!(
-            "samples {}{more}; the others have a value there, and what depends on it cannot be \
-             told from these",
-            shown.join(", ")
+        evidence: text!(
+            "samples {samples}; the others have a value there, and what depends on it cannot be told from these",
+            samples = format!("{}{more}", shown.join(", "))
         ),
-        proposal: "they were left out of the diagnosis; fill in the cells to use them".to_owned(),
+        proposal: text!("they were left out of the diagnosis; fill in the cells to use them"),
         samples: lacking,
         mend: None,
     })

@@ -14,6 +14,7 @@ use super::columns::Among;
 use super::prepare::Prepared;
 use super::regression::{Fit, Regression};
 use crate::answers::diagnosis::DataProblem;
+use crate::text::Text;
 
 /// Orders closer than this are one order and its interval.
 const NEIGHBOURS: f64 = 1.5;
@@ -101,8 +102,8 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
         .map(shown);
     let settings: Vec<String> = settings.collect();
     Some(DataProblem {
-        what: "equal steps".to_owned(),
-        evidence: format!(
+        what: text!("equal steps"),
+        evidence: Text::verbatim(format!(
             "the values of joint {} are {steps}: {} {} of {} looks the same as {}, and the \
              cross-validated error holds for these values alone",
             joint + 1,
@@ -110,8 +111,8 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
             shown(value(term)),
             term.effect.about().id,
             settings.join(", "),
-        ),
-        proposal: "measure the proposed poses, which are uneven steps".to_owned(),
+        )),
+        proposal: text!("measure the proposed poses, which are uneven steps"),
         mend: None,
         samples: Vec::new(),
     })
@@ -199,7 +200,10 @@ mod tests {
         let open = open_settings(&prepared.regression, &found.fit);
         orders.extend(open.iter().flat_map(|r| &r.instead).map(|t| t.setting));
         orders.sort_by(f64::total_cmp);
-        (orders, equal_steps(&prepared, &open).map(|p| p.evidence))
+        (
+            orders,
+            equal_steps(&prepared, &open).map(|p| p.evidence.to_string()),
+        )
     }
 
     #[test]

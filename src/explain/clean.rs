@@ -1,6 +1,7 @@
 //! Texts of users, so that they cannot make an answer read differently than it is.
 
-use crate::language::of_core;
+use crate::language::{of_core, spoken};
+use crate::text::Text;
 
 /// Longest name of a user that a report repeats, characters.
 const LONGEST: usize = 400;
@@ -46,6 +47,11 @@ fn with_short_hashes(line: &str) -> String {
         rest = &rest[end..];
     }
     shown
+}
+
+/// A sentence with a user's names in it, in the language of this thread.
+pub(crate) fn cleaned(text: &Text) -> String {
+    clean_to(&spoken(text), LONGEST_NOTE)
 }
 
 /// What the core says with a user's names in it, in the language of this thread.

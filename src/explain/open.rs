@@ -1,7 +1,7 @@
 //! What a diagnosis leaves open: problems of the data, rivals, what has no name, poses that would decide, samples that
 //! do not count, what the samples do not determine.
 
-use super::{Block, Detail, Section, Topic, clean, fact, translated};
+use super::{Block, Detail, Section, Topic, clean, cleaned, fact, translated};
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::fit::{Identification, NotIdentifiable};
 use crate::language::names::{combination, title_of};
@@ -18,10 +18,10 @@ pub(super) const MOST_COMBINATIONS: usize = 2;
 pub(crate) fn data_problems(problems: &[DataProblem]) -> Vec<Section> {
     let problems = problems.iter().enumerate();
     let sections = problems.map(|(index, problem)| {
-        let title = say!("Data: {problem}", problem = translated(&problem.what));
+        let title = say!("Data: {problem}", problem = cleaned(&problem.what));
         let facts = vec![
-            fact(say!("Evidence"), translated(&problem.evidence)),
-            fact(say!("Proposal"), translated(&problem.proposal)),
+            fact(say!("Evidence"), cleaned(&problem.evidence)),
+            fact(say!("Proposal"), cleaned(&problem.proposal)),
         ];
         Section::of(Topic::DataProblem(index), title, vec![Block::Facts(facts)])
     });

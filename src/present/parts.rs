@@ -8,7 +8,11 @@ use crate::set_up_errors::DataProblem;
 /// Set-up errors.
 pub(super) fn problems(all: &[DataProblem]) -> Json {
     list(all, |p| {
-        object! { "what": &p.what, "evidence": &p.evidence, "proposal": &p.proposal }
+        object! {
+            "what": p.what.to_string(),
+            "evidence": p.evidence.to_string(),
+            "proposal": p.proposal.to_string(),
+        }
     })
 }
 

@@ -35,13 +35,17 @@ fn load(session: &Session) -> Option<DataProblem> {
         return None;
     }
     Some(DataProblem {
-        what: format!("load in grams: load_kg holds values up to {most:.0}"),
-        evidence: format!(
-            "no robot that reaches {reach_m:.2} m carries {most:.0} kg; in grams the largest load is \
-             {:.3} kg",
-            most / 1000.0
+        what: text!(
+            "load in grams: load_kg holds values up to {most}",
+            most = format!("{most:.0}")
         ),
-        proposal: "the loads are read as grams; divide the column load_kg by 1000".to_owned(),
+        evidence: text!(
+            "no robot that reaches {reach} m carries {most} kg; in grams the largest load is {load} kg",
+            reach = format!("{reach_m:.2}"),
+            most = format!("{most:.0}"),
+            load = format!("{:.3}", most / 1000.0)
+        ),
+        proposal: text!("the loads are read as grams; divide the column load_kg by 1000"),
         mend: Some(Mend::ScaleLoad(0.001)),
         samples: Vec::new(),
     })
@@ -52,13 +56,17 @@ fn temperature(session: &Session) -> Option<DataProblem> {
     let (least, most) = range(column, |_| true)?;
     if KELVIN.contains(&least) && KELVIN.contains(&most) {
         return Some(DataProblem {
-            what: format!("temperature in kelvin: temperature_c runs from {least:.2} to {most:.2}"),
-            evidence: format!(
-                "no machine is as hot; in kelvin it is {:.1} to {:.1} °C",
-                least - ZERO_KELVIN,
-                most - ZERO_KELVIN
+            what: text!(
+                "temperature in kelvin: temperature_c runs from {least} to {most}",
+                least = format!("{least:.2}"),
+                most = format!("{most:.2}")
             ),
-            proposal: "the temperatures are read as kelvin; subtract 273.15".to_owned(),
+            evidence: text!(
+                "no machine is as hot; in kelvin it is {least} to {most} °C",
+                least = format!("{:.1}", least - ZERO_KELVIN),
+                most = format!("{:.1}", most - ZERO_KELVIN)
+            ),
+            proposal: text!("the temperatures are read as kelvin; subtract 273.15"),
             mend: Some(Mend::ConvertTemperature {
                 factor: 1.0,
                 offset: -ZERO_KELVIN,
@@ -70,14 +78,19 @@ fn temperature(session: &Session) -> Option<DataProblem> {
     let celsius = |f: f64| (f - 32.0) / 1.8;
     (FAHRENHEIT.contains(&least) && FAHRENHEIT.contains(&most)).then(|| {
         said(
-            format!("temperature may be in degrees Fahrenheit: {least:.1} to {most:.1}"),
-            format!(
-                "as degrees Fahrenheit it is {:.1} to {:.1} °C",
-                celsius(least),
-                celsius(most)
+            text!(
+                "temperature may be in degrees Fahrenheit: {least} to {most}",
+                least = format!("{least:.1}"),
+                most = format!("{most:.1}")
             ),
-            "check the unit of temperature_c; everything that depends on temperature refers to 20 °C"
-                .to_owned(),
+            text!(
+                "as degrees Fahrenheit it is {least} to {most} °C",
+                least = format!("{:.1}", celsius(least)),
+                most = format!("{:.1}", celsius(most))
+            ),
+            text!(
+                "check the unit of temperature_c; everything that depends on temperature refers to 20 °C"
+            ),
         )
     })
 }

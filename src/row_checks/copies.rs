@@ -52,21 +52,28 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
     copies.sort_unstable();
     origins.sort_unstable();
     origins.dedup();
-    let count = copies.len();
-    let (rows, are) = match count {
-        1 => ("row".to_owned(), "is a copy"),
-        _ => (format!("{count} rows"), "are copies"),
+    let weakest = format!("{weakest:.0}");
+    let evidence = match copies.len() {
+        1 => text!(
+            "the row agrees with an earlier one in every recorded value to the last digit; that it is a copy is e^{weakest} times likelier than chance",
+            weakest = weakest
+        ),
+        count => text!(
+            "{count} rows agree with an earlier one in every recorded value to the last digit; that they are copies is e^{weakest} times likelier than chance",
+            count = count,
+            weakest = weakest
+        ),
     };
     vec![DataProblem {
-        what: format!("copied rows: {} of {}", listed(&copies), listed(&origins)),
-        evidence: format!(
-            "{rows} agree with an earlier one in every recorded value to the last digit; that they {are} \
-             is e^{weakest:.0} times likelier than chance"
+        what: text!(
+            "copied rows: {copies} of {originals}",
+            copies = listed(&copies),
+            originals = listed(&origins)
         ),
-        proposal:
-            "copies are left out: they are no returns to a pose and tell nothing of the noise; \
-                   remove them from the file"
-                .to_owned(),
+        evidence,
+        proposal: text!(
+            "copies are left out: they are no returns to a pose and tell nothing of the noise; remove them from the file"
+        ),
         mend: Some(Mend::Remove(copies.clone())),
         samples: copies,
     }]

@@ -7,6 +7,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::problem::digits_mm;
 use crate::sessions::{Mend, Session, Sigma};
+use crate::text::Text;
 
 use super::said;
 
@@ -39,30 +40,43 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
         names.join(", ")
     };
     let of = if alike {
-        format!("{} mm in {}", in_mm(coarse[0]), names(&coarse))
+        text!(
+            "{size} mm in {axes}",
+            size = in_mm(coarse[0]),
+            axes = names(&coarse)
+        )
     } else {
         let each = coarse.iter();
-        let each: Vec<String> = each
-            .map(|a| format!("{} mm in {}", in_mm(*a), names(&[*a])))
-            .collect();
-        each.join(", ")
+        each.fold(Text::default(), |mut all, a| {
+            if !all.is_empty() {
+                all += Text::verbatim(", ");
+            }
+            all += text!("{size} mm in {axes}", size = in_mm(*a), axes = names(&[*a]));
+            all
+        })
     };
     let largest = coarse
         .iter()
         .map(|axis| added_mm[*axis])
         .fold(0.0, f64::max);
-    let beside = match stated {
-        Some(_) => "the noise stated for the instrument",
-        None => "what an instrument usually has",
+    let added = format!("{largest:.4}");
+    let evidence = match stated {
+        Some(_) => text!(
+            "every value is a multiple of it; rounding adds {added} mm to the noise of a coordinate, which is more than a third of the noise stated for the instrument",
+            added = added
+        ),
+        None => text!(
+            "every value is a multiple of it; rounding adds {added} mm to the noise of a coordinate, which is more than a third of what an instrument usually has",
+            added = added
+        ),
     };
     let mut problem = said(
-        format!("resolution: the coordinates are rounded to {of}"),
-        format!(
-            "every value is a multiple of it; rounding adds {largest:.4} mm to the noise of a \
-             coordinate, which is more than a third of {beside}"
+        text!(
+            "resolution: the coordinates are rounded to {digits}",
+            digits = of
         ),
-        "the digit counts as noise, and nothing below it can be told; record more digits"
-            .to_owned(),
+        evidence,
+        text!("the digit counts as noise, and nothing below it can be told; record more digits"),
     );
     if stated.is_some() {
         problem.mend = Some(Mend::WidenNoise(added_mm));

@@ -26,6 +26,7 @@ use std::borrow::Cow;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::Session;
+use crate::text::Text;
 
 /// A session without the mistakes of its rows, and what they were.
 #[derive(Debug, Clone)]
@@ -87,7 +88,7 @@ pub(crate) fn checked(session: &Session, values: JointValues) -> Checked<'_> {
 }
 
 /// A problem that is about all samples and is said only.
-fn said(what: String, evidence: String, proposal: String) -> DataProblem {
+fn said(what: Text, evidence: Text, proposal: Text) -> DataProblem {
     DataProblem {
         what,
         evidence,
@@ -98,7 +99,7 @@ fn said(what: String, evidence: String, proposal: String) -> DataProblem {
 }
 
 /// Rows for reading, counted from 1: "rows 3–12, 40 and 7 more".
-fn listed(rows: &[usize]) -> String {
+fn listed(rows: &[usize]) -> Text {
     let mut runs: Vec<(usize, usize)> = Vec::new();
     for &row in rows {
         match runs.last_mut() {
@@ -119,11 +120,10 @@ fn listed(rows: &[usize]) -> String {
         .skip(4)
         .map(|(first, last)| last - first + 1)
         .sum();
-    let noun = if rows.len() == 1 { "row" } else { "rows" };
-    if more > 0 {
-        format!("{noun} {text} and {more} more")
-    } else {
-        format!("{noun} {text}")
+    match (rows.len(), more) {
+        (1, _) => text!("row {rows}", rows = text),
+        (_, 0) => text!("rows {rows}", rows = text),
+        _ => text!("rows {rows} and {more} more", rows = text, more = more),
     }
 }
 
@@ -174,6 +174,7 @@ mod tests {
 
     #[test]
     fn rows_are_listed_as_runs() {
+        let listed = |rows: &[usize]| listed(rows).to_string();
         assert_eq!(listed(&[4]), "row 5");
         assert_eq!(listed(&[0, 1, 2, 6]), "rows 1–3, 7");
         assert_eq!(listed(&[0, 2, 4, 6, 8, 9]), "rows 1, 3, 5, 7 and 2 more");

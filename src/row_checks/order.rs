@@ -9,6 +9,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::measuring_order::falls_of_the_clock;
 use crate::sessions::{Samples, Session};
+use crate::text::Text;
 
 use super::said;
 
@@ -20,29 +21,39 @@ pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem
     let Some(falls) = falls_of_the_clock(time_s) else {
         return Vec::new();
     };
-    let by = sorted_by(samples).map_or(String::new(), |by| format!("; they are sorted by {by}"));
-    vec![said(
-        "rows out of order: the file is not in the order of its clock".to_owned(),
-        format!(
-            "the time runs backwards at {falls} of {} rows{by}",
-            samples.len()
+    let rows = samples.len();
+    let evidence = match sorted_by(samples) {
+        None => text!(
+            "the time runs backwards at {falls} of {rows} rows",
+            falls = falls,
+            rows = rows
         ),
-        "the samples are taken in the order of time_s, for directions of approach, drift and noise; \
-         keep the file in measuring order"
-            .to_owned(),
+        Some(by) => text!(
+            "the time runs backwards at {falls} of {rows} rows; they are sorted by {by}",
+            falls = falls,
+            rows = rows,
+            by = by
+        ),
+    };
+    vec![said(
+        text!("rows out of order: the file is not in the order of its clock"),
+        evidence,
+        text!(
+            "the samples are taken in the order of time_s, for directions of approach, drift and noise; keep the file in measuring order"
+        ),
     )]
 }
 
 /// The column by which the rows of a file are sorted.
-fn sorted_by(samples: &Samples) -> Option<String> {
+fn sorted_by(samples: &Samples) -> Option<Text> {
     let rises = |column: &[f64]| column.windows(2).all(|pair| pair[0] <= pair[1]);
     let falls = |column: &[f64]| column.windows(2).all(|pair| pair[0] >= pair[1]);
     let joint = samples.q.iter().position(|q| rises(q) || falls(q));
-    let of_joint = joint.map(|joint| format!("joint {}", joint + 1));
+    let of_joint = joint.map(|joint| text!("joint {joint}", joint = joint + 1));
     let target = samples.target.as_deref();
     let of_target = || {
         let by = target?.windows(2).all(|pair| pair[0] <= pair[1]);
-        by.then(|| "target".to_owned())
+        by.then(|| text!("target"))
     };
     of_joint.or_else(of_target)
 }

@@ -8,6 +8,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::measuring_order::measuring_order;
 use crate::sessions::{Mend, Session};
+use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// With fewer samples that move nothing is said.
@@ -47,25 +48,34 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     // Of the two the one that the commands contradict is wrong.
     let (with_side, of) = agreement(session, joint, side);
     let of_side = of >= FEWEST && (with_side as f64) < (1.0 - NEARLY_ALL) * of as f64;
-    let evidence = format!(
-        "in {against} of {} samples that were measured while joint {number} moved, speed{number} and \
-         dir{number} have opposite signs; from row to row the commands agree with dir{number} in \
-         {with_side} of {of}",
-        products.len()
+    let evidence = text!(
+        "in {against} of {all} samples that were measured while joint {joint} moved, speed{joint} and dir{joint} have opposite signs; from row to row the commands agree with dir{joint} in {agree} of {moves}",
+        against = against,
+        all = products.len(),
+        joint = number,
+        agree = with_side,
+        moves = of
     );
     if of_side {
         return Some(super::said(
-            format!(
-                "the direction of approach of joint {number} has the wrong sign beside its speed"
+            text!(
+                "the direction of approach of joint {joint} has the wrong sign beside its speed",
+                joint = number
             ),
             evidence,
-            format!("reverse the sign of dir{number}"),
+            text!("reverse the sign of dir{joint}", joint = number),
         ));
     }
     Some(DataProblem {
-        what: format!("the speed of joint {number} has the wrong sign"),
+        what: text!(
+            "the speed of joint {joint} has the wrong sign",
+            joint = number
+        ),
         evidence,
-        proposal: format!("the sign of speed{number} is reversed; correct the column"),
+        proposal: text!(
+            "the sign of speed{joint} is reversed; correct the column",
+            joint = number
+        ),
         mend: Some(Mend::ScaleSpeed {
             joint,
             factor: -1.0,
@@ -88,14 +98,17 @@ fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize, usize) {
 }
 
 /// Units of speed that are taken for one another, with what is wrong.
-fn units() -> [(f64, &'static str); 6] {
+fn units() -> [(f64, Template); 6] {
     [
-        (deg_from_rad(1.0), "radians per second"),
-        (rad_from_deg(1.0), "degrees per second, read as radians"),
-        (6.0, "revolutions per minute"),
-        (1.0 / 60.0, "units per minute"),
-        (1000.0, "metres per second"),
-        (0.001, "thousandths of its unit"),
+        (deg_from_rad(1.0), phrase!("radians per second")),
+        (
+            rad_from_deg(1.0),
+            phrase!("degrees per second, read as radians"),
+        ),
+        (6.0, phrase!("revolutions per minute")),
+        (1.0 / 60.0, phrase!("units per minute")),
+        (1000.0, phrase!("metres per second")),
+        (0.001, phrase!("thousandths of its unit")),
     ]
 }
 
@@ -132,13 +145,23 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         .into_iter()
         .find(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)?;
     Some(DataProblem {
-        what: format!("the speed of joint {number} is in another unit: {name}"),
-        evidence: format!(
-            "joint {number} moves {median:.4} times as fast from row to row as speed{number} says, in \
-             {near} of {} pairs of rows",
-            ratios.len()
+        what: text!(
+            "the speed of joint {joint} is in another unit: {unit}",
+            joint = number,
+            unit = name
         ),
-        proposal: format!("speed{number} is multiplied by {factor:.6}; correct its unit"),
+        evidence: text!(
+            "joint {joint} moves {median} times as fast from row to row as speed{joint} says, in {near} of {all} pairs of rows",
+            joint = number,
+            median = format!("{median:.4}"),
+            near = near,
+            all = ratios.len()
+        ),
+        proposal: text!(
+            "speed{joint} is multiplied by {factor}; correct its unit",
+            joint = number,
+            factor = format!("{factor:.6}")
+        ),
         mend: Some(Mend::ScaleSpeed { joint, factor }),
         samples: Vec::new(),
     })

@@ -17,6 +17,7 @@ use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
+use crate::text::Text;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
@@ -228,12 +229,12 @@ fn problem_of(change: &Change, twins: &[&str], before: f64, after: f64) -> DataP
         "far beyond what adjusting could mend".to_owned()
     };
     DataProblem {
-        what,
-        evidence: format!(
+        what: Text::verbatim(what),
+        evidence: Text::verbatim(format!(
             "with the frame, the tool and the zero offsets fitted the median error is \
              {as_it_stands} as it stands and {after:.3} mm without the mistake"
-        ),
-        proposal: change.proposal.clone(),
+        )),
+        proposal: Text::verbatim(change.proposal.clone()),
         mend: change.mends.first().cloned(),
         samples: Vec::new(),
     }
@@ -276,8 +277,10 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         String::new()
     };
     Some(DataProblem {
-        what: format!("the measuring frame was never aligned with the robot's base{twin}"),
-        evidence: if fixed.is_finite() {
+        what: Text::verbatim(format!(
+            "the measuring frame was never aligned with the robot's base{twin}"
+        )),
+        evidence: Text::verbatim(if fixed.is_finite() {
             format!(
                 "the median error is {fixed:.3} mm as it stands and {:.3} mm with the frame fitted",
                 free.median_mm
@@ -287,12 +290,12 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
                 "no geometry fits the samples as they stand; with the frame fitted the median error is {:.3} mm",
                 free.median_mm
             )
-        },
-        proposal: format!(
+        }),
+        proposal: Text::verbatim(format!(
             "align the instrument (turned by {degrees:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or \
              give the samples a `setup` column so that the frame is fitted",
             shift.x, shift.y, shift.z
-        ),
+        )),
         mend: Some(Mend::FreeFrame),
         samples: Vec::new(),
     })

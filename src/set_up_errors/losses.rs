@@ -11,6 +11,7 @@ use crate::fit::{base_model, fit_without_outliers};
 use crate::model::Model;
 use crate::sessions::Mend;
 use crate::sessions::Session;
+use crate::text::Text;
 
 use super::DataProblem;
 
@@ -24,9 +25,12 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
         return;
     }
     problems.push(DataProblem {
-        what: format!("the instrument lost the reflector in {}", listed(&lost)),
-        evidence: "it wrote 0, 0, 0".to_owned(),
-        proposal: "these samples are left out; measure them again".to_owned(),
+        what: text!(
+            "the instrument lost the reflector in {samples}",
+            samples = listed(&lost)
+        ),
+        evidence: text!("it wrote 0, 0, 0"),
+        proposal: text!("these samples are left out; measure them again"),
         mend: Some(Mend::Remove(lost.clone())),
         samples: lost,
     });
@@ -76,13 +80,15 @@ pub(super) fn mislocked(
         if !close.is_empty() {
             let name = &session.targets[other].name;
             problems.push(DataProblem {
-                what: format!(
-                    "the instrument saw reflector {name} instead in {}",
-                    listed(&close)
+                what: text!(
+                    "the instrument saw reflector {name} instead in {samples}",
+                    name = name,
+                    samples = listed(&close)
                 ),
-                evidence: format!("the points lie where {name} should be"),
-                proposal: "these samples are left out; correct their target or measure them again"
-                    .to_owned(),
+                evidence: text!("the points lie where {name} should be", name = name),
+                proposal: text!(
+                    "these samples are left out; correct their target or measure them again"
+                ),
                 mend: Some(Mend::Remove(close.clone())),
                 samples: close,
             });
@@ -99,12 +105,12 @@ pub(super) fn mislocked(
         .collect();
     if !stuck.is_empty() {
         problems.push(DataProblem {
-            what: format!(
-                "the instrument was locked on a point that does not move in {}",
-                listed(&stuck)
+            what: text!(
+                "the instrument was locked on a point that does not move in {samples}",
+                samples = listed(&stuck)
             ),
-            evidence: "the measured point stays while the robot moves".to_owned(),
-            proposal: "these samples are left out; measure them again".to_owned(),
+            evidence: text!("the measured point stays while the robot moves"),
+            proposal: text!("these samples are left out; measure them again"),
             mend: Some(Mend::Remove(stuck.clone())),
             samples: stuck,
         });
@@ -112,21 +118,21 @@ pub(super) fn mislocked(
 }
 
 /// Sample numbers for reading, counted from 1.
-fn listed(samples: &[usize]) -> String {
+fn listed(samples: &[usize]) -> Text {
     let first: Vec<String> = samples
         .iter()
         .take(8)
         .map(|i| (i + 1).to_string())
         .collect();
     let more = samples.len().saturating_sub(8);
-    let noun = if samples.len() == 1 {
-        "sample"
-    } else {
-        "samples"
-    };
-    if more > 0 {
-        format!("{noun} {} and {more} more", first.join(", "))
-    } else {
-        format!("{noun} {}", first.join(", "))
+    let first = first.join(", ");
+    match (samples.len(), more) {
+        (1, _) => text!("sample {sample}", sample = first),
+        (_, 0) => text!("samples {samples}", samples = first),
+        _ => text!(
+            "samples {samples} and {more} more",
+            samples = first,
+            more = more
+        ),
     }
 }

@@ -30,6 +30,7 @@ use crate::units::rad_from_deg;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Mend;
+use crate::text::Text;
 
 use corrected::made_for;
 use hypotheses::{Hypothesis, hypotheses};
@@ -177,11 +178,11 @@ fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Sessio
     let mut better = session.clone();
     hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
-        evidence: format!(
+        evidence: Text::verbatim(format!(
             "with zero offset and link length fitted the RMS error is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
-        ),
-        what: hypothesis.what,
-        proposal: hypothesis.proposal,
+        )),
+        what: Text::verbatim(hypothesis.what),
+        proposal: Text::verbatim(hypothesis.proposal),
         mend: Some(hypothesis.mend),
         samples: Vec::new(),
     };

@@ -15,6 +15,7 @@ use crate::fit::{DEFAULT_EFFECTS, base_model, fit_without_outliers, free_frames}
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 use super::{DataProblem, thinned};
@@ -114,14 +115,16 @@ impl Lag {
             )
         };
         DataProblem {
-            what: format!("the values read back from joint {number} lag the command by {size}"),
-            evidence: format!(
+            what: Text::verbatim(format!(
+                "the values read back from joint {number} lag the command by {size}"
+            )),
+            evidence: Text::verbatim(format!(
                 "read − commanded follows the {by} over {} samples, and the measured points fit the commands better",
                 self.samples
-            ),
-            proposal: format!(
+            )),
+            proposal: Text::verbatim(format!(
                 "read joint {number} back at standstill; taken as they are, these values look like backlash or tracking lag"
-            ),
+            )),
             mend: None,
             samples: Vec::new(),
         }

@@ -78,6 +78,11 @@ impl Text {
         }
     }
 
+    /// Whether its English has this in it.
+    pub fn contains(&self, part: &str) -> bool {
+        self.to_string().contains(part)
+    }
+
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
         matches!(&self.0, Kind::Verbatim(text) if text.is_empty())

@@ -37,9 +37,9 @@ fn is_noise_but_for(session: &Session, mistake: Option<&str>) -> Diagnosis {
     assert_eq!(answer.verdict, Verdict::Noise, "{:?}", answer.unexplained);
     let identified = identified(session);
     for problems in [&answer.data_problems, &identified.data_problems] {
-        let said: Vec<&str> = problems.iter().map(|p| p.what.as_str()).collect();
+        let said: Vec<String> = problems.iter().map(|p| p.what.to_string()).collect();
         match mistake {
-            None => assert_eq!(said, Vec::<&str>::new()),
+            None => assert_eq!(said, Vec::<String>::new()),
             Some(mistake) => assert!(said.len() == 1 && said[0].contains(mistake), "{said:?}"),
         }
     }

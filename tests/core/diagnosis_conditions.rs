@@ -58,7 +58,7 @@ fn samples_without_a_side_speed_load_or_temperature_are_left_out_aloud() {
         let names: Vec<_> = answer.found.iter().map(|f| f.effect).collect();
         assert_eq!(names, [id]);
         assert_eq!(answer.verdict, Verdict::Explained, "{id}");
-        let said = answer.data_problems.iter().map(|p| p.what.as_str());
+        let said = answer.data_problems.iter().map(|p| p.what.to_string());
         let said: Vec<_> = said.collect();
         assert!(
             said.iter()

@@ -221,7 +221,8 @@ fn the_headline_of_a_check_is_over_all_its_samples() {
         trimmed.set_aside > 20 && trimmed.model_mm < 0.1,
         "{trimmed:?}"
     );
-    let what: Vec<&str> = verified.data_problems.iter().map(|p| &*p.what).collect();
+    let problems = verified.data_problems.iter();
+    let what: Vec<String> = problems.map(|p| p.what.to_string()).collect();
     assert!(what[0].contains("in a row"), "{what:?}");
     // One that is far off is an outlier, and no finding.
     let one_off = |i: usize, [x, y, z]: [f64; 3]| [x, y, if i == 7 { z + 1.0 } else { z }];

@@ -144,7 +144,10 @@ fn behind_equal_steps_every_order_is_said_and_uneven_poses_part_them() {
     let alias = &answer.equivalent[0];
     assert_eq!(alias.explanation, alias.instead);
     assert!(alias.separate_by.contains("88") || alias.separate_by.contains("16"));
-    let said = answer.data_problems.iter().any(|p| p.what == "equal steps");
+    let said = answer
+        .data_problems
+        .iter()
+        .any(|p| p.what.to_string() == "equal steps");
     assert!(said, "{:?}", answer.data_problems);
 
     // Measured as proposed, the order is right and alone.

@@ -20,10 +20,10 @@ fn diagnosed(session: &Session) -> Diagnosis {
 /// What is said, and that the backlash is found all the same.
 fn said(session: &Session, word: &str) {
     let answer = diagnosed(session);
-    let what: Vec<&str> = answer
+    let what: Vec<String> = answer
         .data_problems
         .iter()
-        .map(|p| p.what.as_str())
+        .map(|p| p.what.to_string())
         .collect();
     assert!(what.iter().any(|w| w.contains(word)), "{word}: {what:?}");
     let found: Vec<&str> = answer.found.iter().map(|f| f.effect).collect();
@@ -56,8 +56,13 @@ fn a_point_that_is_missing_shifts_the_rows_below() {
             column.push(f64::NAN);
         }
         let answer = diagnosed(&session);
-        let shifted = |what: &str| what.contains("rows shifted by one");
-        seen += usize::from(answer.data_problems.iter().any(|p| shifted(&p.what)));
+        let shifted = "rows shifted by one";
+        seen += usize::from(
+            answer
+                .data_problems
+                .iter()
+                .any(|p| p.what.contains(shifted)),
+        );
         let gap = answer.gap.end_mm;
         assert!(
             gap < 0.1,

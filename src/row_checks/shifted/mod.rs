@@ -180,31 +180,36 @@ impl Found {
             .map(|c| c.1.abs())
             .max()
             .unwrap_or(1);
-        let by = if largest == 1 {
-            "one".to_owned()
-        } else {
-            format!("one (or up to {largest})")
-        };
         let cause = self.path.in_words();
-        let without = if lost.is_empty() {
-            String::new()
+        let what = if largest == 1 {
+            text!("rows shifted by one: {cause}", cause = cause)
         } else {
-            format!("; {} left without a point", listed(&lost))
+            text!(
+                "rows shifted by one (or up to {largest}): {cause}",
+                largest = largest.unsigned_abs(),
+                cause = cause
+            )
+        };
+        let proposal = if lost.is_empty() {
+            text!(
+                "the rows are paired again; look for the point that is missing or there twice in the instrument's file"
+            )
+        } else {
+            text!(
+                "the rows are paired again; {lost} left without a point; look for the point that is missing or there twice in the instrument's file",
+                lost = listed(&lost)
+            )
         };
         DataProblem {
-            what: format!("rows shifted by {by}: {cause}"),
-            evidence: format!(
-                "{} rows are {:.3} mm from where the robot can be (median) as they are, and {:.3} mm \
-                 paired again; e^{:.0} times likelier",
-                rows.len(),
-                self.median_mm[0],
-                self.median_mm[1],
-                self.evidence
+            what,
+            evidence: text!(
+                "{rows} rows are {before} mm from where the robot can be (median) as they are, and {after} mm paired again; e^{evidence} times likelier",
+                rows = rows.len(),
+                before = format!("{:.3}", self.median_mm[0]),
+                after = format!("{:.3}", self.median_mm[1]),
+                evidence = format!("{:.0}", self.evidence)
             ),
-            proposal: format!(
-                "the rows are paired again{without}; look for the point that is missing or there twice \
-                 in the instrument's file"
-            ),
+            proposal,
             mend: Some(Mend::PairRows(self.path.changes.clone())),
             samples: rows,
         }

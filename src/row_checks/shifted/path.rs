@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::fit::problem::unusable;
 use crate::model::Positions;
 use crate::sessions::{Samples, Session};
+use crate::text::Text;
 
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
@@ -127,28 +128,43 @@ impl Path {
     }
 
     /// What happened, for a person.
-    pub(super) fn in_words(&self) -> String {
+    pub(super) fn in_words(&self) -> Text {
         let mut before = 0;
-        let mut parts = Vec::new();
+        let mut said = Text::default();
         for (first, by) in &self.changes {
             let (lost, row) = (before - by, first + 1);
-            let (count, points) = match lost.unsigned_abs() {
-                1 => ("one".to_owned(), "point"),
-                count => (count.to_string(), "points"),
+            let count = lost.unsigned_abs();
+            if !said.is_empty() {
+                said += Text::verbatim("; ");
+            }
+            let away = by.unsigned_abs();
+            said += match (first, lost, count) {
+                (0, ..) if *by == -1 => text!("all points belong to the command one row below"),
+                (0, ..) if *by == 1 => text!("all points belong to the command one row above"),
+                (0, ..) if *by < 0 => text!(
+                    "all points belong to the command {count} rows below",
+                    count = away
+                ),
+                (0, ..) => text!(
+                    "all points belong to the command {count} rows above",
+                    count = away
+                ),
+                (_, 1.., 1) => text!("one point missing at row {row}", row = row),
+                (_, 1.., _) => text!(
+                    "{count} points missing at row {row}",
+                    count = count,
+                    row = row
+                ),
+                (_, _, 1) => text!("one point too many at row {row}", row = row),
+                _ => text!(
+                    "{count} points too many at row {row}",
+                    count = count,
+                    row = row
+                ),
             };
-            let which = if lost > 0 { "missing" } else { "too many" };
-            parts.push(match (first, lost) {
-                (0, _) => format!(
-                    "all points belong to the command {} rows {}",
-                    by.unsigned_abs(),
-                    if *by < 0 { "below" } else { "above" }
-                )
-                .replace(" 1 rows ", " one row "),
-                _ => format!("{count} {points} {which} at row {row}"),
-            });
             before = *by;
         }
-        parts.join("; ")
+        said
     }
 }
 
@@ -337,8 +353,8 @@ mod tests {
             of(&twice),
             [Some(0), Some(1), Some(2), Some(4), Some(5), None]
         );
-        assert_eq!(lost.in_words(), "one point missing at row 4");
-        assert_eq!(twice.in_words(), "one point too many at row 4");
+        assert_eq!(lost.in_words().to_string(), "one point missing at row 4");
+        assert_eq!(twice.in_words().to_string(), "one point too many at row 4");
     }
 
     #[test]

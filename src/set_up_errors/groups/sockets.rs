@@ -7,6 +7,7 @@ use crate::effects::JointValues;
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::sessions::{Mend, Session};
+use crate::text::Text;
 
 use super::{MOST_PLACES, MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
 
@@ -76,15 +77,14 @@ pub(super) fn moved(
         let name = &session.instrument.references.sockets[socket].name;
         let size = by.map_or(String::new(), |by| format!(" by {by:.2} mm"));
         said.push(DataProblem {
-            what: format!(
+            what: Text::verbatim(format!(
                 "socket {name} is elsewhere{size} from sample {} on",
                 from + 1
+            )),
+            evidence: Text::verbatim(in_numbers(before, after, evidence)),
+            proposal: text!(
+                "its samples from there on are taken as those of another socket, whose place is fitted; fasten it, or give it another name"
             ),
-            evidence: in_numbers(before, after, evidence),
-            proposal:
-                "its samples from there on are taken as those of another socket, whose place is \
-                       fitted; fasten it, or give it another name"
-                    .to_owned(),
             mend: Some(mend),
             samples: rows_of(socket)
                 .into_iter()

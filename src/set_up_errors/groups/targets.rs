@@ -9,6 +9,7 @@ use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::sessions::{Mend, Session};
+use crate::text::Text;
 
 use super::super::GROSS_SHARE;
 use super::super::as_it_stands::reach_mm;
@@ -275,13 +276,15 @@ fn problem(
     let size = by.norm();
     let samples = session.samples.target.iter().flatten().enumerate();
     DataProblem {
-        what: format!("target {name} is elsewhere: {size:.3} mm from its stated place in the tool"),
-        evidence,
-        proposal: format!(
+        what: Text::verbatim(format!(
+            "target {name} is elsewhere: {size:.3} mm from its stated place in the tool"
+        )),
+        evidence: Text::verbatim(evidence),
+        proposal: Text::verbatim(format!(
             "its place is fitted (moved by {:.3}, {:.3}, {:.3} mm); measure it, or state \
              targets_sigma_mm",
             by.x, by.y, by.z
-        ),
+        )),
         mend: Some(mend),
         samples: samples
             .filter(|(_, own)| **own as usize == target)
