@@ -793,3 +793,37 @@ fn a_model_is_verified_on_other_measurements() {
         );
     }
 }
+
+#[test]
+fn figures_in_mm_are_of_lengths_or_of_directions_and_never_of_both() {
+    use truepose::simulation::{parse_scenario, simulate, unwatched};
+    let of_rows = |has: &dyn Fn(usize) -> bool, n: usize| (0..n).filter(|i| has(*i)).count();
+    for (measure, is_of_directions) in [
+        (r#"["bearing","distance","bearing"]"#, true),
+        (r#"["distance","bearing"]"#, false),
+    ] {
+        let text = scenario(measure, r#"["stations"]"#, 0.03);
+        let loaded = parse_scenario(text.as_bytes()).unwrap();
+        let session = simulate(&loaded.scenario, 7, unwatched).unwrap().0;
+        let own = &session.samples.observed;
+        let number = |column: &Option<Vec<f64>>, i: usize| !column.as_ref().unwrap()[i].is_nan();
+        let n = session.samples.len();
+        let directions = of_rows(&|i| number(&own.azimuth, i), n);
+        let lengths = of_rows(&|i| number(&own.distance_mm, i), n);
+        assert_eq!(directions + lengths, n, "{measure}: a row has one of them");
+        let answer = diagnosed(&session);
+        let (samples, rows) = if is_of_directions {
+            (directions, 2.0)
+        } else {
+            (lengths, 1.0)
+        };
+        assert_eq!(answer.held_out.samples, samples, "{measure}");
+        // The noise that is said is that of a coordinate of what the figures are of.
+        let ratio = answer.noise.sigma_mm[0] * f64::sqrt(rows) / answer.gap.end_mm;
+        assert!(
+            (0.95..1.4).contains(&ratio),
+            "{measure}: {ratio}, {:?}",
+            answer.noise
+        );
+    }
+}
