@@ -47,6 +47,7 @@ mod handed_out;
 mod held_out;
 mod incomplete;
 mod left_out;
+mod of_group;
 mod orders;
 pub(crate) mod other_settings;
 mod refine;

@@ -354,6 +354,14 @@ impl<'a> Layer<'a> {
         all
     }
 
+    /// What is left of every item in units of its noise, with its derivatives.
+    pub(super) fn weighed(&self, model: &Model) -> Vec<Residual> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let seen = self.seen(model).into_iter().enumerate();
+        let own = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).1;
+        seen.map(own).collect()
+    }
+
     /// mm of an inner unit of every item.
     pub(super) fn levers_mm(&self, model: &Model) -> Vec<f64> {
         let placing = Placing::of(model, self.session, &self.items);

@@ -827,3 +827,59 @@ fn figures_in_mm_are_of_lengths_or_of_directions_and_never_of_both() {
         );
     }
 }
+
+#[test]
+fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
+    use truepose::sessions::{Group, Mend};
+    let half_of = |session: &Session, group: Group, index: usize| -> Vec<usize> {
+        let rows = 0..session.samples.len();
+        let own: Vec<usize> = rows
+            .filter(|row| group.of(session, *row) == Some(index))
+            .collect();
+        own[own.len() / 2..].to_vec()
+    };
+    // An anchor, a station and a plane that are not where the session says.
+    let mut anchor = session("six-distance");
+    let at = &mut anchor.instrument.references.anchors[1].position_mm;
+    at.as_mut().unwrap().x += 0.8;
+    // A station that somebody turned by 0.3 mrad, and a ball in another socket, halfway.
+    let mut station = session("six-bearing-unknown");
+    let late = half_of(&station, Group::Station, 0);
+    let first = late[0];
+    for row in late {
+        station.samples.observed.azimuth.as_mut().unwrap()[row] += 3e-4;
+    }
+    for (session, group, index, from) in [
+        (anchor, Group::Anchor, 1, None),
+        (station, Group::Station, 0, Some(first)),
+    ] {
+        let mended = truepose::set_up_errors::mend(&session, JointValues::Commanded);
+        let said: Vec<&str> = mended.problems.iter().map(|p| p.what.as_str()).collect();
+        let name = format!(
+            "{} {} is elsewhere",
+            group.name(),
+            group.name_of(&session, index)
+        );
+        assert_eq!(said.len(), 1, "{said:?}");
+        assert!(said[0].starts_with(&name), "{said:?}");
+        let mend = mended.problems[0].mend.clone().unwrap();
+        match (from, &mend) {
+            (None, Mend::Free { .. }) => {}
+            (Some(first), Mend::Split { from, .. }) => {
+                assert!(from.abs_diff(first) <= 3, "{mend:?}")
+            }
+            _ => panic!("{mend:?}"),
+        }
+        // With it the rest is noise, and a model of it comes back.
+        let answer = diagnosed(&session);
+        assert!(
+            answer.found.is_empty() && !answer.unexplained.present,
+            "{name}: {answer:?}"
+        );
+        assert!(
+            answer.gap.end_mm < 1.15 * answer.floor.mm,
+            "{name}: {:?}",
+            answer.gap
+        );
+    }
+}
