@@ -1,9 +1,9 @@
 //! The answer of `truepose diagnose` in words.
 
 use crate::diagnosis::{Diagnosis, Stopped, Verdict};
-use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
+use crate::fit::{Estimate, NotIdentifiable};
 use crate::language::names::figure;
-use crate::language::of_core;
+use crate::language::{of_core, spoken};
 use crate::paper::RegionalStart;
 use crate::present::kinds;
 use crate::present::table::Table;
@@ -331,8 +331,8 @@ fn value_in_words(estimate: &Estimate) -> String {
         let value = value(estimate.name, &format!("{:.6}", estimate.value));
         format!("{value} ({interval})")
     };
-    if estimate.is_implausible() {
-        text += &format!(", {}", of_core(IMPLAUSIBLE));
+    if let Some(says) = estimate.implausible() {
+        text += &format!(", {}", spoken(&says));
     }
     text
 }

@@ -1,13 +1,13 @@
 //! Pieces that reports of sessions and of models share.
 
-use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::fit::Estimate;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
 use super::document::{Block, Column, Section, Table, clean};
 use super::{Details, Extras};
 use crate::language::names::{parameter, title_on, usual_size};
-use crate::language::of_core;
+use crate::language::{of_core, spoken};
 use crate::present::numbers::{plain, short, with_interval};
 
 /// The robot's facts.
@@ -107,15 +107,13 @@ pub(super) fn implausible<'a>(
     robot: &Robot,
 ) -> Option<Block> {
     let remark = |one: &Estimate| {
+        let says = spoken(&one.implausible()?);
         let usual = usual_size(one);
         let name = title_on(one.effect, one.joint, robot.joints.len());
         let (parameter, _) = parameter(one.name);
-        format!("{name}, {parameter}: {} ({usual})", of_core(IMPLAUSIBLE))
+        Some(format!("{name}, {parameter}: {says} ({usual})"))
     };
-    let remarks: Vec<String> = estimates
-        .filter(|one| one.is_implausible())
-        .map(remark)
-        .collect();
+    let remarks: Vec<String> = estimates.filter_map(remark).collect();
     (!remarks.is_empty()).then_some(Block::List(remarks))
 }
 
