@@ -50,6 +50,7 @@ mod left_out;
 mod of_group;
 mod orders;
 pub(crate) mod other_settings;
+mod own_evidence;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
