@@ -4,11 +4,12 @@ use crate::numeric::extent;
 use nalgebra::DMatrix;
 
 use crate::effects::term::setting_quantity;
-use crate::effects::{Effect, Inputs, find, form_with};
+use crate::effects::{Effect, Inputs, Unit, find, form_with};
 use crate::kinematics::Range;
 use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
+use crate::text::Text;
 
 use super::errors::{Expected, Level, Spread, Unusable};
 use super::noise::Noise;
@@ -34,8 +35,20 @@ pub struct Estimate {
     pub ci95: Option<[f64; 2]>,
 }
 
-/// What is said of a size that [`Estimate::is_implausible`].
-pub const IMPLAUSIBLE: &str = "implausibly large: more than ten times what is usual";
+/// Sizes above this part of what is implausible are not usual.
+const USUAL_PART: f64 = 0.1;
+
+/// Units that are taken for others, and how many of the smaller are one of the larger.
+const TAKEN_FOR: [(&str, f64, &str); 8] = [
+    ("mm", 1e3, "µm"),
+    ("mrad", 1e3, "µrad"),
+    ("°", 60.0, "′"),
+    ("°", 3600.0, "″"),
+    ("ppm", 1e3, "ppb"),
+    ("ppm/°C", 1e3, "ppb/°C"),
+    ("mm/kg", 1e3, "µm/kg"),
+    ("µrad/(N·m)", 1e3, "nrad/(N·m)"),
+];
 
 impl Estimate {
     /// Whether it is a whole number, which was chosen and has no interval: an order of 2.
@@ -47,13 +60,34 @@ impl Estimate {
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
     pub fn is_implausible(&self) -> bool {
+        self.implausible_above().is_some()
+    }
+
+    /// What is said of a size that is implausible: with the unit in which the same number is usual, where there is
+    /// one, as columns in another unit than their heading says give such sizes.
+    pub fn implausible(&self) -> Option<Text> {
+        let limit = self.implausible_above()?;
+        let unit = Unit::of_name(self.name).1.symbol;
+        let usual = |(of, many, _): &&(&str, f64, &str)| {
+            *of == unit && self.value.abs() / many <= USUAL_PART * limit
+        };
+        Some(match TAKEN_FOR.iter().find(usual) {
+            Some((_, _, smaller)) => text!(
+                "implausibly large: more than ten times what is usual; {size} would be usual: check the units of the \
+                 columns and of the robot",
+                size = format!("{:.3} {smaller}", self.value),
+            ),
+            None => text!("implausibly large: more than ten times what is usual"),
+        })
+    }
+
+    /// The limit that it is above.
+    fn implausible_above(&self) -> Option<f64> {
         let has_it = |effect: &Effect| {
             let mut quantities = effect.about().form.quantities().iter();
             quantities.any(|q| q.name == self.name)
         };
-        let Some(effect) = find(self.effect).map(|effect| form_with(effect, has_it)) else {
-            return false;
-        };
+        let effect = find(self.effect).map(|effect| form_with(effect, has_it))?;
         let about = effect.about();
         // A sliding joint has other units, and no limit is known for those.
         let is_size = has_it(effect);
@@ -61,7 +95,7 @@ impl Estimate {
         let least = self.ci95.map_or(self.value.abs(), |[low, high]| {
             f64::max(low, -high).max(0.0)
         });
-        limit.is_some_and(|limit| least > limit)
+        limit.filter(|limit| least > *limit)
     }
 }
 
@@ -274,4 +308,37 @@ pub fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
         Range { from, to }
     };
     inputs.q.iter().map(|q| range(q)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(effect: &'static str, name: &'static str, value: f64) -> Option<String> {
+        let estimate = Estimate {
+            effect,
+            joint: Some(0),
+            setup: None,
+            target: None,
+            place: None,
+            name,
+            value,
+            ci95: Some([0.95 * value, 1.05 * value]),
+        };
+        estimate.implausible().map(|says| says.to_string())
+    }
+
+    #[test]
+    fn sizes_that_no_machine_has_are_said_with_the_unit_that_is_usual() {
+        let runout = of("bearing-runout", "amplitude_mm", 0.71).expect("implausible");
+        assert!(runout.contains("0.710 µm would be usual"), "{runout}");
+        let wobble = of("axis-wobble", "amplitude_mrad", 31.0).expect("implausible");
+        assert!(wobble.contains("31.000 µrad would be usual"), "{wobble}");
+        let scale = of("joint-scale", "scale_ppm", 8000.0).expect("implausible");
+        assert!(scale.contains("8000.000 ppb would be usual"), "{scale}");
+        assert_eq!(of("bearing-runout", "amplitude_mm", 0.02), None);
+        // No unit makes sense of so much.
+        let far = of("bearing-runout", "amplitude_mm", 710.0).expect("implausible");
+        assert!(far.ends_with("what is usual"), "{far}");
+    }
 }

@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 
 use crate::effects::JointValues;
 use crate::explain::{self, Detail};
-use crate::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
-use crate::language::of_core;
+use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, RegionResult};
+use crate::language::spoken;
 use crate::pipeline;
 use crate::present::identification_v1::{degrees, document};
 use crate::present::kinds;
@@ -240,8 +240,8 @@ fn parameter_row(p: &Estimate) -> Vec<Cell> {
         None if whole => String::new(),
         None => say!("not determined").to_owned(),
     };
-    if p.is_implausible() {
-        interval += &format!("   {}", of_core(IMPLAUSIBLE));
+    if let Some(says) = p.implausible() {
+        interval += &format!("   {}", spoken(&says));
     }
     let joint = place.cloned().unwrap_or(joint);
     [

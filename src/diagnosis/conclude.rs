@@ -23,7 +23,7 @@ use super::handed_out;
 use super::limits;
 use super::other_settings;
 use super::prepare::Prepared;
-use super::regression::Fit;
+use super::regression::{Fit, Regression};
 use super::remainder::unexplained;
 use super::search::CHANCE;
 use super::search::Found as SearchEnd;
@@ -37,6 +37,7 @@ use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
 use crate::answers::identification::Identification;
+use crate::answers::noise::Noise;
 use crate::answers::pose::{NextPose, to_raw};
 use crate::set_up_errors::{DataProblem, Mended};
 
@@ -200,11 +201,23 @@ pub(crate) fn answer(
         outliers: identification.outliers.clone(),
         identification,
         next_poses,
-        noise: (values.problem.noise.clone()).unwrap_or_else(|| regression.noise.clone()),
+        noise: noise_of(own, regression),
         model: own.model.settled(),
         history,
         set_up,
     })
+}
+
+/// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
+/// each; in mm it is what lengths are left with.
+fn noise_of(values: &Values, regression: &Regression) -> Noise {
+    let own = values.problem.noise.clone();
+    let noise = own.unwrap_or_else(|| regression.noise.clone());
+    if values.problem.observed.is_none() {
+        return noise;
+    }
+    let [found_mm, searched_mm] = [values.sigma_mm()[0], noise.sigma_mm[0]];
+    noise.scaled(found_mm / searched_mm.max(f64::MIN_POSITIVE))
 }
 
 /// Rivals that the samples cannot rule out, and what equal steps of the commands have to do with it.

@@ -5,6 +5,7 @@ use crate::effects::{Over, Term};
 
 use super::aliases;
 use super::held_out::Folds;
+use super::own_evidence;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{CHANCE, Found, mean_sigma_mm, needed};
@@ -114,6 +115,10 @@ pub(crate) fn as_said(
         {
             found.fit = likelier;
             test(prepared, found, watch)?;
+            continue;
+        }
+        if let Some(term) = own_evidence::least_proven(prepared, &found.fit) {
+            found.fit = regression.without_term(&found.fit, &term);
             continue;
         }
         // As the model keeps them: names alone.

@@ -84,7 +84,7 @@ impl<'a> Prepared<'a> {
         } else {
             single_joint(session, &problem, &survey, options)
         };
-        let nominal = observed::nominal_of(session, &start);
+        let nominal = observed::nominal_of(session, problem.observed.as_ref(), &start);
         let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
         {
             let fitted = base_model::fit(&mut problem, &start, true);

@@ -171,6 +171,12 @@ impl<'a> Regression<'a> {
         self.rows.len() + self.beside
     }
 
+    /// Rows of what is known beforehand of the base's coefficients, behind those of the samples.
+    pub(crate) fn prior_rows(&self) -> std::ops::Range<usize> {
+        let first = self.rows.len();
+        first..first + self.priors.len()
+    }
+
     /// Raw residuals and columns of a model on the samples.
     pub(crate) fn raw(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
         self.rows.extract(model)

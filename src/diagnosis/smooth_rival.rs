@@ -10,6 +10,8 @@
 //! z = Uᵀ √C Bᵀ r
 //! ```
 //!
+//! or two pulls of independent sizes that grow exponentially towards the ends of the range, as cables have them.
+//!
 //! Where the curve is clearly likelier it takes the place of the names; where the samples cannot rule out
 //! either, the names stay and the curve is said beside them.
 
@@ -53,6 +55,10 @@ const ALONG: f64 = 1e-3;
 const GAUSSIAN: [f64; 6] = [0.3, 0.5, 0.7, 1.0, 1.5, 2.0];
 /// … and twice differentiable.
 const MATERN: [f64; 4] = [0.3, 0.5, 1.0, 2.0];
+
+/// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
+/// the stiffer.
+const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
 
 /// Names over a joint and how much likelier a smooth curve is in their place, as a logarithm.
 pub(crate) struct AsLikely {
@@ -190,7 +196,8 @@ fn likeliest(regression: &Regression, rest: &Fit, joint: usize) -> Option<f64> {
     let total = regression.rounded(rest.rss);
     let m = regression.m();
     let mut best: Option<f64> = None;
-    for root in gaussian.iter().chain(&matern) {
+    let pulls_at_ends = PULLS.map(pull);
+    for root in gaussian.iter().chain(&matern).chain(&pulls_at_ends) {
         let own = root.tr_mul(&gram) * root / unit;
         let own = eigen(own);
         let pulled = own.eigenvectors.tr_mul(&root.tr_mul(&pulls)) / unit.sqrt();
@@ -222,6 +229,15 @@ fn covariance(length: f64, of: impl Fn(f64) -> f64) -> DMatrix<f64> {
     order.truncate(KEPT);
     DMatrix::from_fn(PIECES + 1, order.len(), |row, k| {
         own.eigenvectors[(row, order[k])] * own.eigenvalues[order[k]].sqrt()
+    })
+}
+
+/// The root of the covariance of two pulls, one at each end of the range, of independent sizes.
+fn pull(share: f64) -> DMatrix<f64> {
+    DMatrix::from_fn(PIECES + 1, 2, |row, end| {
+        let from_low = row as f64 / PIECES as f64;
+        let away = if end == 0 { from_low } else { 1.0 - from_low };
+        (-away / share).exp()
     })
 }
 

@@ -15,7 +15,7 @@ use crate::fit::{
     noise_beside, outliers, parameters_of, report,
 };
 use crate::model::Model;
-use crate::observations::figures::whitened;
+use crate::observations::figures::{coordinate_mm, whitened};
 
 use super::final_set::worth;
 use super::orders::OrderSpread;
@@ -102,8 +102,12 @@ impl<'a> Values<'a> {
 
     /// White noise along each axis, mm.
     pub(crate) fn sigma_mm(&self) -> [f64; 3] {
-        let unit = self.problem.observed.as_ref().map_or(1.0, |l| l.unit_mm);
-        let scale = self.white().0.sqrt() * unit;
+        if let Some(layer) = &self.problem.observed
+            && let Some(mm) = coordinate_mm(layer, &self.model, self.rank())
+        {
+            return [mm; 3];
+        }
+        let scale = self.white().0.sqrt();
         let noise = self.problem.noise.as_ref();
         noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
     }

@@ -15,11 +15,13 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use crate::distributions::f_tail;
 use crate::sessions::Sigma;
 
+use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
 use crate::observations::Layer;
 use crate::observations::figures::{LeftOfKind, left_of_kinds};
 
 use super::floor::{PureError, pure_error};
+use super::of_group;
 use super::prepare::Prepared;
 use super::search::{CHANCE, Found};
 use super::smooth_rival;
@@ -69,7 +71,7 @@ pub(crate) fn judge(
     if !unexplained.present {
         let excess = match floor.from {
             FloorFrom::Repeats => pure_error(prepared).map(|pure| lack_of_fit(values, &pure)),
-            FloorFrom::Instrument => over_stated(prepared, values),
+            FloorFrom::Instrument => over_stated(prepared, values, floor),
             FloorFrom::Estimated => None,
         };
         let capped = prepared.is_capped(found);
@@ -166,7 +168,8 @@ fn flag(
 ) {
     unexplained.present = true;
     unexplained.p = excess.p.max(f64::MIN_POSITIVE);
-    unexplained.place = None;
+    let session = values.problem.session;
+    unexplained.place = of_group::place(session, &lengths_mm(&values.problem, &values.model));
     let against = match floor.from {
         FloorFrom::Repeats => "returns to the same pose show",
         _ => "is stated for the instrument",
@@ -224,9 +227,9 @@ fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
 }
 
 /// The white noise that was found against the stated one.
-fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
+fn over_stated(prepared: &Prepared, values: &Values, floor: &Floor) -> Option<Excess> {
     if let Some(layer) = &values.problem.observed {
-        return by_kind(layer, values);
+        return by_kind(layer, values, floor);
     }
     let stated = prepared.problem.session.instrument.sigma_mm?;
     let axes = &prepared.regression.rows.axes;
@@ -242,12 +245,20 @@ fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
     // A few far samples are tails, of which thirty samples do not show enough to know them: of a
     // larger noise the bulk is larger as well.
     let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(1e-12);
-    (bulk > 1.0).then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
+    let counts = is_of_the_bulk(bulk, values, floor);
+    counts.then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
+}
+
+/// Whether an excess may count. A bulk that is no larger than stated takes a small one for tails; a whole group of
+/// samples that is off leaves the bulk as it is too, and is no tail: the RMS error itself is above the floor then. (A
+/// variance for each degree of freedom is above it as well where priors hold a robot that is farther off.)
+fn is_of_the_bulk(bulk: f64, values: &Values, floor: &Floor) -> bool {
+    bulk > 1.0 || values.rms_mm() > MOST_OVER_THE_FLOOR * floor.mm
 }
 
 /// The same of every kind whose noise is stated, by itself: the clearest of them, its chance that of
 /// as much in any.
-fn by_kind(layer: &Layer, values: &Values) -> Option<Excess> {
+fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
     let of_kind = left_of_kinds(layer, &values.model);
     let tried = of_kind.len() as f64;
     let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
@@ -264,7 +275,7 @@ fn by_kind(layer: &Layer, values: &Values) -> Option<Excess> {
         let second = kind.squares.iter().sum::<f64>() / rows;
         let kurtosis = (fourth / (second * second).max(f64::MIN_POSITIVE)).max(3.0);
         let own = excess_of(ratio2, freedom, f64::INFINITY, kurtosis);
-        (bulk > 1.0).then(|| Excess {
+        is_of_the_bulk(bulk, values, floor).then(|| Excess {
             p: (own.p * tried).min(1.0),
             kind: (tried > 1.0).then_some(kind.name),
             ..own
@@ -276,7 +287,7 @@ fn by_kind(layer: &Layer, values: &Values) -> Option<Excess> {
 
 /// Chance of a mean square so many times the expected one, which is itself known from so many degrees
 /// of freedom: from infinitely many where it is stated.
-fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
+pub(super) fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
     // Wilson & Hilferty's cube root makes χ² nearly normal, and a ratio of two as well (Paulson
     // 1942); heavy tails widen it.
     let own = (kurtosis - 1.0) / freedom.max(1.0) / 9.0;

@@ -3,9 +3,9 @@
 use super::{Block, Detail, Fact, Section, Topic, fact};
 use crate::diagnosis::{Diagnosis, Found};
 use crate::effects;
-use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::fit::Estimate;
 use crate::language::names::{figure, parameter, title_of, title_on, usual_size};
-use crate::language::of_core;
+use crate::language::{of_core, spoken as spoken_text};
 use crate::present::numbers::significant;
 use crate::text::{spoken, within};
 
@@ -65,14 +65,9 @@ fn size(detail: Detail, one: &Estimate) -> Fact {
 
 /// What is said of a size that no machine has.
 fn implausible(one: &Estimate) -> Option<Block> {
-    one.is_implausible().then(|| {
-        Block::Warning(format!(
-            "{}: {} ({})",
-            parameter(one.name).0,
-            of_core(IMPLAUSIBLE),
-            usual_size(one)
-        ))
-    })
+    let says = spoken_text(&one.implausible()?);
+    let (name, usual) = (parameter(one.name).0, usual_size(one));
+    Some(Block::Warning(format!("{name}: {says} ({usual})")))
 }
 
 /// Detail often noise alone looks like this.

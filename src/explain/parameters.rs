@@ -1,10 +1,10 @@
 //! Parameters with their values and intervals, and sizes that no machine has.
 
 use super::{Block, clean};
-use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::fit::Estimate;
 use crate::kinematics::Robot;
 use crate::language::names::{parameter, title_on, usual_size};
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::present::numbers::{short, with_interval};
 use crate::present::table::{Column, Table};
 
@@ -50,14 +50,12 @@ pub(crate) fn implausible<'a>(
     robot: &Robot,
 ) -> Option<Block> {
     let remark = |one: &Estimate| {
+        let says = spoken(&one.implausible()?);
         let usual = usual_size(one);
         let name = title_on(one.effect, one.joint, robot.joints.len());
         let (parameter, _) = parameter(one.name);
-        format!("{name}, {parameter}: {} ({usual})", of_core(IMPLAUSIBLE))
+        Some(format!("{name}, {parameter}: {says} ({usual})"))
     };
-    let remarks: Vec<String> = estimates
-        .filter(|one| one.is_implausible())
-        .map(remark)
-        .collect();
+    let remarks: Vec<String> = estimates.filter_map(remark).collect();
     (!remarks.is_empty()).then_some(Block::List(remarks))
 }

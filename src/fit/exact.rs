@@ -203,7 +203,7 @@ pub(super) fn prepare<'a>(
     let nominal = Model::nominal(session.robot.clone());
     let base = base || problem.observed.is_some();
     let placed = Model::new(session.robot.clone(), terms.clone());
-    let placed = observed::nominal_of(session, &placed);
+    let placed = observed::nominal_of(session, problem.observed.as_ref(), &placed);
     let start = scan::with_best_settings(&problem, &nominal, terms);
     let start = known
         .iter()

@@ -27,8 +27,8 @@ mod unidentifiable;
 
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, Unusable};
 pub use crate::answers::identification::{
-    Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
-    RegionResult, measured_ranges,
+    Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
+    measured_ranges,
 };
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use base_model::free_frames;

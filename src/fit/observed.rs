@@ -53,11 +53,16 @@ fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
 }
 
 /// The nominal robot beside what its measurements refer to: of a model the places, and the frames of
-/// setups, whose place a session with setups does not say.
-pub(crate) fn nominal_of(session: &Session, model: &Model) -> Model {
-    let of_setup = |term: &Term| {
-        session.samples.setups.is_some() && term.effect.about().setting == Setting::Setup
-    };
+/// setups, whose place a session with setups does not say. Without setups no frame is fitted to the nominal
+/// robot, and a place that nobody knows is where it seems to be from there, not from the frame of the model.
+pub(crate) fn nominal_of(session: &Session, layer: Option<&Layer>, model: &Model) -> Model {
+    let has_setups = session.samples.setups.is_some();
+    let of_setup = |term: &Term| has_setups && term.effect.about().setting == Setting::Setup;
+    if let Some(layer) = layer.filter(|_| !has_setups) {
+        let nominal = Model::nominal(session.robot.clone());
+        let places = start::unknown_places(layer, &nominal);
+        return Model::new(session.robot.clone(), places);
+    }
     model.without(|term| PlaceKind::of(term).is_none() && !of_setup(term))
 }
 

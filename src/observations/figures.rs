@@ -4,7 +4,7 @@ use crate::lanes::LANES;
 use crate::model::Model;
 
 use super::outliers::{as_if_seen, suspected};
-use super::{Item, KINDS, Layer, Looks};
+use super::{KINDS, Layer};
 
 /// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -241,27 +241,28 @@ pub(crate) fn deviations(layer: &Layer, model: &Model) -> Deviations {
         axes_mm: std::array::from_fn(|_| vec![f64::NAN; n]),
         length_mm: vec![f64::NAN; n],
     };
-    let mut of_point = vec![false; n];
-    let looks = |item: &Item| KINDS[item.kind].about().looks;
-    // A figure in mm is of lengths: angles are one across the distance at which they are seen only where
-    // nothing else was measured.
-    let any_point = layer.items.iter().any(|item| looks(item) == Looks::AtPoint);
-    for (i, item) in layer.items.iter().enumerate() {
-        let looks = looks(item);
-        if any_point && looks != Looks::AtPoint {
-            continue;
-        }
-        let first = deviations.length_mm[item.sample].is_nan();
-        let better = looks == Looks::AtPoint && !of_point[item.sample];
-        if first || better {
-            deviations.length_mm[item.sample] = left.length_mm[i];
-            for axis in 0..3 {
-                deviations.axes_mm[axis][item.sample] = left.along[i][axis];
-            }
-            of_point[item.sample] = looks == Looks::AtPoint;
+    for i in layer.length_items() {
+        let sample = layer.items[i].sample;
+        deviations.length_mm[sample] = left.length_mm[i];
+        for axis in 0..3 {
+            deviations.axes_mm[axis][sample] = left.along[i][axis];
         }
     }
     deviations
+}
+
+/// Root mean square of a coordinate of what is a length in mm, beside a fit of so many coefficients: the noise
+/// as it was found, without a row of an angle in it. `None` where nothing counts.
+pub(crate) fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
+    let left = left(layer, model);
+    let (mut sum, mut rows) = (0.0, 0);
+    for i in layer.length_items().into_iter().filter(|i| layer.used[*i]) {
+        sum += left.length_mm[i].powi(2);
+        rows += layer.items[i].rows;
+    }
+    // Every row pays for the coefficients with its share.
+    let spent = (rank / layer.used_rows().max(1) as f64).min(0.9);
+    (rows > 0).then(|| (sum / (rows as f64 * (1.0 - spent))).sqrt())
 }
 
 /// The figures of every kind that was measured; `before` is the nominal robot.

@@ -13,7 +13,7 @@ use crate::sessions::Session;
 
 use super::block::RowBlock;
 use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
-use super::{KINDS, Kind, Looks, Residual, Seen};
+use super::{KINDS, Kind, Looks, Residual, Seen, Unit};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
 
 /// All observations of a session: residuals and derivatives for a model.
@@ -248,6 +248,36 @@ impl<'a> Layer<'a> {
         });
     }
 
+    /// Of every sample the item that figures in mm are of, in the order of samples; none of a sample without.
+    ///
+    /// Lengths and angles are never in one figure. Where targets were seen, how the tool is turned is no
+    /// length. Of targets seen by lengths in some samples and by directions alone in others, that of which
+    /// there are more is the figure: a direction is as long as the distance across which it is seen, a single
+    /// length among directions tells little of them. Every kind has its own figures beside these.
+    pub(crate) fn length_items(&self) -> Vec<usize> {
+        let about = |i: usize| KINDS[self.items[i].kind].about();
+        let count = |of: &dyn Fn(usize) -> bool| {
+            let mut samples: Vec<usize> = (0..self.items.len())
+                .filter(|i| of(*i))
+                .map(|i| self.items[i].sample)
+                .collect();
+            samples.dedup();
+            samples.len()
+        };
+        let at_point = |i: usize| about(i).looks == Looks::AtPoint;
+        let is_length = |i: usize| at_point(i) && about(i).unit == Unit::Millimetre;
+        let is_direction = |i: usize| at_point(i) && about(i).unit == Unit::Radian;
+        let (lengths, directions) = (count(&is_length), count(&is_direction));
+        let counts = |i: usize| match (lengths, directions) {
+            (0, 0) => true,
+            (lengths, directions) if lengths >= directions => is_length(i),
+            _ => is_direction(i),
+        };
+        let mut items: Vec<usize> = (0..self.items.len()).filter(|i| counts(*i)).collect();
+        items.dedup_by_key(|i| self.items[*i].sample);
+        items
+    }
+
     /// What a model says of every item: where its target is, and how the tool is turned.
     pub fn seen(&self, model: &Model) -> Vec<([f64; 3], [[f64; 3]; 3])> {
         let mut seen = vec![([0.0; 3], UPRIGHT); self.items.len()];
@@ -322,6 +352,14 @@ impl<'a> Layer<'a> {
             }
         });
         all
+    }
+
+    /// What is left of every item in units of its noise, with its derivatives.
+    pub(super) fn weighed(&self, model: &Model) -> Vec<Residual> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let seen = self.seen(model).into_iter().enumerate();
+        let own = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).1;
+        seen.map(own).collect()
     }
 
     /// mm of an inner unit of every item.

@@ -26,6 +26,7 @@
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
 //! it, with exact derivatives, and none has to say how.
 
+pub(crate) mod beside;
 pub(crate) mod block;
 pub(crate) mod figures;
 pub(crate) mod gauge;

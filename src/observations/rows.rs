@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::model::Model;
 
-use super::{KINDS, Kind, Layer, Looks, Residual};
+use super::{KINDS, Kind, Layer, Residual};
 
 /// Observations as rows of a regression, up to three each.
 #[derive(Debug, Clone)]
@@ -43,18 +43,10 @@ impl<'a> ObservedRows<'a> {
     pub(crate) fn see_by(&mut self, model: &Model) {
         let layer = &self.layer;
         let n = layer.items.len();
-        let mut length: Vec<Option<usize>> = vec![None; layer.session.samples.len()];
-        let at_point = |k: usize| KINDS[layer.items[k].kind].about().looks == Looks::AtPoint;
-        // Where targets were seen anywhere, how the tool is turned is no length.
-        let any_point = (0..n).any(at_point);
-        for (k, item) in layer.items.iter().enumerate() {
-            if any_point && !at_point(k) {
-                continue;
-            }
-            let own = &mut length[item.sample];
-            if own.is_none_or(|before| at_point(k) && !at_point(before)) {
-                *own = Some(k);
-            }
+        let lengths = layer.length_items();
+        let mut is_length = vec![false; n];
+        for k in &lengths {
+            is_length[*k] = true;
         }
         let levers = layer.levers_mm(model);
         for (k, item) in layer.items.iter().enumerate() {
@@ -62,12 +54,12 @@ impl<'a> ObservedRows<'a> {
             let sigma = layer.sigma[item.kind];
             for (row, unit) in units(kind, layer, item.sample, sigma, item.rows) {
                 self.inner[row * n + k] = unit / layer.unit_mm;
-                if length[item.sample] == Some(k) {
+                if is_length[k] {
                     self.mm[row * n + k] = levers[k] * unit / layer.unit_mm;
                 }
             }
         }
-        self.samples = length.into_iter().flatten().count();
+        self.samples = lengths.len();
     }
 
     /// The observations.

@@ -54,7 +54,11 @@ pub fn document(answer: &Identification, data_problems: &[DataProblem]) -> Json 
 
 /// A parameter with its interval.
 pub fn parameter(one: &Estimate) -> Json {
-    which(one).with(object! { "value": one.value, "ci95": one.ci95 })
+    which(one).with(object! {
+        "value": one.value,
+        "ci95": one.ci95,
+        "implausible": given(one.implausible().map(|says| says.to_string())),
+    })
 }
 
 fn region(r: &RegionResult) -> Json {

@@ -6,6 +6,8 @@
 
 use std::path::Path;
 
+use nalgebra::{Rotation3, Vector3};
+
 use crate::compensation::{TableError, VerifiedCalibration};
 use crate::diagnostic::Rejected;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
@@ -268,6 +270,36 @@ pub(super) fn measured_frame(calibration: &Calibration) -> Option<&Term> {
     terms.find(|t| t.effect.about().role == Role::FreeFrame && t.label.is_none())
 }
 
+/// What of the measuring frame and the first axis samples show only together, so that it is taken from the drawing.
+struct OfDrawing {
+    /// How far that moves the tool at home, mm.
+    at_tool_mm: f64,
+    /// How far it moves the first axis along itself, mm.
+    along_mm: f64,
+}
+
+impl OfDrawing {
+    fn of(frame: &Term, robot: &Robot) -> Self {
+        let c = &frame.coefficients;
+        let turn = Rotation3::new(Vector3::from_column_slice(&c[..3]));
+        let shift = Vector3::from_column_slice(&c[3..6]);
+        let moved = |p: Vector3<f64>| turn * p + shift - p;
+        let along = robot.joints.first().map_or(0.0, |joint| {
+            moved(joint.axis.point_mm.coords)
+                .dot(&joint.axis.direction)
+                .abs()
+        });
+        Self {
+            at_tool_mm: moved(robot.base_from_tool.translation.vector).norm(),
+            along_mm: along,
+        }
+    }
+
+    fn length(v: &[f64]) -> f64 {
+        v.iter().map(|v| v * v).sum::<f64>().sqrt()
+    }
+}
+
 fn written(
     request: &Request,
     program: &Program,
@@ -367,17 +399,20 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String>
         ));
     }
     if let Some(frame) = measured_frame(request.calibration) {
-        let c = &frame.coefficients;
-        let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
         notes.push(if request.measured_frame {
             "the robot's base is the frame in which the session was measured".to_owned()
         } else {
-            format!(
-                "the robot's base is where its first axis is; the measuring frame stands {:.3} mm and {:.3} mrad \
-                 from it (--measured-frame corrects to that frame)",
-                length(&c[3..]),
-                1e3 * length(&c[..3])
+            let robot = &request.calibration.model.robot;
+            text!(
+                "the robot's base is where its first axis is; the measuring frame stands {far} and {turned} from it. \
+                 The samples do not tell where the axis stands from where the frame does: {at_tool} at the tool, \
+                 {along} of it along that axis, are taken from the drawing (--measured-frame corrects to that frame)",
+                far = format!("{:.3} mm", OfDrawing::length(&frame.coefficients[3..])),
+                turned = format!("{:.3} mrad", 1e3 * OfDrawing::length(&frame.coefficients[..3])),
+                at_tool = format!("{:.3} mm", OfDrawing::of(frame, robot).at_tool_mm),
+                along = format!("{:.3} mm", OfDrawing::of(frame, robot).along_mm),
             )
+            .to_string()
         });
     }
     let unstated = |t: &Target| t.circumstances.load_kg.is_none();
@@ -396,4 +431,28 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String>
         ));
     }
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::MEASURING_FRAME;
+    use crate::sessions::parse_robot;
+
+    #[test]
+    fn what_is_taken_from_the_drawing_is_told_along_the_first_axis_and_at_the_tool() {
+        let robot = br#"{"name":"r","joints":[
+            {"name":"a","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]},
+            {"name":"b","kind":"revolute","axis":[0,1,0],"point_mm":[0,0,300]}],
+            "tool":{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}"#;
+        let robot = parse_robot(robot).expect("sound").robot;
+        let mut frame = Term::absent(&MEASURING_FRAME, 0, 0.0);
+        frame.coefficients = vec![0.0, 0.0, 0.0, 0.4, 0.0, 0.3];
+        let of = OfDrawing::of(&frame, &robot);
+        assert!((of.along_mm - 0.3).abs() < 1e-12 && (of.at_tool_mm - 0.5).abs() < 1e-12);
+        // A turn about the first axis moves the tool and not the axis.
+        frame.coefficients = vec![0.0, 0.0, 1e-3, 0.0, 0.0, 0.0];
+        let of = OfDrawing::of(&frame, &robot);
+        assert!(of.along_mm < 1e-12 && (of.at_tool_mm - 0.4).abs() < 1e-6);
+    }
 }

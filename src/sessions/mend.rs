@@ -3,7 +3,7 @@
 //! Each is mechanical: applied to the samples it makes them read as if the mistake had not been
 //! made. The diagnosis tries them as hypotheses, and the window offers the one that it believed.
 
-use super::{Samples, Session, Setups};
+use super::{Group, Samples, Session, Setups};
 use crate::kinematics::JointKind;
 
 /// What was done to samples in memory since they were read.
@@ -95,13 +95,22 @@ pub enum Mend {
     },
     /// Where the targets sit in the tool is not known: their places are fitted.
     FreeTargets,
-    /// From this row on (counted from 0) the samples of a socket (counted from 0) are those of another
-    /// one, whose place is not known: the socket was moved.
-    SplitSocket {
-        /// The socket, counted from 0.
-        socket: usize,
+    /// From this row on the samples of a socket, a target, a setup… are those of another one, whose place is not
+    /// known: it was moved.
+    Split {
+        /// What was moved.
+        group: Group,
+        /// Which of them, counted from 0.
+        index: usize,
         /// The first row of the new one, counted from 0.
         from: usize,
+    },
+    /// A socket, a station, a plane or an anchor is not where the session says: its place is fitted.
+    Free {
+        /// What it is.
+        group: Group,
+        /// Which of them, counted from 0.
+        index: usize,
     },
 }
 
@@ -193,12 +202,16 @@ impl Mend {
             Self::WidenNoise(_) => "Count the digit as noise".to_owned(),
             Self::MoveTarget { target, .. } => format!("Move target {}", target + 1),
             Self::FreeTargets => "Fit the places of the targets".to_owned(),
-            Self::SplitSocket { socket, from } => {
+            Self::Split { group, index, from } => {
                 format!(
-                    "Take socket {} as another from sample {} on",
-                    socket + 1,
+                    "Take {} {} as another from sample {} on",
+                    group.name(),
+                    index + 1,
                     from + 1
                 )
+            }
+            Self::Free { group, index } => {
+                format!("Fit the place of {} {}", group.name(), index + 1)
             }
         }
     }
@@ -283,9 +296,8 @@ impl Mend {
                 }
             }
             Self::FreeTargets => session.instrument.targets_sigma_mm = None,
-            Self::SplitSocket { socket, from } => {
-                split_socket(session, *socket, *from);
-            }
+            Self::Split { group, index, from } => group.split(session, *index, *from),
+            Self::Free { group, index } => group.free(session, *index),
         }
     }
 
@@ -294,28 +306,8 @@ impl Mend {
     pub fn is_of_rows(&self) -> bool {
         matches!(
             self,
-            Self::Remove(_) | Self::PairRows(_) | Self::SplitSocket { .. }
+            Self::Remove(_) | Self::PairRows(_) | Self::Split { .. } | Self::Free { .. }
         )
-    }
-}
-
-fn split_socket(session: &mut Session, socket: usize, from: usize) {
-    let sockets = &mut session.instrument.references.sockets;
-    let (Some(old), Ok(new)) = (sockets.get(socket), u32::try_from(sockets.len())) else {
-        return;
-    };
-    let Some(column) = &mut session.samples.observed.socket else {
-        return;
-    };
-    let moved = super::references::Socket {
-        name: format!("{} moved", old.name),
-        position_mm: None,
-    };
-    sockets.push(moved);
-    for own in column.iter_mut().skip(from) {
-        if own.is_some_and(|own| own as usize == socket) {
-            *own = Some(new);
-        }
     }
 }
 

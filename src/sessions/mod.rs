@@ -22,6 +22,7 @@ mod domain;
 mod file_hash;
 pub(crate) mod files;
 pub(crate) mod format_v1;
+mod group;
 mod growing;
 mod hash;
 mod lines;
@@ -47,6 +48,7 @@ pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };
 pub use files::read_document as read_whole;
+pub use group::Group;
 pub use growing::{Growing, Growth};
 pub use hash::hash_of_samples;
 pub use lines::Lines;

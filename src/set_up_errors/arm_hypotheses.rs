@@ -25,6 +25,7 @@ pub(super) fn changes(session: &Session) -> Vec<Change> {
     all.extend(homes(session));
     all.extend(units(session));
     all.extend(measured(session));
+    all.extend(driven(session));
     all
 }
 
@@ -106,6 +107,37 @@ fn coupled(session: &Session) -> Vec<Change> {
                     factor,
                 },
             ));
+        }
+    }
+    all
+}
+
+/// Gears and belts of a wrist, or of a joint whose motor stands in the base, drive a joint by the value of any
+/// other that turns; neighbouring parallel ones are a parallelogram.
+fn driven(session: &Session) -> Vec<Change> {
+    let joints = &session.robot.joints;
+    let turning = |j: usize| joints[j].kind == JointKind::Revolute;
+    let is_parallelogram = |from: usize, joint: usize| {
+        let [a, b] = [from, joint].map(|j| joints[j].axis.direction.into_inner());
+        from + 1 == joint && a.dot(&b).abs() >= PARALLEL
+    };
+    let mut all = Vec::new();
+    for joint in (1..joints.len()).filter(|j| turning(*j)) {
+        for from in (0..joint).filter(|j| turning(*j) && !is_parallelogram(*j, joint)) {
+            let (before, number) = (from + 1, joint + 1);
+            for (factor, sign) in [(-1.0, "subtract"), (1.0, "add")] {
+                all.push(one(
+                    format!(
+                        "joints {before} and {number} are coupled but were taken for uncoupled"
+                    ),
+                    format!("{sign} joint {before} in the value of joint {number}"),
+                    Mend::CoupleJoint {
+                        joint,
+                        from,
+                        factor,
+                    },
+                ));
+            }
         }
     }
     all

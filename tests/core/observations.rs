@@ -793,3 +793,94 @@ fn a_model_is_verified_on_other_measurements() {
         );
     }
 }
+
+#[test]
+fn figures_in_mm_are_of_lengths_or_of_directions_and_never_of_both() {
+    use truepose::simulation::{parse_scenario, simulate, unwatched};
+    let of_rows = |has: &dyn Fn(usize) -> bool, n: usize| (0..n).filter(|i| has(*i)).count();
+    for (measure, is_of_directions) in [
+        (r#"["bearing","distance","bearing"]"#, true),
+        (r#"["distance","bearing"]"#, false),
+    ] {
+        let text = scenario(measure, r#"["stations"]"#, 0.03);
+        let loaded = parse_scenario(text.as_bytes()).unwrap();
+        let session = simulate(&loaded.scenario, 7, unwatched).unwrap().0;
+        let own = &session.samples.observed;
+        let number = |column: &Option<Vec<f64>>, i: usize| !column.as_ref().unwrap()[i].is_nan();
+        let n = session.samples.len();
+        let directions = of_rows(&|i| number(&own.azimuth, i), n);
+        let lengths = of_rows(&|i| number(&own.distance_mm, i), n);
+        assert_eq!(directions + lengths, n, "{measure}: a row has one of them");
+        let answer = diagnosed(&session);
+        let (samples, rows) = if is_of_directions {
+            (directions, 2.0)
+        } else {
+            (lengths, 1.0)
+        };
+        assert_eq!(answer.held_out.samples, samples, "{measure}");
+        // The noise that is said is that of a coordinate of what the figures are of.
+        let ratio = answer.noise.sigma_mm[0] * f64::sqrt(rows) / answer.gap.end_mm;
+        assert!(
+            (0.95..1.4).contains(&ratio),
+            "{measure}: {ratio}, {:?}",
+            answer.noise
+        );
+    }
+}
+
+#[test]
+fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
+    use truepose::sessions::{Group, Mend};
+    let half_of = |session: &Session, group: Group, index: usize| -> Vec<usize> {
+        let rows = 0..session.samples.len();
+        let own: Vec<usize> = rows
+            .filter(|row| group.of(session, *row) == Some(index))
+            .collect();
+        own[own.len() / 2..].to_vec()
+    };
+    // An anchor, a station and a plane that are not where the session says.
+    let mut anchor = session("six-distance");
+    let at = &mut anchor.instrument.references.anchors[1].position_mm;
+    at.as_mut().unwrap().x += 0.8;
+    // A station that somebody turned by 0.3 mrad, and a ball in another socket, halfway.
+    let mut station = session("six-bearing-unknown");
+    let late = half_of(&station, Group::Station, 0);
+    let first = late[0];
+    for row in late {
+        station.samples.observed.azimuth.as_mut().unwrap()[row] += 3e-4;
+    }
+    for (session, group, index, from) in [
+        (anchor, Group::Anchor, 1, None),
+        (station, Group::Station, 0, Some(first)),
+    ] {
+        let mended = truepose::set_up_errors::mend(&session, JointValues::Commanded);
+        let said = mended.problems.iter().map(|p| p.what.to_string());
+        let said: Vec<String> = said.collect();
+        let name = format!(
+            "{} {} is elsewhere",
+            group.name(),
+            group.name_of(&session, index)
+        );
+        assert_eq!(said.len(), 1, "{said:?}");
+        assert!(said[0].starts_with(&name), "{said:?}");
+        let mend = mended.problems[0].mend.clone().unwrap();
+        match (from, &mend) {
+            (None, Mend::Free { .. }) => {}
+            (Some(first), Mend::Split { from, .. }) => {
+                assert!(from.abs_diff(first) <= 3, "{mend:?}")
+            }
+            _ => panic!("{mend:?}"),
+        }
+        // With it the rest is noise, and a model of it comes back.
+        let answer = diagnosed(&session);
+        assert!(
+            answer.found.is_empty() && !answer.unexplained.present,
+            "{name}: {answer:?}"
+        );
+        assert!(
+            answer.gap.end_mm < 1.15 * answer.floor.mm,
+            "{name}: {:?}",
+            answer.gap
+        );
+    }
+}

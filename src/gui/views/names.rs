@@ -2,13 +2,13 @@
 
 use egui::{RichText, Ui};
 
-use crate::fit::{Estimate, IMPLAUSIBLE};
+use crate::fit::Estimate;
 use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::language::names::{parameter, title_on, usual_size};
-use crate::language::of_core;
+use crate::language::spoken;
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
@@ -26,11 +26,14 @@ pub(in crate::gui::views) fn in_words(
 /// Says which sizes no machine has.
 pub(in crate::gui::views) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
     let warning = Palette::of(ui).warning;
-    for one in estimates.iter().filter(|one| one.is_implausible()) {
+    for one in estimates {
+        let Some(says) = one.implausible() else {
+            continue;
+        };
         let text = format!(
             "{}: {} ({})",
             parameter(one.name).0,
-            of_core(IMPLAUSIBLE),
+            spoken(&says),
             usual_size(one)
         );
         ui.label(RichText::new(text).color(warning));

@@ -1,7 +1,7 @@
 //! The corrections of the samples of a model's own session: a name and numbers. Rows, joints, targets and sockets
 //! count from 1.
 
-use crate::sessions::Mend;
+use crate::sessions::{Group, Mend};
 
 /// Whole numbers up to here are exact.
 const MOST: f64 = 9e15;
@@ -28,7 +28,8 @@ pub(super) fn numbers_of(correction: &Mend) -> Option<(&'static str, Vec<f64>)> 
             ("move-target", numbers.collect())
         }
         Mend::FreeTargets => ("free-targets", Vec::new()),
-        Mend::SplitSocket { socket, from } => ("split-socket", vec![place(*socket), place(*from)]),
+        Mend::Split { group, index, from } => (split_of(*group), vec![place(*index), place(*from)]),
+        Mend::Free { group, index } => (free_of(*group), vec![place(*index)]),
         _ => return None,
     })
 }
@@ -58,12 +59,39 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<Mend> {
             by_mm: [*x, *y, *z],
         },
         ("free-targets", []) => Mend::FreeTargets,
-        ("split-socket", [socket, from]) => Mend::SplitSocket {
-            socket: index(*socket)?,
+        (name, [group, from]) if name.starts_with("split-") => Mend::Split {
+            group: Group::of_name(name.strip_prefix("split-")?)?,
+            index: index(*group)?,
             from: index(*from)?,
+        },
+        (name, [group]) if name.starts_with("free-") => Mend::Free {
+            group: Group::of_name(name.strip_prefix("free-")?)?,
+            index: index(*group)?,
         },
         _ => return None,
     })
+}
+
+fn split_of(group: Group) -> &'static str {
+    match group {
+        Group::Target => "split-target",
+        Group::Socket => "split-socket",
+        Group::Setup => "split-setup",
+        Group::Station => "split-station",
+        Group::Plane => "split-plane",
+        Group::Anchor => "split-anchor",
+    }
+}
+
+fn free_of(group: Group) -> &'static str {
+    match group {
+        Group::Target => "free-target",
+        Group::Socket => "free-socket",
+        Group::Setup => "free-setup",
+        Group::Station => "free-station",
+        Group::Plane => "free-plane",
+        Group::Anchor => "free-anchor",
+    }
 }
 
 #[allow(
@@ -108,9 +136,14 @@ mod tests {
                 by_mm: [1.0, -2.0, 0.5],
             },
             Mend::FreeTargets,
-            Mend::SplitSocket {
-                socket: 1,
+            Mend::Split {
+                group: Group::Socket,
+                index: 1,
                 from: 40,
+            },
+            Mend::Free {
+                group: Group::Anchor,
+                index: 2,
             },
         ];
         for correction in all {

@@ -1,5 +1,6 @@
 //! Places that samples share and that are elsewhere than they should be: a target in the tool, a socket
-//! on the table. One place that is off spreads over everything that is fitted beside it.
+//! on the table, a setup, a station, a plane, an anchor. One place that is off spreads over everything that is
+//! fitted beside it.
 //!
 //! Each is set free by itself, with the whole base model beside it, and believed where the samples are
 //! likelier by far then, leave clearly less, and the place is off by more than what is known of it.
@@ -10,7 +11,7 @@
     reason = "a setting is a small whole number"
 )]
 
-mod sockets;
+mod moved;
 mod targets;
 
 use crate::effects::{JointValues, Term, joint_zero, tool_radius};
@@ -43,7 +44,7 @@ pub(super) fn freed(
     if session.samples.len() < FEWEST_SAMPLES {
         return None;
     }
-    let moved = sockets::moved(session, values, problems);
+    let moved = moved::moved(session, values, problems);
     let session = moved.as_ref().unwrap_or(session);
     let elsewhere = targets::elsewhere(session, values, problems);
     elsewhere.or(moved)

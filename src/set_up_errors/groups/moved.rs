@@ -1,0 +1,312 @@
+//! Groups of samples that are elsewhere as a whole: a socket, a target, a setup that was moved between two visits,
+//! a station, a plane, an anchor that is not where the session says.
+//!
+//! What the base model leaves of every group is regressed on the numbers that say where the group is, before a row
+//! and from it on; where that explains much, the group is taken as two, or its place as unknown, and everything is
+//! fitted again. Only what that fit leaves is believed.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::fit::base_model;
+use crate::observations::beside::{Beside, MOST_NUMBERS, beside};
+use crate::sessions::{Group, Mend, Session};
+use crate::text::Text;
+
+use super::{MOST_PLACES, MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
+
+/// At most so many groups are taken to have moved; of most of them none is known to stand still.
+const MOST_MOVED: usize = 4;
+/// So many suspicions are tried before the next is believed.
+const MOST_TRIED: usize = 3;
+/// Fewest samples on either side of a move …
+const FEWEST: usize = 3;
+/// … and so many measured numbers for each that says where the group is: three distances have a place however wild
+/// they are.
+const NUMBERS_FOR_EACH: usize = 2;
+/// A socket alone, of which several move, need not carry the whole error: it has to leave less than this share of
+/// it. Another group takes up a part of many an effect, and has to leave as little as any place.
+const SOCKET_LEAVES: f64 = 0.9;
+/// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
+/// that a fit shows more.
+const WORTH_A_FIT: f64 = super::EVIDENCE / 3.0;
+
+/// A suspicion: how much it explains, as a logarithm, and what takes it back.
+struct Suspicion {
+    gain: f64,
+    group: Group,
+    index: usize,
+    /// The first row that is elsewhere; `None`: all are, and the session says otherwise.
+    from: Option<usize>,
+}
+
+impl Suspicion {
+    fn mend(&self) -> Mend {
+        let (group, index) = (self.group, self.index);
+        match self.from {
+            Some(from) => Mend::Split { group, index, from },
+            None => Mend::Free { group, index },
+        }
+    }
+
+    /// A session in which it is taken back, and free to be fitted.
+    fn trial(&self, session: &Session) -> Session {
+        let mut trial = session.clone();
+        self.mend().apply(&mut trial);
+        trial
+    }
+}
+
+/// The session with the groups that moved taken as two each, and with those free that are elsewhere.
+pub(super) fn moved(
+    session: &Session,
+    values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let several = |group: &Group| (2..=MOST_PLACES).contains(&group.count(session));
+    let arm = base_model::is_arm(session);
+    let groups: Vec<Group> = Group::ALL
+        .into_iter()
+        .filter(|group| arm || *group != Group::Target)
+        .filter(several)
+        .collect();
+    if groups.is_empty() || session.samples.len() > MOST_SAMPLES * 4 {
+        return None;
+    }
+    let (mut model, mut before) = fitted(session, values)?;
+    let mut now: Option<Session> = None;
+    let mut said: Vec<DataProblem> = Vec::new();
+    for _ in 0..MOST_MOVED {
+        let here = now.as_ref().unwrap_or(session);
+        let tried = suspicions(here, values, &model, &groups).into_iter();
+        let mut best: Option<(Suspicion, Session, f64, crate::model::Model, f64)> = None;
+        for suspicion in tried.take(MOST_TRIED) {
+            let trial = suspicion.trial(here);
+            let Some((fit, after)) = fitted(&trial, values) else {
+                continue;
+            };
+            let free = match suspicion.group {
+                Group::Target => here.targets.len(),
+                _ => 1,
+            };
+            let numbers = free * numbers_of(suspicion.group) + 1;
+            let rows = rows_of(suspicion.group);
+            let own = evidence(here.samples.len(), rows, before, after, numbers);
+            let leaves = match suspicion.group {
+                Group::Socket => SOCKET_LEAVES,
+                _ => super::LEAVES,
+            };
+            if is_believed(own, before, after * super::LEAVES / leaves)
+                && best.as_ref().is_none_or(|best| after < best.4)
+            {
+                best = Some((suspicion, trial, own, fit, after));
+            }
+        }
+        let Some((suspicion, trial, own, fit, after)) = best else {
+            break;
+        };
+        said.push(problem(session, &suspicion, in_numbers(before, after, own)));
+        (now, model, before) = (Some(trial), fit, after);
+    }
+    problems.append(&mut said);
+    now
+}
+
+/// How many numbers say where a group is.
+fn numbers_of(group: Group) -> usize {
+    match group {
+        Group::Target | Group::Socket | Group::Anchor | Group::Plane => 3,
+        Group::Setup | Group::Station => 6,
+    }
+}
+
+/// How many rows one measurement of a group has.
+fn rows_of(group: Group) -> usize {
+    match group {
+        Group::Target | Group::Socket | Group::Setup => 3,
+        Group::Station => 2,
+        Group::Plane | Group::Anchor => 1,
+    }
+}
+
+/// What may be elsewhere, what explains most first; of every group the best.
+fn suspicions(
+    session: &Session,
+    values: JointValues,
+    model: &crate::model::Model,
+    groups: &[Group],
+) -> Vec<Suspicion> {
+    let all = beside(session, values, model);
+    let square: f64 = all.iter().map(square_of).sum();
+    let rows: usize = all.iter().map(|one| one.left.rows).sum();
+    let mut found = Vec::new();
+    for &group in groups {
+        for index in 0..group.count(session) {
+            let own: Vec<&Beside> = all
+                .iter()
+                .filter(|one| group.of(session, one.sample) == Some(index))
+                .collect();
+            let stated = group.is_stated(session, index) && group != Group::Target;
+            let Some((explained, from)) = best_of(session, group, &own, stated) else {
+                continue;
+            };
+            let left = (square - explained)
+                .max(1e-9 * square)
+                .max(f64::MIN_POSITIVE);
+            let gain = 0.5 * rows as f64 * (square / left).ln();
+            if gain > WORTH_A_FIT {
+                found.push(Suspicion {
+                    gain,
+                    group,
+                    index,
+                    from,
+                });
+            }
+        }
+    }
+    found.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    found
+}
+
+fn square_of(one: &Beside) -> f64 {
+    let rows = one.left.rows;
+    one.left.left[..rows].iter().map(|e| e * e).sum()
+}
+
+/// Where two places of a group, or one where the session states another, explain most.
+fn best_of(
+    session: &Session,
+    group: Group,
+    own: &[&Beside],
+    stated: bool,
+) -> Option<(f64, Option<usize>)> {
+    let n = own.len();
+    let fewest = (NUMBERS_FOR_EACH * numbers_of(group))
+        .div_ceil(rows_of(group))
+        .max(FEWEST);
+    if n < 2 * fewest {
+        return None;
+    }
+    let mut sums = vec![Sums::default()];
+    for one in own {
+        let mut next = sums[sums.len() - 1].clone();
+        next.add(one, group);
+        sums.push(next);
+    }
+    let whole = sums[n].explained();
+    let mut best = stated.then_some((whole, None));
+    // Two places have a place and a row more to pay for, as a logarithm.
+    let price = 0.5 * (numbers_of(group) + 1) as f64 * (n as f64).ln() * mean_square(own);
+    for k in fewest..=n - fewest {
+        let from = own[k].sample;
+        if own[k - 1].sample == from || is_of_all(session, group, from) {
+            continue;
+        }
+        let two = sums[k].explained() + sums[n].less(&sums[k]).explained();
+        let worth = if stated { two - price } else { two };
+        if best.is_none_or(|best| worth > best.0) {
+            best = Some((worth, Some(from)));
+        }
+    }
+    best
+}
+
+fn mean_square(own: &[&Beside]) -> f64 {
+    let rows: usize = own.iter().map(|one| one.left.rows).sum();
+    own.iter().map(|one| square_of(one)).sum::<f64>() / rows.max(1) as f64
+}
+
+/// Whether no other setup is measured from a row on: then all that follows moved, which is a shift of the frame
+/// and has its name.
+fn is_of_all(session: &Session, group: Group, from: usize) -> bool {
+    if group != Group::Setup {
+        return false;
+    }
+    let own = group.of(session, from);
+    (from..session.samples.len()).all(|row| group.of(session, row) == own)
+}
+
+/// Products of a group's numbers with themselves and with what is left.
+#[derive(Debug, Clone, Default)]
+struct Sums {
+    gram: SMatrix<f64, MOST_NUMBERS, MOST_NUMBERS>,
+    pull: SVector<f64, MOST_NUMBERS>,
+}
+
+impl Sums {
+    fn add(&mut self, one: &Beside, group: Group) {
+        let by = one.by(group);
+        for (row, by) in by.iter().enumerate().take(one.left.rows) {
+            let by = SVector::<f64, MOST_NUMBERS>::from_column_slice(by);
+            self.gram += by * by.transpose();
+            self.pull += by * one.left.left[row];
+        }
+    }
+
+    fn less(&self, other: &Self) -> Self {
+        Self {
+            gram: self.gram - other.gram,
+            pull: self.pull - other.pull,
+        }
+    }
+
+    /// By how much the sum of squares falls where the numbers are free.
+    fn explained(&self) -> f64 {
+        // Numbers of different units: each in units of what it does.
+        let scale = SVector::<f64, MOST_NUMBERS>::from_fn(|k, _| {
+            let own = self.gram[(k, k)].sqrt();
+            if own > 0.0 { 1.0 / own } else { 0.0 }
+        });
+        let mut gram = self.gram;
+        let mut pull = self.pull;
+        for k in 0..MOST_NUMBERS {
+            pull[k] *= scale[k];
+            for j in 0..MOST_NUMBERS {
+                gram[(k, j)] *= scale[k] * scale[j];
+            }
+            gram[(k, k)] += 1e-6;
+        }
+        let solved = nalgebra::Cholesky::new(gram).map(|factor| factor.solve(&pull));
+        solved.map_or(0.0, |x| x.dot(&pull))
+    }
+}
+
+fn problem(session: &Session, suspicion: &Suspicion, evidence: String) -> DataProblem {
+    let (group, index) = (suspicion.group, suspicion.index);
+    let what = group.name();
+    let name = group.name_of(session, index);
+    let from = suspicion.from.unwrap_or(0);
+    let rows = 0..session.samples.len();
+    let (what, proposal) = match suspicion.from {
+        Some(from) => (
+            text!(
+                "{group} {name} is elsewhere from sample {sample} on",
+                group = what,
+                name = name,
+                sample = from + 1
+            ),
+            text!(
+                "its samples from there on are taken as those of another {group}, whose place is fitted; fasten it, or give it another name",
+                group = what
+            ),
+        ),
+        None => (
+            text!(
+                "{group} {name} is elsewhere than the session states",
+                group = what,
+                name = name
+            ),
+            text!("its place is fitted; measure it again, or leave it out of the session"),
+        ),
+    };
+    DataProblem {
+        what,
+        evidence: Text::verbatim(evidence),
+        proposal,
+        mend: Some(suspicion.mend()),
+        samples: rows
+            .filter(|row| *row >= from && group.of(session, *row) == Some(index))
+            .collect(),
+    }
+}
