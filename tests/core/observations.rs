@@ -867,7 +867,7 @@ fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
         match (from, &mend) {
             (None, Mend::Free { .. }) => {}
             (Some(first), Mend::Split { from, .. }) => {
-                assert!(from.abs_diff(first) <= 3, "{mend:?}")
+                assert!(from.abs_diff(first) <= 3, "{mend:?}");
             }
             _ => panic!("{mend:?}"),
         }
