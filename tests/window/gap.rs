@@ -138,7 +138,7 @@ fn tables_can_be_copied(window: &mut Window) {
     window.run_steps(2);
     window.get_by_label("Copied table of found effects");
 
-    let folded = "detection limits";
+    let folded = "Not found; detection limits";
     window.get_by_label_contains(folded).scroll_to_me();
     window.run_steps(6);
     window.get_by_label_contains(folded).click();

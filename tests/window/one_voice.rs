@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use egui::accesskit::Role;
 use egui_kittest::kittest::NodeT;
 use truepose::gui::Runner;
 
@@ -27,7 +28,9 @@ fn labels(window: &Window) -> Vec<String> {
     let nodes = window.root().children_recursive();
     let text = |node: egui_kittest::Node<'_>| {
         let node = node.accesskit_node();
-        node.value().or_else(|| node.label())
+        let label = node.value().or_else(|| node.label());
+        // What stands below a label are its lines.
+        label.filter(|_| node.role() == Role::Label)
     };
     nodes.filter_map(text).collect()
 }
