@@ -1,6 +1,6 @@
 //! An answer, said once for every place where a person reads it: sections of few kinds of blocks, in the language of
 //! this thread. Terminal, window and report show blocks and word nothing of an answer themselves; what differs by
-//! place is how much is asked for ([`Detail`]), and what a place adds to a section ([`Topic`]).
+//! place is how much is asked for (`Detail`), and what a place adds to a section ([`Topic`]).
 
 mod clean;
 mod diagnosis;

@@ -1,5 +1,5 @@
 //! What a report says, once, for every format: sections of a few kinds of blocks. Texts are already
-//! in the reader's units and language; whatever a user named has passed [`clean`](crate::explain::clean).
+//! in the reader's units and language; whatever a user named has passed [`clean`].
 
 use super::logo::Logo;
 use crate::compensation::decision::Outcome;

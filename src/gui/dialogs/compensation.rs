@@ -5,7 +5,7 @@ use crate::language::{of_core, spoken};
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, Corrected, MOST_KG, CompensationRequest, Whose};
+use crate::gui::core::compensated::{Changed, CompensationRequest, Corrected, MOST_KG, Whose};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
@@ -60,7 +60,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 /// The load where the file says none, as what a robot carries bends it, which frame is the base, and whose tool and
 /// frame hold where the program's are not the model's.
-fn asked(ui: &mut Ui, before: &CompensationRequest, differs: &[Differing], commands: &mut Vec<Command>) {
+fn asked(
+    ui: &mut Ui,
+    before: &CompensationRequest,
+    differs: &[Differing],
+    commands: &mut Vec<Command>,
+) {
     let mut wanted = before.clone();
     let field = DragValue::new(&mut wanted.load_kg)
         .range(0.0..=MOST_KG)

@@ -39,8 +39,7 @@ use std::sync::Arc;
 
 pub(crate) use command::{Command, of_field};
 
-use said::Said;
-use state::{Asked, Desk};
+use state::{Asked, Desk, Said};
 
 use crate::gui::cache::figures::Figures;
 use crate::gui::cache::identified::Outcome;

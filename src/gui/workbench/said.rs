@@ -1,22 +1,11 @@
 //! What a diagnosis says, kept until it is another one or is to be said otherwise: it is shown in every frame.
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use super::Workbench;
 use crate::explain::{Detail, Section, diagnosis};
-use crate::gui::core::search::Search;
-use crate::present::numbers::{Notation, notation};
-use crate::present::units::Units;
-use crate::text::{Language, current};
-
-/// Sections as they were said last; nothing until they are asked for.
-#[derive(Debug, Default)]
-pub(super) struct Said(RefCell<Option<Kept>>);
-
-/// Of which diagnosis, how it is said, and the sections.
-type Kept = (Arc<Search>, Voice, Arc<[Section]>);
-type Voice = (Units, Language, Notation);
+use crate::present::numbers::notation;
+use crate::text::current;
 
 impl Workbench {
     /// What the diagnosis of the open session says; nothing where there is none.

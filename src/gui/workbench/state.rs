@@ -1,16 +1,19 @@
 //! What the workbench keeps beside the document and the view: where openings stand on the disk, and
 //! what it has asked of the background.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::explain::Section;
 use crate::gui::cache::plot_cache::Scenery;
 use crate::gui::cache::preview::PreviewRequest;
 use crate::gui::core::disk::Print;
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::past::Past;
 use crate::gui::core::robot_table::RobotTable;
+use crate::gui::core::search::Search;
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::Machine;
 use crate::gui::file_state::meshes::DrawnFrom;
@@ -18,6 +21,9 @@ use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{Keeper, LeftBehind};
 use crate::gui::jobs::Latest;
 use crate::gui::view::Then;
+use crate::present::numbers::Notation;
+use crate::present::units::Units;
+use crate::text::Language;
 
 /// Where an opening stands on the disk.
 #[derive(Debug, Clone)]
@@ -76,3 +82,12 @@ pub(super) struct Asked {
     pub(super) previews: Latest<PreviewRequest>,
     pub(super) sceneries: Latest<Scenery>,
 }
+
+/// Sections as they were said last; nothing until they are asked for.
+#[derive(Debug, Default)]
+pub(super) struct Said(pub(super) RefCell<Option<Kept>>);
+
+/// Of which diagnosis, how it is said, and the sections.
+pub(super) type Kept = (Arc<Search>, Voice, Arc<[Section]>);
+/// How it is said.
+pub(super) type Voice = (Units, Language, Notation);
