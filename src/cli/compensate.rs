@@ -340,7 +340,7 @@ fn in_words(answer: &Answer, file: &Path, orientation: bool) -> String {
         line(&mut text, say!("note: {note}", note = says));
     }
     for note in &answer.notes {
-        line(&mut text, say!("note: {note}", note = of_core(note)));
+        line(&mut text, say!("note: {note}", note = spoken(note)));
     }
     text
 }

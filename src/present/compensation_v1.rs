@@ -118,7 +118,8 @@ impl Serialize for Document<'_> {
         map.serialize_entry("targets", &Targets(self))?;
         map.serialize_entry("at_run_time", &placed(&self.answer.at_run_time))?;
         map.serialize_entry("remarks", &placed(&self.answer.remarks))?;
-        map.serialize_entry("notes", &self.answer.notes)?;
+        let notes = self.answer.notes.iter().map(ToString::to_string);
+        map.serialize_entry("notes", &notes.collect::<Vec<_>>())?;
         map.end()
     }
 }

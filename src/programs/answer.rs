@@ -79,7 +79,7 @@ pub struct Answer {
     /// What else there is to know, with line and column.
     pub remarks: Vec<(u64, u64, crate::text::Text)>,
     /// What was assumed.
-    pub notes: Vec<String>,
+    pub notes: Vec<crate::text::Text>,
 }
 
 impl Answer {

@@ -14,6 +14,7 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Role, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Calibration;
+use crate::text::Text as Sentence;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 
 use super::answer::{Answer, Left, Outcome, Reason, Written};
@@ -374,13 +375,13 @@ fn read_back(
 }
 
 /// What was assumed, in words.
-fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String> {
+fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentence> {
     let mut notes = reading.notes.clone();
     let set_up = &request.calibration.set_up;
     if set_up.moves_joints() {
-        notes.push(format!(
-            "joint values are read and written as the model's session has them: {}",
-            set_up.says().join(", ")
+        notes.push(text!(
+            "joint values are read and written as the model's session has them: {conventions}",
+            conventions = set_up.says().join(", ")
         ));
     }
     let poses = program
@@ -388,19 +389,19 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String>
         .iter()
         .any(|t| matches!(t.shape, Shape::Pose(_)));
     if poses {
-        let frame = if reading.stated.is_none() {
-            "in the robot's base frame"
+        notes.push(if reading.stated.is_none() {
+            text!(
+                "poses for which the file declares no frame are read in the robot's base frame; the tool of the controller has to be the model's where the file has one tool only"
+            )
         } else {
-            "in the frame that was stated"
-        };
-        notes.push(format!(
-            "poses for which the file declares no frame are read {frame}; the tool of the controller has to \
-             be the model's where the file has one tool only"
-        ));
+            text!(
+                "poses for which the file declares no frame are read in the frame that was stated; the tool of the controller has to be the model's where the file has one tool only"
+            )
+        });
     }
     if let Some(frame) = measured_frame(request.calibration) {
         notes.push(if request.measured_frame {
-            "the robot's base is the frame in which the session was measured".to_owned()
+            text!("the robot's base is the frame in which the session was measured")
         } else {
             let robot = &request.calibration.model.robot;
             text!(
@@ -412,22 +413,22 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<String>
                 at_tool = format!("{:.3} mm", OfDrawing::of(frame, robot).at_tool_mm),
                 along = format!("{:.3} mm", OfDrawing::of(frame, robot).along_mm),
             )
-            .to_string()
         });
     }
     let unstated = |t: &Target| t.circumstances.load_kg.is_none();
     if program.targets.iter().any(unstated) {
-        notes.push(format!(
-            "targets without a load are corrected for {} kg",
-            reading.load_kg
+        notes.push(text!(
+            "targets without a load are corrected for {load} kg",
+            load = reading.load_kg
         ));
     }
     let cold = |t: &Target| t.circumstances.temperature_c.is_none();
     let terms = request.calibration.model.terms().iter();
     let mut warm = terms.filter(|t| t.effect.about().over == crate::effects::Over::Temperature);
     if program.targets.iter().any(cold) && warm.next().is_some() {
-        notes.push(format!(
-            "targets without a temperature are corrected for {REFERENCE_TEMPERATURE_C} °C"
+        notes.push(text!(
+            "targets without a temperature are corrected for {temperature} °C",
+            temperature = REFERENCE_TEMPERATURE_C
         ));
     }
     notes

@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 
 use crate::kinematics::{Pose, Robot, RobotSource, robot_from_dh};
 use crate::model::Calibration;
+use crate::text::Text as Sentence;
 
 use super::compensate::{CompensateError, Request};
 use super::frames::{Declared, ModelTool, Referred, Used};
@@ -194,7 +195,7 @@ pub(super) struct Reading {
     /// Load where the file says none for a target, kg.
     pub(super) load_kg: f64,
     /// What was settled, in words.
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Sentence>,
 }
 
 /// Where the model's tool is on the flange.
@@ -327,10 +328,11 @@ pub(super) fn settled(
     if let Some(all) = &all_frames {
         let others = frames.iter().filter(|(_, (_, pose))| !same(pose, all));
         notes.extend(others.map(|(name, (_, pose))| {
-            format!(
-                "the poses are taken in the frame {} and not in the program's {name} ({})",
-                in_words(all, turns),
-                in_words(pose, turns)
+            text!(
+                "the poses are taken in the frame {frame} and not in the program's {name} ({own})",
+                frame = in_words(all, turns),
+                name = name,
+                own = in_words(pose, turns)
             )
         }));
     }
@@ -344,18 +346,22 @@ pub(super) fn settled(
 }
 
 /// Which of the program's tools are taken for another one.
-fn taken_for_others(request: &Request, tools: &Numeric<'_>, model: &Pose) -> Vec<String> {
+fn taken_for_others(request: &Request, tools: &Numeric<'_>, model: &Pose) -> Vec<Sentence> {
     let turns = request.language.orientation;
     let mut notes = Vec::new();
     for (name, (_, pose)) in tools {
         let shown = in_words(pose, turns);
         match request.frames.tool {
-            Holds::Model if !same(pose, model) => notes.push(format!(
-                "the program's tool {name} ({shown}) is taken for the model's"
+            Holds::Model if !same(pose, model) => notes.push(text!(
+                "the program's tool {name} ({pose}) is taken for the model's",
+                name = name,
+                pose = shown
             )),
-            Holds::Given(given) if !same(pose, &given) => notes.push(format!(
-                "the poses are taken of the tool {} and not of the program's {name} ({shown})",
-                in_words(&given, turns)
+            Holds::Given(given) if !same(pose, &given) => notes.push(text!(
+                "the poses are taken of the tool {tool} and not of the program's {name} ({pose})",
+                tool = in_words(&given, turns),
+                name = name,
+                pose = shown
             )),
             _ => {}
         }
@@ -418,7 +424,7 @@ fn load(
     text: &Text,
     request: &Request,
     differ: &mut Vec<Difference>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Sentence>,
 ) -> f64 {
     let stated = with_tools(program);
     let own = request.calibration.load_kg;
@@ -435,9 +441,10 @@ fn load(
     match (request.frames.load, &stated[..]) {
         (Holds::Given(kg), _) => {
             if !inside(kg) {
-                notes.push(format!(
-                    "a load of {kg} kg is beyond those of the model's session ({})",
-                    range()
+                notes.push(text!(
+                    "a load of {load} kg is beyond those of the model's session ({range})",
+                    load = kg,
+                    range = range()
                 ));
             }
             return kg;
@@ -472,14 +479,16 @@ fn load(
     }));
     let (kg, load) = &stated[stated.len() - 1];
     if matters {
-        notes.push(format!(
-            "corrected for the load that the program states, {kg} kg ({})",
-            load.name
+        notes.push(text!(
+            "corrected for the load that the program states, {load} kg ({name})",
+            load = kg,
+            name = &load.name
         ));
     } else if own.is_none() {
-        notes.push(format!(
-            "the program states a load of {kg} kg ({}); the model knows nothing of loads",
-            load.name
+        notes.push(text!(
+            "the program states a load of {load} kg ({name}); the model knows nothing of loads",
+            load = kg,
+            name = &load.name
         ));
     }
     *kg

@@ -130,6 +130,7 @@ fn noise_outliers_and_sizes_that_no_machine_has_are_shown() {
 
 /// Every table of the search goes into a spreadsheet as it is.
 fn tables_can_be_copied(window: &mut Window) {
+    crate::window::into_sight(window, "Copy table of found effects");
     let found = copied(window, "Copy table of found effects");
     assert_eq!((found.len(), &*found[0][0]), (2, "effect"));
     assert_eq!((&*found[1][0], &*found[1][2]), ("Backlash", "width"));

@@ -1,7 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
@@ -235,7 +235,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::hint(ui, at(remark));
             }
             for note in &answer.notes {
-                widgets::hint(ui, of_core(note));
+                widgets::hint(ui, spoken(note));
             }
         });
 }
