@@ -46,9 +46,9 @@ rows as the script describes them):
 
 | row | before | now |
 | --- | --- | --- |
-| `cable` | 16 of 30 | 21 of 30, measured before a curve within 20 : 1 was said beside the names as well |
-| `pull` | 24 of 30 | 28 of 30 (likewise) |
-| `smooth`, `small`, `three` | 29, 26, 30 of 30 | 29, 26, 30 of 30 |
+| `cable` | 16 of 30 | 30 of 30 (21 before a curve within 20 : 1 was said beside the names as well) |
+| `pull` | 24 of 30 | 29 of 30 (28) |
+| `smooth`, `small`, `three` | 29, 26, 30 of 30 | 29, 21, 30 of 30 (29, 26, 30) |
 | `warm`, `load`, `wander` | 27, 30, 30 of 30 | 29, 30, 30 of 30 |
 | `drift` | 11 of 30 | 30 of 30 |
 | `low`, `lowfree` | 0, 20 of 20 | as before: orders that look like once or twice a turn at equal steps were listed beside these (20, 20 of 20) and taken back, as every eccentricity on a grid then had rivals that no machine has, the bundled session's among them |
