@@ -264,7 +264,7 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
              has them otherwise ({}): correct the controller or the description, identify again and export \
              that model",
             format.title,
-            set_up.says().join(", ")
+            set_up.says()
         )));
     }
     format.exporter.export(job)

@@ -39,10 +39,7 @@ pub(super) fn verified(
     if reads_plain || session.samples.corrected.is_some() {
         return by(session, None);
     }
-    let says = format!(
-        "read as the model's own session was: {}",
-        set_up.says().join(", ")
-    );
+    let says = format!("read as the model's own session was: {}", set_up.says());
     let says = (!set_up.is_empty()).then_some(says);
     let first = by(&set_up.applied(session, own), says)?;
     if own {

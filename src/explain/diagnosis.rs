@@ -77,6 +77,15 @@ fn verdict(d: &Diagnosis, detail: Detail) -> Section {
     Section::of(Topic::Answer, answer(d.verdict), blocks)
 }
 
+/// Where the noise floor comes from.
+pub(crate) fn floor_from(from: FloorFrom) -> &'static str {
+    match from {
+        FloorFrom::Repeats => say!("from returns to the same pose"),
+        FloorFrom::Instrument => say!("from the instrument's noise"),
+        FloorFrom::Estimated => say!("estimated from what is left"),
+    }
+}
+
 /// The errors on the way, with the floor below which no model comes.
 fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
     let held_out = d.held_out.gaps;
@@ -87,11 +96,6 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
             fitted = detail.length(fitted),
             unseen = detail.length(unseen)
         ),
-    };
-    let from = match d.floor.from {
-        FloorFrom::Repeats => say!("from returns to the same pose"),
-        FloorFrom::Instrument => say!("from the instrument's noise"),
-        FloorFrom::Estimated => say!("estimated from what is left"),
     };
     let identified = held_out.map(|gaps| gaps.identified_mm);
     let end = held_out.map(|gaps| gaps.end_mm);
@@ -109,7 +113,11 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
         let with = say!("RMS error, with what was found");
         facts.push(fact(with, error(d.gap.end_mm, end)));
     }
-    let floor = format!("{}, {from}", detail.length(d.floor.mm));
+    let floor = format!(
+        "{}, {}",
+        detail.length(d.floor.mm),
+        floor_from(d.floor.from)
+    );
     facts.push(fact(say!("Noise floor"), floor));
     facts.extend(noise(d));
     let cross_validated = match held_out {

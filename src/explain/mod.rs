@@ -18,7 +18,7 @@ use crate::present::units::Units;
 
 pub use clean::{clean, clean_note};
 pub(crate) use clean::{cleaned, translated};
-pub(crate) use diagnosis::{answer, diagnosis, expected, noise, remarks};
+pub(crate) use diagnosis::{answer, diagnosis, expected, floor_from, noise, remarks};
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use identification::remarks_on_fit;
 #[cfg(feature = "cli")]

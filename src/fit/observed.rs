@@ -54,7 +54,7 @@ fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
 
 /// The nominal robot beside what its measurements refer to: of a model the places, and the frames of
 /// setups, whose place a session with setups does not say. Without setups no frame is fitted to the nominal
-/// robot, and a place that nobody knows is where it seems to be from there, not from the frame of the model.
+/// robot, and a place that is not known is where it seems to be from there, not from the frame of the model.
 pub(crate) fn nominal_of(session: &Session, layer: Option<&Layer>, model: &Model) -> Model {
     let has_setups = session.samples.setups.is_some();
     let of_setup = |term: &Term| has_setups && term.effect.about().setting == Setting::Setup;

@@ -18,6 +18,7 @@ use std::borrow::Cow;
 
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
+use crate::text::Text;
 
 /// Corrections between what controller and instrument write and what the robot's description means.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -100,8 +101,15 @@ impl SetUp {
     }
 
     /// What the corrections of every session do, in words.
-    pub fn says(&self) -> Vec<String> {
-        self.conventions.iter().map(Mend::says).collect()
+    pub fn says(&self) -> Text {
+        let mut all = Text::default();
+        for (index, one) in self.conventions.iter().enumerate() {
+            if index > 0 {
+                all += Text::verbatim(", ");
+            }
+            all += one.says();
+        }
+        all
     }
 
     /// A session as the model reads it; `own` is whether the model came from it. One that was corrected in memory

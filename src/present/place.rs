@@ -2,64 +2,98 @@
 
 use super::numbers::trimmed;
 use crate::model::shapes::Where;
+use crate::sessions::Group;
+use crate::text::Text;
 
 impl Where {
     /// In words, as they stand behind "where".
-    pub fn says(&self) -> String {
+    pub fn says(&self) -> Text {
         match self {
             Self::Range { variable, from, to } => {
-                let (name, unit) = in_words(variable);
+                if let Some((group, name)) = of_a_group(variable) {
+                    return text!(
+                        "{group} {name}, samples {from} to {to}",
+                        group = group.name(),
+                        name = name,
+                        from = trimmed(*from, 0),
+                        to = trimmed(*to, 0)
+                    );
+                }
+                let (what, unit) = in_words(variable);
                 // Sides and reflectors are no range of numbers.
-                let Some(unit) = unit else { return name };
+                let Some(unit) = unit else { return what };
                 let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
-                format!("{name} from {from} to {to}")
+                text!(
+                    "{what} from {from} to {to}",
+                    what = what,
+                    from = from,
+                    to = to
+                )
             }
             Self::Cycles {
                 variable,
                 cycles_per_turn,
             } => {
-                let (name, unit) = in_words(variable);
+                let (what, unit) = in_words(variable);
+                let cycles = trimmed(*cycles_per_turn, 2);
                 // A joint that slides has no turns: its waves are counted by the metre.
-                let per = if unit == Some("°") { "turn" } else { "metre" };
-                format!(
-                    "{} cycles per {per} of {name}",
-                    trimmed(*cycles_per_turn, 2)
-                )
+                if unit == Some("°") {
+                    text!(
+                        "{cycles} cycles per turn of {what}",
+                        cycles = cycles,
+                        what = what
+                    )
+                } else {
+                    text!(
+                        "{cycles} cycles per metre of {what}",
+                        cycles = cycles,
+                        what = what
+                    )
+                }
             }
         }
     }
 }
 
+/// The group of samples that stands in the place of a column's name, `target T1`: its ends are numbers of samples.
+fn of_a_group(variable: &str) -> Option<(Group, &str)> {
+    let (group, name) = variable.split_once(' ')?;
+    Some((Group::of_name(group)?, name))
+}
+
 /// What a column holds, and the unit as it stands behind a number, where it holds numbers that say something.
-fn in_words(column: &str) -> (String, Option<&'static str>) {
-    let joint = |rest: &str, unit: &str| {
+fn in_words(column: &str) -> (Text, Option<&'static str>) {
+    let joint = |rest: &str, unit: &str| -> Option<String> {
         let number = rest.strip_suffix(unit)?;
         let digits = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
-        digits.then(|| format!("joint {number}"))
+        digits.then(|| number.to_owned())
     };
     if let Some(rest) = column.strip_prefix("speed") {
         for (ending, unit) in [("_deg_s", "°/s"), ("_mm_s", " mm/s")] {
             if let Some(joint) = joint(rest, ending) {
-                return (format!("speed of {joint}"), Some(unit));
+                return (text!("speed of joint {joint}", joint = joint), Some(unit));
             }
         }
     }
     if let Some(rest) = column.strip_prefix('q') {
         for (ending, unit) in [("_deg", "°"), ("_mm", " mm")] {
             if let Some(joint) = joint(rest, ending) {
-                return (joint, Some(unit));
+                return (text!("joint {joint}", joint = joint), Some(unit));
             }
         }
     }
     if let Some(joint) = column.strip_prefix("dir").and_then(|rest| joint(rest, "")) {
-        return (format!("side from which {joint} came"), None);
+        return (
+            text!("side from which joint {joint} came", joint = joint),
+            None,
+        );
     }
     match column {
-        "time_s" => ("time".to_owned(), Some(" s")),
-        "load_kg" => ("load".to_owned(), Some(" kg")),
-        "temperature_c" => ("temperature".to_owned(), Some(" °C")),
-        "target" => ("one reflector against the others".to_owned(), None),
-        other => (other.to_owned(), Some("")),
+        "time_s" => (text!("time"), Some(" s")),
+        "load_kg" => (text!("load"), Some(" kg")),
+        "temperature_c" => (text!("temperature"), Some(" °C")),
+        "target" => (text!("one reflector against the others"), None),
+        other => (Text::verbatim(other), Some("")),
     }
 }
 
@@ -71,7 +105,7 @@ mod tests {
     fn a_place_is_said_without_names_of_columns() {
         let range = |variable: &str, from, to| {
             let variable = variable.to_owned();
-            Where::Range { variable, from, to }.says()
+            Where::Range { variable, from, to }.says().to_string()
         };
         let cases = [
             (range("q1_deg", -31.592, 4.0), "joint 1 from −31.59° to 4°"),
@@ -85,6 +119,10 @@ mod tests {
                 "speed of joint 2 from −20°/s to 20°/s",
             ),
             (range("dir1", -1.0, 1.0), "side from which joint 1 came"),
+            (
+                range("target T 1", 3.0, 80.0),
+                "target T 1, samples 3 to 80",
+            ),
             (
                 range("temperature_c", 20.0, 26.004),
                 "temperature from 20 °C to 26 °C",
@@ -101,6 +139,7 @@ mod tests {
                 cycles_per_turn,
             }
             .says()
+            .to_string()
         };
         assert_eq!(cycles("q1_deg"), "7.5 cycles per turn of joint 1");
         assert_eq!(cycles("q2_mm"), "7.5 cycles per metre of joint 2");

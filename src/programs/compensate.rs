@@ -381,7 +381,7 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
     if set_up.moves_joints() {
         notes.push(text!(
             "joint values are read and written as the model's session has them: {conventions}",
-            conventions = set_up.says().join(", ")
+            conventions = set_up.says()
         ));
     }
     let poses = program

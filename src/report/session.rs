@@ -3,7 +3,7 @@
 use crate::compensation::decision::{Fitted, Measured, Outcome, Rule};
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, VerifiedCalibration};
-use crate::diagnosis::{Diagnosis, FloorFrom};
+use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
 use crate::explain::{self, Detail, fact, implausible, parameters, translated};
 use crate::export::Job;
@@ -226,7 +226,7 @@ impl Told<'_> {
             figure(
                 say!("Noise floor"),
                 mm(d.floor.mm),
-                self.floor_from().to_owned(),
+                explain::floor_from(d.floor.from).to_owned(),
             ),
         ];
         figures.push(match (&v.within_tolerance, self.session.tolerance_mm) {
@@ -246,14 +246,6 @@ impl Told<'_> {
             ),
         });
         figures
-    }
-
-    fn floor_from(&self) -> &'static str {
-        match self.found.floor.from {
-            FloorFrom::Repeats => say!("from returns to the same pose"),
-            FloorFrom::Instrument => say!("from the instrument's noise"),
-            FloorFrom::Estimated => say!("estimated from what is left"),
-        }
     }
 
     fn measured(&self, hash: &str) -> Section {

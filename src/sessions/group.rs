@@ -80,7 +80,7 @@ impl Group {
         name.map_or("", String::as_str)
     }
 
-    /// From this row on the samples of one of them are those of another one, whose place nobody knows. Where a
+    /// From this row on the samples of one of them are those of another one, whose place is not known. Where a
     /// target moved, the places of all are free; an anchor keeps what its instrument adds.
     pub(super) fn split(self, session: &mut Session, index: usize, from: usize) {
         let count = self.count(session);

@@ -5,6 +5,7 @@
 
 use super::{Group, Samples, Session, Setups};
 use crate::kinematics::JointKind;
+use crate::text::Text;
 
 /// What was done to samples in memory since they were read.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,85 +135,95 @@ impl Mend {
     }
 
     /// What it does, as a button says it.
-    pub fn says(&self) -> String {
+    pub fn says(&self) -> Text {
         match self {
             Self::ScaleJoint { joint, factor } if *factor < 0.0 => {
-                format!("Reverse joint {}", joint + 1)
+                text!("Reverse joint {joint}", joint = joint + 1)
             }
             Self::ScaleJoint { joint, factor } if *factor < 1.0 => {
-                format!("Read joint {} as degrees", joint + 1)
+                text!("Read joint {joint} as degrees", joint = joint + 1)
             }
-            Self::ScaleJoint { joint, .. } => format!("Read joint {} as radians", joint + 1),
-            Self::ScaleJoints { factor } if *factor < 1.0 => {
-                "Read all joints as degrees".to_owned()
+            Self::ScaleJoint { joint, .. } => {
+                text!("Read joint {joint} as radians", joint = joint + 1)
             }
-            Self::ScaleJoints { .. } => "Read all joints as radians".to_owned(),
-            Self::ExchangeJoints { first, second } => {
-                format!("Exchange joints {} and {}", first + 1, second + 1)
-            }
+            Self::ScaleJoints { factor } if *factor < 1.0 => text!("Read all joints as degrees"),
+            Self::ScaleJoints { .. } => text!("Read all joints as radians"),
+            Self::ExchangeJoints { first, second } => text!(
+                "Exchange joints {first} and {second}",
+                first = first + 1,
+                second = second + 1
+            ),
             Self::CoupleJoint {
                 joint,
                 from,
                 factor,
-            } if *factor < 0.0 => {
-                format!("Subtract joint {} from joint {}", from + 1, joint + 1)
-            }
-            Self::CoupleJoint { joint, from, .. } => {
-                format!("Add joint {} to joint {}", from + 1, joint + 1)
-            }
-            Self::TakeReadBack => "Start from the values read back".to_owned(),
-            Self::TurnHome { joint, by_rad } => {
-                format!(
-                    "Turn the home of joint {} by {:.0}°",
-                    joint + 1,
-                    by_rad.to_degrees()
-                )
-            }
+            } if *factor < 0.0 => text!(
+                "Subtract joint {from} from joint {joint}",
+                from = from + 1,
+                joint = joint + 1
+            ),
+            Self::CoupleJoint { joint, from, .. } => text!(
+                "Add joint {from} to joint {joint}",
+                from = from + 1,
+                joint = joint + 1
+            ),
+            Self::TakeReadBack => text!("Start from the values read back"),
+            Self::TurnHome { joint, by_rad } => text!(
+                "Turn the home of joint {joint} by {angle}°",
+                joint = joint + 1,
+                angle = format!("{:.0}", by_rad.to_degrees())
+            ),
             Self::ScaleLengths(factor) => match *factor {
-                1000.0 => "Read the coordinates as metres".to_owned(),
-                25.4 => "Read the coordinates as inches".to_owned(),
-                0.001 => "Read the coordinates as micrometres".to_owned(),
-                factor => format!("Multiply the coordinates by {factor:.6}"),
+                1000.0 => text!("Read the coordinates as metres"),
+                25.4 => text!("Read the coordinates as inches"),
+                0.001 => text!("Read the coordinates as micrometres"),
+                factor => text!(
+                    "Multiply the coordinates by {factor}",
+                    factor = format!("{factor:.6}")
+                ),
             },
+            Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
-                let axis = |k: usize| ["x", "y", "z"][k % 3];
-                let [a, b, c] = order.map(axis);
-                if *order == [1, 0, 2] {
-                    "Exchange x and y".to_owned()
-                } else {
-                    format!("Read x, y, z from {a}, {b}, {c}")
-                }
+                let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
+                text!("Read x, y, z from {axes}", axes = format!("{a}, {b}, {c}"))
             }
-            Self::FreeFrame => "Fit the measuring frame".to_owned(),
-            Self::Remove(rows) if rows.len() == 1 => "Remove this sample".to_owned(),
-            Self::Remove(rows) => format!("Remove these {} samples", rows.len()),
-            Self::PairRows(_) => "Pair the rows again".to_owned(),
+            Self::FreeFrame => text!("Fit the measuring frame"),
+            Self::Remove(rows) if rows.len() == 1 => text!("Remove this sample"),
+            Self::Remove(rows) => text!("Remove these {count} samples", count = rows.len()),
+            Self::PairRows(_) => text!("Pair the rows again"),
             Self::ScaleSpeed { joint, factor } if *factor < 0.0 => {
-                format!("Reverse the speeds of joint {}", joint + 1)
+                text!("Reverse the speeds of joint {joint}", joint = joint + 1)
             }
-            Self::ScaleSpeed { joint, factor } => {
-                format!("Multiply the speeds of joint {} by {factor:.6}", joint + 1)
-            }
-            Self::ScaleLoad(factor) if *factor < 1.0 => "Read the loads as grams".to_owned(),
-            Self::ScaleLoad(factor) => format!("Multiply the loads by {factor:.6}"),
+            Self::ScaleSpeed { joint, factor } => text!(
+                "Multiply the speeds of joint {joint} by {factor}",
+                joint = joint + 1,
+                factor = format!("{factor:.6}")
+            ),
+            Self::ScaleLoad(factor) if *factor < 1.0 => text!("Read the loads as grams"),
+            Self::ScaleLoad(factor) => text!(
+                "Multiply the loads by {factor}",
+                factor = format!("{factor:.6}")
+            ),
             Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
-                "Read the temperatures as Fahrenheit".to_owned()
+                text!("Read the temperatures as Fahrenheit")
             }
-            Self::ConvertTemperature { .. } => "Read the temperatures as kelvin".to_owned(),
-            Self::WidenNoise(_) => "Count the digit as noise".to_owned(),
-            Self::MoveTarget { target, .. } => format!("Move target {}", target + 1),
-            Self::FreeTargets => "Fit the places of the targets".to_owned(),
-            Self::Split { group, index, from } => {
-                format!(
-                    "Take {} {} as another from sample {} on",
-                    group.name(),
-                    index + 1,
-                    from + 1
-                )
+            Self::ConvertTemperature { .. } => text!("Read the temperatures as kelvin"),
+            Self::WidenNoise(_) => text!("Count the digit as noise"),
+            Self::MoveTarget { target, .. } => {
+                text!("Move target {target}", target = target + 1)
             }
-            Self::Free { group, index } => {
-                format!("Fit the place of {} {}", group.name(), index + 1)
-            }
+            Self::FreeTargets => text!("Fit the places of the targets"),
+            Self::Split { group, index, from } => text!(
+                "Take {group} {number} as another from sample {sample} on",
+                group = group.name(),
+                number = index + 1,
+                sample = from + 1
+            ),
+            Self::Free { group, index } => text!(
+                "Fit the place of {group} {number}",
+                group = group.name(),
+                number = index + 1
+            ),
         }
     }
 

@@ -1,5 +1,5 @@
 //! Sections and blocks as cards: what an answer says, in the window's look. What the window adds to a section (buttons,
-//! the explanation of an effect) is put below it by whoever shows it.
+//! the explanation of an effect) is put below it by the caller.
 
 use egui::{Grid, Response, RichText, Ui};
 

@@ -106,14 +106,7 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
             .layout_no_wrap(text.to_owned(), font.clone(), palette.text);
         galley.size().x
     };
-    let room = ui.available_width();
-    let beside = width(name) + 12.0 + width(&value) <= room;
-    // Numbers end where the others end; sentences of several lines begin where their name begins.
-    let side = if width(&value) > room {
-        Align::Min
-    } else {
-        Align::Max
-    };
+    let beside = width(name) + 12.0 + width(&value) <= ui.available_width();
     let label = |ui: &mut Ui| {
         let text = RichText::new(name).color(palette.muted);
         let label = ui.add(egui::Label::new(text).wrap());
@@ -134,9 +127,7 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
         } else {
             ui.spacing_mut().item_spacing.y = 1.0;
             label(ui);
-            ui.with_layout(Layout::top_down(side), |ui| {
-                ui.add(egui::Label::new(value).wrap());
-            });
+            ui.add(egui::Label::new(value).wrap());
         }
     });
 }

@@ -1,8 +1,7 @@
 //! What a search found: the verdict, names with their evidence, what cannot be translated apart, what no
 //! name explains, and what to measure next.
 
-mod card;
-mod data;
+mod actions;
 mod hidden;
 mod next;
 
@@ -104,7 +103,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         match section.topic {
             Topic::Answer => hidden::show(ui, workbench, d),
             Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
-                data::mend_all(ui, d, commands);
+                actions::mend_all(ui, d, commands);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
                 copies::button(ui, say!("found effects"), || copies::found(d));
@@ -142,8 +141,8 @@ fn actions(
     commands: &mut Vec<Command>,
 ) {
     match section.topic {
-        Topic::DataProblem(index) => data::actions(ui, &d.data_problems[index], commands),
-        Topic::Found(index) => card::actions(ui, workbench, d, index, commands),
+        Topic::DataProblem(index) => actions::of_problem(ui, &d.data_problems[index], commands),
+        Topic::Found(index) => actions::of_effect(ui, workbench, d, index, commands),
         Topic::Unexplained => unexplained::actions(ui, workbench, d, commands),
         _ => {}
     }
