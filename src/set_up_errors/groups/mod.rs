@@ -21,6 +21,7 @@ use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
+use crate::text::Text;
 
 use super::DataProblem;
 
@@ -112,14 +113,16 @@ fn evidence(samples: usize, axes: usize, before_mm: f64, after_mm: f64, numbers:
     gain - 0.5 * numbers as f64 * rows.max(2.0).ln()
 }
 
-/// Whether that is enough for belief.
-fn is_believed(evidence: f64, before_mm: f64, after_mm: f64) -> bool {
-    evidence > EVIDENCE && after_mm < LEAVES * before_mm
+/// Whether that is enough for belief, where no more than this share of the error may be left.
+fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: f64) -> bool {
+    evidence > EVIDENCE && after_mm < leaves * before_mm
 }
 
-fn in_numbers(before_mm: f64, after_mm: f64, evidence: f64) -> String {
-    format!(
-        "the base model leaves {before_mm:.3} mm as it stands and {after_mm:.3} mm with the place free; \
-         e^{evidence:.0} times likelier"
+fn in_numbers(before_mm: f64, after_mm: f64, evidence: f64) -> Text {
+    text!(
+        "the base model leaves {before} mm as it stands and {after} mm with the place free; e^{evidence} times likelier",
+        before = format!("{before_mm:.3}"),
+        after = format!("{after_mm:.3}"),
+        evidence = format!("{evidence:.0}")
     )
 }

@@ -10,11 +10,12 @@ use nalgebra::{SMatrix, SVector};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::base_model;
+use crate::model::Model;
 use crate::observations::beside::{Beside, MOST_NUMBERS, beside};
 use crate::sessions::{Group, Mend, Session};
 use crate::text::Text;
 
-use super::{MOST_PLACES, MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
+use super::{LEAVES, MOST_PLACES, MOST_SAMPLES, evidence, fitted, in_numbers, is_believed};
 
 /// At most so many groups are taken to have moved; of most of them none is known to stand still.
 const MOST_MOVED: usize = 4;
@@ -76,41 +77,59 @@ pub(super) fn moved(
     }
     let (mut model, mut before) = fitted(session, values)?;
     let mut now: Option<Session> = None;
-    let mut said: Vec<DataProblem> = Vec::new();
     for _ in 0..MOST_MOVED {
         let here = now.as_ref().unwrap_or(session);
-        let tried = suspicions(here, values, &model, &groups).into_iter();
-        let mut best: Option<(Suspicion, Session, f64, crate::model::Model, f64)> = None;
-        for suspicion in tried.take(MOST_TRIED) {
-            let trial = suspicion.trial(here);
-            let Some((fit, after)) = fitted(&trial, values) else {
-                continue;
-            };
-            let free = match suspicion.group {
-                Group::Target => here.targets.len(),
-                _ => 1,
-            };
-            let numbers = free * numbers_of(suspicion.group) + 1;
-            let rows = rows_of(suspicion.group);
-            let own = evidence(here.samples.len(), rows, before, after, numbers);
-            let leaves = match suspicion.group {
-                Group::Socket => SOCKET_LEAVES,
-                _ => super::LEAVES,
-            };
-            if is_believed(own, before, after * super::LEAVES / leaves)
-                && best.as_ref().is_none_or(|best| after < best.4)
-            {
-                best = Some((suspicion, trial, own, fit, after));
-            }
-        }
-        let Some((suspicion, trial, own, fit, after)) = best else {
+        let suspicions = suspicions(here, values, &model, &groups).into_iter();
+        let tried = suspicions.take(MOST_TRIED);
+        let tried = tried.filter_map(|suspicion| Tried::of(suspicion, here, values, before));
+        let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
             break;
         };
-        said.push(problem(session, &suspicion, in_numbers(before, after, own)));
-        (now, model, before) = (Some(trial), fit, after);
+        let numbers = in_numbers(before, best.left_mm, best.evidence);
+        problems.push(problem(session, &best.suspicion, numbers));
+        (now, model, before) = (Some(best.session), best.model, best.left_mm);
     }
-    problems.append(&mut said);
     now
+}
+
+/// A suspicion that was fitted and is believed.
+struct Tried {
+    suspicion: Suspicion,
+    session: Session,
+    model: Model,
+    left_mm: f64,
+    evidence: f64,
+}
+
+impl Tried {
+    fn of(
+        suspicion: Suspicion,
+        session: &Session,
+        values: JointValues,
+        before_mm: f64,
+    ) -> Option<Self> {
+        let group = suspicion.group;
+        let trial = suspicion.trial(session);
+        let (model, left_mm) = fitted(&trial, values)?;
+        let free = match group {
+            Group::Target => session.targets.len(),
+            _ => 1,
+        };
+        let numbers = free * numbers_of(group) + 1;
+        let samples = session.samples.len();
+        let evidence = evidence(samples, rows_of(group), before_mm, left_mm, numbers);
+        let leaves = match group {
+            Group::Socket => SOCKET_LEAVES,
+            _ => LEAVES,
+        };
+        is_believed(evidence, before_mm, left_mm, leaves).then_some(Self {
+            suspicion,
+            session: trial,
+            model,
+            left_mm,
+            evidence,
+        })
+    }
 }
 
 /// How many numbers say where a group is.
@@ -134,7 +153,7 @@ fn rows_of(group: Group) -> usize {
 fn suspicions(
     session: &Session,
     values: JointValues,
-    model: &crate::model::Model,
+    model: &Model,
     groups: &[Group],
 ) -> Vec<Suspicion> {
     let all = beside(session, values, model);
@@ -272,7 +291,7 @@ impl Sums {
     }
 }
 
-fn problem(session: &Session, suspicion: &Suspicion, evidence: String) -> DataProblem {
+fn problem(session: &Session, suspicion: &Suspicion, evidence: Text) -> DataProblem {
     let (group, index) = (suspicion.group, suspicion.index);
     let what = group.name();
     let name = group.name_of(session, index);
@@ -302,7 +321,7 @@ fn problem(session: &Session, suspicion: &Suspicion, evidence: String) -> DataPr
     };
     DataProblem {
         what,
-        evidence: Text::verbatim(evidence),
+        evidence,
         proposal,
         mend: Some(suspicion.mend()),
         samples: rows

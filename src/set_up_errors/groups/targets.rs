@@ -14,7 +14,8 @@ use crate::text::Text;
 use super::super::GROSS_SHARE;
 use super::super::as_it_stands::reach_mm;
 use super::{
-    MOST_PLACES, evidence, fitted, in_numbers, is_believed, start_of, thinned, trimmed_rms_mm,
+    LEAVES, MOST_PLACES, evidence, fitted, in_numbers, is_believed, start_of, thinned,
+    trimmed_rms_mm,
 };
 
 /// A place is off beyond so many standard deviations of what is known of it.
@@ -92,7 +93,7 @@ fn of_an_arm(
         .into_iter()
         .filter(|(_, by)| by.norm() > (OFF * sigma).max(BESIDE_THE_FARTHEST * farthest))
         .collect();
-    if off.is_empty() || !is_believed(evidence, before, after) {
+    if off.is_empty() || !is_believed(evidence, before, after, LEAVES) {
         return None;
     }
     if turned_mm(part, values).is_some_and(|turned| turned < AS_WELL * after) {
@@ -188,7 +189,7 @@ fn of_one_axis(
     let (_, after) = fitted(&moved(part), values)?;
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());
-    if !is_believed(evidence, before, after) {
+    if !is_believed(evidence, before, after, LEAVES) {
         return None;
     }
     for (target, by) in &off {
@@ -269,22 +270,23 @@ fn problem(
     session: &Session,
     target: usize,
     by: Vector3<f64>,
-    evidence: String,
+    evidence: Text,
     mend: Mend,
 ) -> DataProblem {
     let name = session.targets.get(target).map_or("", |t| t.name.as_str());
     let size = by.norm();
     let samples = session.samples.target.iter().flatten().enumerate();
     DataProblem {
-        what: Text::verbatim(format!(
-            "target {name} is elsewhere: {size:.3} mm from its stated place in the tool"
-        )),
-        evidence: Text::verbatim(evidence),
-        proposal: Text::verbatim(format!(
-            "its place is fitted (moved by {:.3}, {:.3}, {:.3} mm); measure it, or state \
-             targets_sigma_mm",
-            by.x, by.y, by.z
-        )),
+        what: text!(
+            "target {name} is elsewhere: {size} mm from its stated place in the tool",
+            name = name,
+            size = format!("{size:.3}")
+        ),
+        evidence,
+        proposal: text!(
+            "its place is fitted (moved by {by} mm); measure it, or state targets_sigma_mm",
+            by = format!("{:.3}, {:.3}, {:.3}", by.x, by.y, by.z)
+        ),
         mend: Some(mend),
         samples: samples
             .filter(|(_, own)| **own as usize == target)
