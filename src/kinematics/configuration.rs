@@ -18,36 +18,37 @@ const MEETS: f64 = 1e-6;
 /// A wrist this near to a border, as a part of the reach, is on no side of it.
 const OFF_THE_AXIS: f64 = 1e-6;
 
-/// One statement about a configuration. Joints are counted from 0.
-#[derive(Debug, Clone, PartialEq)]
+/// One statement about a configuration, which a long program makes hundreds of thousands of times. Joints are counted
+/// from 0; a robot has at most 100.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Statement {
     /// The joint's value in quarter turns, rounded down.
     Quadrant {
         /// The joint.
-        joint: usize,
+        joint: u8,
         /// 0 from 0° to 90°, −1 from −90° to 0°, and so on.
-        quadrant: i64,
+        quadrant: i16,
     },
     /// The sign of the joint's value.
     Negative {
         /// The joint.
-        joint: usize,
+        joint: u8,
         /// Whether it is below zero.
         negative: bool,
     },
     /// The same of the wrist's middle joint, which makers do not all count the same way round.
     WristNegative {
         /// The joint.
-        joint: usize,
+        joint: u8,
         /// Whether it is below zero.
         negative: bool,
     },
     /// Whole turns, rounded to the nearest: 0 from −180° to 180°.
     Turns {
         /// The joint.
-        joint: usize,
+        joint: u8,
         /// How many.
-        turns: i64,
+        turns: i16,
     },
     /// Whether the wrist's centre is on the other side of the first axis than at home.
     Behind(bool),
@@ -70,7 +71,8 @@ impl Statement {
 
     /// Whether joint values (rad or mm) agree; `None` where the robot has nothing to compare.
     pub fn agrees(&self, robot: &Robot, q: &[f64]) -> Option<bool> {
-        let angle = |joint: usize| {
+        let angle = |joint: u8| {
+            let joint = usize::from(joint);
             let turning = robot.joints.get(joint)?.kind == JointKind::Revolute;
             turning.then(|| q[joint])
         };
@@ -78,11 +80,11 @@ impl Statement {
         match self {
             Self::Quadrant { joint, quadrant } => {
                 let near = around(angle(*joint)?);
-                Some(near.iter().any(|v| quadrant_of(*v) == *quadrant))
+                Some(near.iter().any(|v| quadrant_of(*v) == i64::from(*quadrant)))
             }
             Self::Turns { joint, turns } => {
                 let near = around(angle(*joint)?);
-                Some(near.iter().any(|v| turns_of(*v) == *turns))
+                Some(near.iter().any(|v| turns_of(*v) == i64::from(*turns)))
             }
             Self::Negative { joint, negative } | Self::WristNegative { joint, negative } => {
                 let near = around(angle(*joint)?);

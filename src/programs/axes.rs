@@ -73,8 +73,8 @@ impl Axes {
     }
 
     /// The joints at the robot's own axes, in their order.
-    pub(super) fn own_joints(&self) -> Vec<Option<usize>> {
-        (0..MOST_OWN).map(|k| self.joint(Slot::Own(k))).collect()
+    pub(super) fn own_numbered(&self) -> Vec<Option<u8>> {
+        (0..MOST_OWN).map(|k| self.numbered(Slot::Own(k))).collect()
     }
 
     /// A target of joint values in degrees and mm, each taken from its axis.
@@ -116,6 +116,11 @@ impl Axes {
     /// The joint at an axis.
     pub fn joint(&self, slot: Slot) -> Option<usize> {
         self.slots.iter().position(|s| *s == slot)
+    }
+
+    /// The same in a byte: a robot has at most 100 joints.
+    pub(super) fn numbered(&self, slot: Slot) -> Option<u8> {
+        u8::try_from(self.joint(slot)?).ok()
     }
 
     /// The axis of a joint; of one that the robot has not, an axis of its own behind all others.

@@ -415,14 +415,14 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
             )
         });
     }
-    let unstated = |t: &Target| t.circumstances.load_kg.is_none();
+    let unstated = |t: &Target| t.circumstances().load_kg.is_none();
     if program.targets.iter().any(unstated) {
         notes.push(text!(
             "targets without a load are corrected for {load} kg",
             load = reading.load_kg
         ));
     }
-    let cold = |t: &Target| t.circumstances.temperature_c.is_none();
+    let cold = |t: &Target| t.circumstances().temperature_c.is_none();
     let terms = request.calibration.model.terms().iter();
     let mut warm = terms.filter(|t| t.effect.about().over == crate::effects::Over::Temperature);
     if program.targets.iter().any(cold) && warm.next().is_some() {

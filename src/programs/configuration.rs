@@ -4,12 +4,12 @@ use crate::kinematics::Robot;
 use crate::kinematics::configuration::{Statement, quadrant_of, turns_of};
 
 use super::rewrite::Edit;
-use super::target::{Mark, Target};
+use super::target::{Mark, Signs, Target};
 
 /// What has to be written for a target's configuration at the corrected values.
 pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
     let agrees = |statement: &Statement| statement.agrees(robot, q) != Some(false);
-    let still = |joint: usize| {
+    let still = |joint: u8| {
         let about = |s: &&Statement| match s {
             Statement::Quadrant { joint: j, .. }
             | Statement::Turns { joint: j, .. }
@@ -19,20 +19,21 @@ pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
         target.configuration.iter().filter(about).all(agrees)
     };
     let edit = |mark: &Mark| match mark {
-        Mark::Quadrant { range, joint } => (!still(*joint)).then(|| Edit {
-            range: range.clone(),
-            text: quadrant_of(q[*joint]).to_string(),
+        Mark::Quadrant { span, joint } => (!still(*joint)).then(|| Edit {
+            range: span.range(),
+            text: quadrant_of(q[usize::from(*joint)]).to_string(),
         }),
-        Mark::Turns { range, joint } => (!still(*joint)).then(|| Edit {
-            range: range.clone(),
-            text: turns_of(q[*joint]).to_string(),
+        Mark::Turns { span, joint } => (!still(*joint)).then(|| Edit {
+            range: span.range(),
+            text: turns_of(q[usize::from(*joint)]).to_string(),
         }),
-        Mark::Signs {
-            range,
-            joints,
-            value,
-            binary_digits,
-        } => {
+        Mark::Signs(signs) => {
+            let Signs {
+                range,
+                joints,
+                value,
+                binary_digits,
+            } = &**signs;
             let mut now = *value;
             for (bit, joint) in joints.iter().enumerate() {
                 if let Some(joint) = joint

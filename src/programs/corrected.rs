@@ -258,7 +258,7 @@ impl Corrector<'_> {
             .configuration
             .iter()
             .find_map(|statement| match statement {
-                Statement::WristNegative { joint, .. } => Some(*joint).filter(|_| {
+                Statement::WristNegative { joint, .. } => Some(usize::from(*joint)).filter(|_| {
                     statement.agrees(self.robot, from) == Some(true)
                         && statement.agrees(self.robot, to) == Some(false)
                 }),

@@ -13,7 +13,7 @@ use crate::sessions::columns::{Heading, Quantity, Unit};
 use super::axes::Axes;
 use super::number::{NoNumber, Number};
 use super::pose::{Frame, Orientation};
-use super::target::{Problem, Program, Remark, Shape, Target};
+use super::target::{Circumstances, Problem, Program, Remark, Shape, Target};
 use super::text::Text;
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
@@ -300,15 +300,15 @@ impl Table<'_> {
         } else {
             Shape::Pose(self.pose(row)?)
         };
-        let mut target = Target::new(format!("row {number}"), row.line.start, shape);
+        let mut circumstances = Circumstances::default();
         let joints = self.axes.joints();
         // Only where there are such columns: a large table has hundreds of thousands of rows.
         let mut known = self.columns.iter().flatten().map(|(quantity, _)| *quantity);
         if known.clone().any(|q| matches!(q, Quantity::Direction(_))) {
-            target.circumstances.dir = vec![None; joints];
+            circumstances.dir = vec![None; joints];
         }
         if known.any(|q| matches!(q, Quantity::Speed(_))) {
-            target.circumstances.speed = vec![None; joints];
+            circumstances.speed = vec![None; joints];
         }
         for (k, column) in self.columns.iter().enumerate() {
             let Some((quantity, unit)) = *column else {
@@ -317,7 +317,6 @@ impl Table<'_> {
             if row.cells[k].is_empty() {
                 continue;
             }
-            let circumstances = &mut target.circumstances;
             match quantity {
                 Quantity::Load => circumstances.load_kg = Some(number_at(k)?.value),
                 Quantity::Temperature => circumstances.temperature_c = Some(number_at(k)?.value),
@@ -329,7 +328,11 @@ impl Table<'_> {
                     if ![-1.0, 0.0, 1.0].contains(&value.value) {
                         let found =
                             text!("dir{joint} {value}", joint = joint + 1, value = value.value);
-                        return Err(Problem::new(value.range.start, found, text!("1, -1 or 0")));
+                        return Err(Problem::new(
+                            value.range().start,
+                            found,
+                            text!("1, -1 or 0"),
+                        ));
                     }
                     // 0: not stated, so that it follows from the target before.
                     circumstances.dir[joint] = (value.value != 0.0).then_some(value.value);
@@ -337,6 +340,8 @@ impl Table<'_> {
                 _ => {}
             }
         }
+        let mut target = Target::new(format!("row {number}"), row.line.start, shape);
+        target.set_circumstances(circumstances);
         Ok(target)
     }
 
@@ -360,13 +365,16 @@ impl Table<'_> {
             Orientation::Quaternion
         };
         let frame = Frame {
-            position: [0, 1, 2].map(|k: usize| position[k].0.clone()),
+            position: [0, 1, 2].map(|k: usize| position[k].0),
             mm: [0, 1, 2].map(|k: usize| position[k].1),
             turn,
             orientation,
         };
         if frame.goal().is_none() {
-            let at = frame.turn.first().map_or(row.line.start, |n| n.range.start);
+            let at = frame
+                .turn
+                .first()
+                .map_or(row.line.start, |n| n.range().start);
             let found = text!("a quaternion of no length");
             return Err(Problem::new(at, found, text!("an orientation")));
         }

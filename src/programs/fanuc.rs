@@ -23,7 +23,7 @@ use super::axes::Axes;
 use super::frames::{declare, declare_none};
 use super::target::{Problem, Program, Remark};
 use super::text::Text;
-use super::tokens::{Dialect, Words, words};
+use super::tokens::{Dialect, Source};
 
 use positions::Positions;
 
@@ -47,14 +47,10 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     declare_none(&mut program.tools, "UT 0");
     let mut problems = Vec::new();
     let (moves, positions) = sections(text);
+    let source = Source::new(text, DIALECT, phrase!("the end of /POS"));
     let by_number = match positions {
-        Some(range) => match words(text, range, DIALECT) {
-            Ok(tokens) => {
-                let words = Words {
-                    text,
-                    tokens,
-                    end: phrase!("the end of /POS"),
-                };
+        Some(range) => match source.words(range) {
+            Ok(words) => {
                 let mut reader = Positions {
                     words,
                     axes,
@@ -165,7 +161,7 @@ fn motion(
                     "P[{number}] is a way from where the robot is (INC)",
                     number = number
                 );
-                program.targets[*index].left = Some(Left::new(Reason::Relative, says));
+                program.targets[*index].left = Some(Box::new(Left::new(Reason::Relative, says)));
             }
             Some(offset) => {
                 let says = text!(

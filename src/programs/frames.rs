@@ -280,7 +280,7 @@ pub(super) fn place(program: &mut Program, reading: &Reading) {
     for (target, placed) in program.targets.iter_mut().zip(all) {
         match placed {
             Ok(placed) => target.placed = placed,
-            Err(says) => target.left = Some(Left::new(Reason::Frame, says)),
+            Err(says) => target.left = Some(Box::new(Left::new(Reason::Frame, says))),
         }
     }
     program.notes.extend(notes);

@@ -21,9 +21,9 @@ use super::axes::Axes;
 use super::moves::{Goal, Moves};
 use super::number::Number;
 use super::pose::{Frame, Orientation};
-use super::target::{Mark, Problem, Program, Remark, Shape, Target};
+use super::target::{Mark, Problem, Program, Remark, Shape, Signs, Target};
 use super::text::Text;
-use super::tokens::{Dialect, Words, words};
+use super::tokens::{Dialect, Source, Words};
 
 use aggregates::{Aggregate, Type, aggregate, axis_name, kind_of, type_of};
 use held::Held;
@@ -52,6 +52,7 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("E1 to E6")?;
     // Line by line: a statement ends with its line.
+    let source = Source::new(text, DIALECT, phrase!("the end of the line"));
     let mut lines = Vec::new();
     let mut problems = Vec::new();
     for line in text.lines() {
@@ -61,13 +62,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         {
             continue;
         }
-        match words(text, line, DIALECT) {
-            Ok(tokens) if tokens.is_empty() => {}
-            Ok(tokens) => lines.push(Words {
-                text,
-                tokens,
-                end: phrase!("the end of the line"),
-            }),
+        match source.words(line) {
+            Ok(words) if words.len() == 0 => {}
+            Ok(words) => lines.push(words),
             Err(problem) => problems.push(problem),
         }
     }
@@ -133,7 +130,7 @@ struct KrlReader<'x> {
 impl KrlReader<'_> {
     fn line(&mut self, words: &Words) -> Result<(), Problem> {
         let mut k = 0;
-        while k < words.tokens.len() {
+        while k < words.len() {
             if let Some(name) = words.name(k)
                 && is_motion(&name)
                 && k == 0
@@ -202,7 +199,7 @@ impl KrlReader<'_> {
         }
         let mut wanted = if name.contains("circ") { 2 } else { 1 };
         let mut k = 1;
-        while wanted > 0 && k < words.tokens.len() {
+        while wanted > 0 && k < words.len() {
             wanted -= 1;
             let at = words.at(k);
             if words.is_sign(k, b'{') {
@@ -247,7 +244,7 @@ impl KrlReader<'_> {
                 k += 1;
             }
         }
-        if words.tokens.len() == 1 {
+        if words.len() == 1 {
             let found = text!("nothing");
             return Err(Problem::new(
                 at,
@@ -330,7 +327,7 @@ impl KrlReader<'_> {
             Err(()) => return Ok(None),
         }
         if let Some((value, range, binary_digits)) = aggregate.whole("t", name)? {
-            let joints = self.axes.own_joints();
+            let joints = self.axes.own_numbered();
             for (bit, joint) in joints.iter().enumerate() {
                 if let Some(joint) = *joint {
                     let negative = value >> bit & 1 != 0;
@@ -339,12 +336,12 @@ impl KrlReader<'_> {
                         .push(Statement::Negative { joint, negative });
                 }
             }
-            target.marks.push(Mark::Signs {
+            target.marks.push(Mark::Signs(Box::new(Signs {
                 range,
                 joints,
                 value,
                 binary_digits,
-            });
+            })));
         }
         if let Some((value, ..)) = aggregate.whole("s", name)? {
             target.configuration.push(Statement::Behind(value & 1 != 0));

@@ -25,7 +25,9 @@ struct Move {
     at: usize,
     /// The name in [`Moves::names`].
     name: usize,
-    /// How the name is spelled; `None` where the goal is only worked out from it.
+    /// Whether the goal is only worked out from the name.
+    mentioned: bool,
+    /// How the name is spelled, where the file has not given it values before.
     spelled: Option<Box<str>>,
 }
 
@@ -38,8 +40,23 @@ enum MotionVisit {
 /// A name, the targets that are its values, and how motions go to it.
 #[derive(Default)]
 struct Named {
-    targets: Vec<usize>,
+    /// The first of its values; nearly every name has just this one.
+    first: Option<usize>,
+    others: Vec<usize>,
     ways: Ways,
+}
+
+impl Named {
+    fn add(&mut self, target: usize) {
+        match self.first {
+            None => self.first = Some(target),
+            Some(_) => self.others.push(target),
+        }
+    }
+
+    fn targets(&self) -> impl Iterator<Item = usize> + '_ {
+        self.first.iter().chain(&self.others).copied()
+    }
 }
 
 /// The targets of a program by name, and its motions in the order of the file.
@@ -58,13 +75,14 @@ impl Moves {
         &mut self,
         program: &mut Program,
         name: Option<&str>,
-        target: Target,
+        mut target: Target,
     ) -> usize {
+        target.shrink();
         program.targets.push(target);
         let index = program.targets.len() - 1;
         if let Some(name) = name {
             let name = self.name(name);
-            self.names[name].targets.push(index);
+            self.names[name].add(index);
         }
         index
     }
@@ -92,17 +110,24 @@ impl Moves {
             frame: frame.clone(),
             tool: tool.clone(),
         });
-        let (name, spelled) = match goal {
+        let (name, spelled, mentioned) = match goal {
             Goal::Inline(index) => {
                 program.targets[index].ways.add(way);
                 return self.all.push(MotionVisit::Inline(index));
             }
-            Goal::Named(name, spelled) => (name, Some(spelled.into_boxed_str())),
-            Goal::Mentioned(name) => (name, None),
+            Goal::Named(name, spelled) => (name, Some(spelled), false),
+            Goal::Mentioned(name) => (name, None, true),
         };
         let name = self.name(&name);
-        self.names[name].ways.add(way);
-        self.all.push(MotionVisit::Move(Move { at, name, spelled }));
+        let named = &mut self.names[name];
+        named.ways.add(way);
+        let spelled = spelled.filter(|_| named.first.is_none());
+        self.all.push(MotionVisit::Move(Move {
+            at,
+            name,
+            mentioned,
+            spelled: spelled.map(String::into_boxed_str),
+        }));
     }
 
     /// A name that is assigned to at run time.
@@ -121,9 +146,11 @@ impl Moves {
                 }
                 MotionVisit::Move(one) => one,
             };
-            match (&self.names[one.name].targets[..], one.spelled) {
-                ([index], Some(_)) => program.visits.push(*index),
-                ([], Some(spelled)) => {
+            let named = &self.names[one.name];
+            match (named.first, one.spelled) {
+                _ if one.mentioned => {}
+                (Some(index), _) if named.others.is_empty() => program.visits.push(index),
+                (None, Some(spelled)) => {
                     let says = text!(
                         "{spelled} {elsewhere}",
                         spelled = &*spelled,
@@ -131,18 +158,18 @@ impl Moves {
                     );
                     program.at_run_time.push(Remark { at: one.at, says });
                 }
-                // An array, a name that is given several values, or one that is only mentioned.
+                // An array, or a name that is given several values.
                 _ => {}
             }
         }
         for named in &self.names {
-            for target in &named.targets {
-                program.targets[*target].ways.join(named.ways);
+            for target in named.targets() {
+                program.targets[target].ways.join(named.ways);
             }
         }
         for (name, spelled, at) in self.changed {
             let known = self.by_name.get(&name);
-            if known.is_some_and(|known| !self.names[*known].targets.is_empty()) {
+            if known.is_some_and(|known| self.names[*known].first.is_some()) {
                 let says = text!("{spelled} is changed at run time", spelled = &*spelled);
                 program.at_run_time.push(Remark { at, says });
             }

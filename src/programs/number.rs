@@ -1,21 +1,40 @@
 //! Numbers as they stand in a file, and as they are written back.
 
-use crate::text::Template;
+use std::num::NonZero;
 use std::ops::Range;
 
-/// A number in a file.
-#[derive(Debug, Clone, PartialEq)]
+use crate::text::Template;
+
+/// A place in a file of at most 4 GiB.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Span {
+    start: u32,
+    end: u32,
+}
+
+impl Span {
+    /// `None` beyond 4 GiB.
+    pub(super) fn of(range: &Range<usize>) -> Option<Self> {
+        Some(Self {
+            start: u32::try_from(range.start).ok()?,
+            end: u32::try_from(range.end).ok()?,
+        })
+    }
+
+    pub(super) fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// A number in a file; a long program has millions of them, so that it is small.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
-    /// Its bytes, sign included.
-    pub range: Range<usize>,
     /// Its value, in the file's unit.
     pub value: f64,
-    /// Digits behind the point; none with an exponent.
-    pub decimals: usize,
-    /// Whether the decimal sign is a comma.
-    pub comma: bool,
-    /// Where its digits begin, if they stand off its sign.
-    pub apart: Option<usize>,
+    span: Span,
+    apart: Option<NonZero<u32>>,
+    decimals: u8,
+    comma: bool,
 }
 
 /// Why bytes are no number.
@@ -91,18 +110,45 @@ impl Number {
             value
         };
         Ok(Self {
-            range,
             value,
-            decimals,
+            span: Span::of(&range).ok_or(NoNumber::TooLarge)?,
+            // It is before the end, which has a place.
+            apart: apart.and_then(|at| NonZero::new(u32::try_from(at).ok()?)),
+            decimals: u8::try_from(decimals).unwrap_or(u8::MAX),
             comma,
-            apart,
         })
+    }
+
+    /// A number that stands nowhere.
+    #[cfg(test)]
+    pub(super) fn nowhere(value: f64, decimals: u8) -> Self {
+        Self {
+            value,
+            span: Span { start: 0, end: 0 },
+            apart: None,
+            decimals,
+            comma: false,
+        }
+    }
+
+    /// Its bytes, sign included.
+    pub fn range(&self) -> Range<usize> {
+        self.span.range()
+    }
+
+    pub(super) fn span(&self) -> Span {
+        self.span
+    }
+
+    /// Where its digits begin, if they stand off its sign.
+    pub fn apart(&self) -> Option<usize> {
+        self.apart.map(|at| at.get() as usize)
     }
 
     /// How another value is written in its place: with the digits that it had, at least `least`
     /// behind the point. The same value stays as it was, byte for byte.
     pub(super) fn written(&self, value: f64, least: usize) -> Option<String> {
-        let decimals = self.decimals.max(least).min(MOST_DECIMALS);
+        let decimals = usize::from(self.decimals).max(least).min(MOST_DECIMALS);
         let half = 0.5 * 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
         if (value - self.value).abs() < half {
             return None;
@@ -130,7 +176,7 @@ mod tests {
 
     fn read(text: &str, comma: bool) -> Result<(f64, usize), NoNumber> {
         let number = Number::read(text.as_bytes(), 0..text.len(), comma)?;
-        Ok((number.value, number.decimals))
+        Ok((number.value, usize::from(number.decimals)))
     }
 
     #[test]
@@ -152,8 +198,8 @@ mod tests {
     fn digits_that_stand_off_their_sign_say_where_they_begin() {
         let text = b"x - \r5.25";
         let number = Number::read(text, 2..9, false).unwrap();
-        assert_eq!((number.value, number.apart), (-5.25, Some(5)));
-        assert_eq!(Number::read(b"-5", 0..2, false).unwrap().apart, None);
+        assert_eq!((number.value, number.apart()), (-5.25, Some(5)));
+        assert_eq!(Number::read(b"-5", 0..2, false).unwrap().apart(), None);
     }
 
     #[test]

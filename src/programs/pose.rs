@@ -102,9 +102,9 @@ impl Frame {
             return None;
         };
         Some(Self {
-            position: [x, y, z].map(Number::clone),
+            position: [*x, *y, *z],
             mm: [1.0; 3],
-            turn: vec![a.clone(), b.clone(), c.clone()],
+            turn: vec![*a, *b, *c],
             orientation,
         })
     }
@@ -241,13 +241,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn number(value: f64) -> Number {
-        Number {
-            range: 0..0,
-            value,
-            decimals: 3,
-            comma: false,
-            apart: None,
-        }
+        Number::nowhere(value, 3)
     }
 
     fn frame(orientation: Orientation, turn: &[f64]) -> Frame {

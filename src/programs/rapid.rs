@@ -23,7 +23,7 @@ use super::frames::{Names, Referred, declare, declare_none};
 use super::moves::{Goal, Moves};
 use super::target::{Problem, Program, Remark};
 use super::text::Text;
-use super::tokens::{Dialect, Kind, Words, words};
+use super::tokens::{Dialect, Kind, Source, Words};
 
 use lists::{Lists, Tree, is_array, mass};
 
@@ -47,13 +47,10 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("eax_a to eax_f")?;
-    let tokens = words(text, text.start()..text.bytes.len(), DIALECT).map_err(|p| vec![p])?;
+    let source = Source::new(text, DIALECT, phrase!("the end of the file"));
+    let words = source.words(text.start()..text.bytes.len());
     let mut reader = RapidReader {
-        words: Words {
-            text,
-            tokens,
-            end: phrase!("the end of the file"),
-        },
+        words: words.map_err(|problem| vec![problem])?,
         axes,
         program: Program::default(),
         problems: Vec::new(),
@@ -92,7 +89,7 @@ struct RapidReader<'t, 'a> {
 impl<'t, 'a> RapidReader<'t, 'a> {
     fn run(&mut self) {
         let mut k = 0;
-        while k < self.words.tokens.len() {
+        while k < self.words.len() {
             k = match self.words.name(k).as_deref() {
                 Some(
                     kind @ ("robtarget" | "jointtarget" | "tooldata" | "wobjdata" | "loaddata"),
@@ -208,7 +205,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             Ok(None) => {
                 let at = match tree {
                     Tree::List(_, at) => *at,
-                    Tree::Number(number) => number.range.start,
+                    Tree::Number(number) => number.range().start,
                     Tree::Other(k) => self.words.at(*k),
                 };
                 self.run_time(
@@ -283,7 +280,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
         let command = self.words.spelled(k);
         let mut arguments = Vec::new();
         let mut k = k + 1;
-        while k < self.words.tokens.len() && !self.words.is_sign(k, b';') {
+        while k < self.words.len() && !self.words.is_sign(k, b';') {
             let end = self.words.until(k, b",;");
             let next_move = |j: &usize| self.words.name(*j).is_some_and(|n| is_move(&n));
             if let Some(j) = (k..end).find(next_move) {

@@ -63,7 +63,7 @@ impl<'a> Resolver<'a> {
 
     pub(super) fn resolve(&mut self, target: &Target) -> Result<Resolved, Left> {
         if let Some(left) = &target.left {
-            return Err(left.clone());
+            return Err((**left).clone());
         }
         let (q, pose) = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {

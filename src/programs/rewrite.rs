@@ -47,8 +47,8 @@ pub(super) fn edits(
         let Some(text) = number.written(value, decimals) else {
             continue;
         };
-        let Range { start, end } = number.range;
-        if let Some(digits) = number.apart {
+        let Range { start, end } = number.range();
+        if let Some(digits) = number.apart() {
             // What stands between sign and digits, a line break perhaps, stays.
             let unsigned = text.trim_start_matches('-');
             let (sign, text) = text.split_at(text.len() - unsigned.len());

@@ -110,7 +110,7 @@ impl<'m> Sequence<'m> {
 
     /// Load at a target, kg.
     pub(super) fn load_kg(&self, target: &Target) -> f64 {
-        target.circumstances.load_kg.unwrap_or(self.load_kg)
+        target.circumstances().load_kg.unwrap_or(self.load_kg)
     }
 
     /// Some targets as a model takes them.
@@ -128,7 +128,7 @@ impl<'m> Sequence<'m> {
         for j in 0..self.joints {
             let at = |k: usize| k * self.joints + j;
             let speed = |k: usize| {
-                let speed = targets[k].circumstances.speed.get(j);
+                let speed = targets[k].circumstances().speed.get(j);
                 speed.copied().flatten().unwrap_or(0.0)
             };
             inputs.dir[j] = Some(Cow::Owned(column(&|k| f64::from(self.dir[at(k)]))));
@@ -137,14 +137,14 @@ impl<'m> Sequence<'m> {
         }
         inputs.load_kg = Some(Cow::Owned(column(&|k| self.load_kg(&targets[k]))));
         inputs.above_20_c = Some(column(&|k| {
-            let stated = targets[k].circumstances.temperature_c;
+            let stated = targets[k].circumstances().temperature_c;
             stated.unwrap_or(REFERENCE_TEMPERATURE_C) - REFERENCE_TEMPERATURE_C
         }));
         inputs
     }
 
     fn visit(&self, q: &[f64], target: &Target, before: Option<&Visit>) -> Visit {
-        let mut stated = target.circumstances.dir.clone();
+        let mut stated = target.circumstances().dir.clone();
         self.convention.sides_to_model(&mut stated);
         let mut visit = Visit {
             q: q.to_vec(),

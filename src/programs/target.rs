@@ -7,7 +7,7 @@ use crate::kinematics::configuration::Statement;
 
 use super::answer::Left;
 use super::frames::{AllWays, Names, Placed, Ways};
-use super::number::Number;
+use super::number::{Number, Span};
 use super::pose::Frame;
 use super::program_frames::StatedLoads;
 
@@ -71,18 +71,22 @@ impl Shape {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// The quadrant of a joint.
-    Quadrant { range: Range<usize>, joint: usize },
+    Quadrant { span: Span, joint: u8 },
     /// The whole turns of a joint.
-    Turns { range: Range<usize>, joint: usize },
+    Turns { span: Span, joint: u8 },
     /// One bit for each axis that is below zero.
-    Signs {
-        range: Range<usize>,
-        /// The axes of the bits, from the lowest: a joint of the robot or none.
-        joints: Vec<Option<usize>>,
-        value: u32,
-        /// Digits between the quotes of a binary number; 0 for a decimal one.
-        binary_digits: usize,
-    },
+    Signs(Box<Signs>),
+}
+
+/// One bit for each axis that is below zero.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Signs {
+    pub(super) range: Range<usize>,
+    /// The axes of the bits, from the lowest: a joint of the robot or none.
+    pub(super) joints: Vec<Option<u8>>,
+    pub(super) value: u32,
+    /// Digits between the quotes of a binary number; 0 for a decimal one.
+    pub(super) binary_digits: usize,
 }
 
 /// What is known of the circumstances of a target.
@@ -99,7 +103,7 @@ pub struct Circumstances {
     pub speed: Vec<Option<f64>>,
 }
 
-/// One target of a file.
+/// One target of a file. A long program has hundreds of thousands, so that what few have stands apart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
     /// Its name, or what it is a part of.
@@ -114,10 +118,9 @@ pub struct Target {
     pub near: Option<Vec<f64>>,
     /// Values of the joints that the pose does not move (external axes), rad or mm, by joint.
     pub external: Vec<(usize, f64)>,
-    /// What is known of its circumstances.
-    pub circumstances: Circumstances,
+    known: Option<Box<Circumstances>>,
     /// Why it cannot be corrected, whatever its numbers.
-    pub left: Option<Left>,
+    pub left: Option<Box<Left>>,
     pub(super) marks: Vec<Mark>,
     /// In which frames and with which tools motions go to it.
     pub(super) ways: Ways,
@@ -134,12 +137,34 @@ impl Target {
             configuration: Vec::new(),
             near: None,
             external: Vec::new(),
-            circumstances: Circumstances::default(),
+            known: None,
             left: None,
             marks: Vec::new(),
             ways: Ways::default(),
             placed: Placed::default(),
         }
+    }
+
+    /// What is known of its circumstances.
+    pub fn circumstances(&self) -> &Circumstances {
+        const NOTHING: &Circumstances = &Circumstances {
+            load_kg: None,
+            temperature_c: None,
+            dir: Vec::new(),
+            speed: Vec::new(),
+        };
+        self.known.as_deref().unwrap_or(NOTHING)
+    }
+
+    pub(super) fn set_circumstances(&mut self, known: Circumstances) {
+        self.known = (known != Circumstances::default()).then(|| Box::new(known));
+    }
+
+    /// Gives back the room that lists have to grow.
+    pub(super) fn shrink(&mut self) {
+        self.configuration.shrink_to_fit();
+        self.marks.shrink_to_fit();
+        self.external.shrink_to_fit();
     }
 }
 

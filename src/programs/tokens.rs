@@ -1,7 +1,9 @@
 //! Words of a program: names, numbers, strings and signs, each with its bytes. Comments are left out.
 
-use crate::text::Template;
+use std::cell::RefCell;
 use std::ops::Range;
+
+use crate::text::Template;
 
 use super::number::Number;
 use super::target::Problem;
@@ -22,25 +24,54 @@ pub(super) enum Kind {
     Sign(u8),
 }
 
-/// One word; a long program has millions of them.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// One word; a long program has millions of them, so that it is small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Token {
-    pub(super) kind: Kind,
     start: u32,
-    end: u32,
+    /// What it is in the lowest bits; above them its length, or which sign it is.
+    rest: u32,
 }
 
+/// Bits of a token that say what it is.
+const KIND_BITS: u32 = 3;
+/// Bytes of the longest word.
+const LONGEST: u32 = u32::MAX >> KIND_BITS;
+
 impl Token {
-    /// `None` beyond 4 GiB.
+    /// `None` beyond 4 GiB, or of a word that is longer than half of one.
     fn new(kind: Kind, range: Range<usize>) -> Option<Self> {
         let start = u32::try_from(range.start).ok()?;
-        let end = u32::try_from(range.end).ok()?;
-        Some(Self { kind, start, end })
+        let length = u32::try_from(range.len()).ok()?;
+        let (kind, above) = match kind {
+            Kind::Name => (0, length),
+            Kind::Digits => (1, length),
+            Kind::String => (2, length),
+            Kind::Bits => (3, length),
+            Kind::Sign(sign) => (4, u32::from(sign)),
+        };
+        let rest = above << KIND_BITS | kind;
+        (above <= LONGEST).then_some(Self { start, rest })
+    }
+
+    pub(super) fn kind(self) -> Kind {
+        match self.rest & ((1 << KIND_BITS) - 1) {
+            0 => Kind::Name,
+            1 => Kind::Digits,
+            2 => Kind::String,
+            3 => Kind::Bits,
+            // What was put there is a byte.
+            _ => Kind::Sign(u8::try_from(self.rest >> KIND_BITS).unwrap_or_default()),
+        }
     }
 
     /// Its bytes.
-    pub(super) fn range(&self) -> Range<usize> {
-        self.start as usize..self.end as usize
+    pub(super) fn range(self) -> Range<usize> {
+        let start = self.start as usize;
+        let length = match self.kind() {
+            Kind::Sign(_) => 1,
+            _ => (self.rest >> KIND_BITS) as usize,
+        };
+        start..start + length
     }
 }
 
@@ -55,42 +86,118 @@ pub(super) struct Dialect {
     pub(super) bits: bool,
 }
 
-/// The words of some bytes of a file; `Err` where a string does not end on its line.
-pub(super) fn words(
-    text: &Text,
-    range: Range<usize>,
+/// A file that is read word by word. Words are not kept, as a long program has millions of them: marks say where every
+/// so-manieth begins, and the words behind a mark are read again when they are asked for.
+pub(super) struct Source<'t, 'a> {
+    text: &'t Text<'a>,
     dialect: Dialect,
-) -> Result<Vec<Token>, Problem> {
-    let bytes = &text.bytes[..range.end];
-    let mut at = range.start;
-    let mut tokens = Vec::new();
-    while at < bytes.len() {
-        let byte = bytes[at];
-        if byte.is_ascii_whitespace() {
-            at += 1;
-            continue;
+    /// What stands behind the last word, for messages.
+    end: Template,
+    recent: RefCell<Recent>,
+}
+
+/// Words between two marks.
+const BETWEEN_MARKS: usize = 64;
+/// Stretches of words that are kept: where a reader is, where it looks ahead, and a place that it comes back to.
+const KEPT: usize = 4;
+
+/// The stretches that were read last.
+#[derive(Default)]
+struct Recent {
+    stretches: [Stretch; KEPT],
+    oldest: usize,
+}
+
+/// The words behind a mark.
+#[derive(Default)]
+struct Stretch {
+    bytes: Range<usize>,
+    tokens: Vec<Token>,
+}
+
+impl<'t, 'a> Source<'t, 'a> {
+    pub(super) fn new(text: &'t Text<'a>, dialect: Dialect, end: Template) -> Self {
+        Self {
+            text,
+            dialect,
+            end,
+            recent: RefCell::default(),
         }
-        if Some(byte) == dialect.comment {
-            at = line_end(bytes, at);
-            continue;
-        }
-        let (kind, end) = if dialect.strings.contains(&byte) {
-            (Kind::String, string_end(bytes, at)?)
-        } else if dialect.bits && byte == b'\'' {
-            (Kind::Bits, string_end(bytes, at)?)
-        } else if byte.is_ascii_digit() || (byte == b'.' && digit_at(bytes, at + 1)) {
-            (Kind::Digits, number_end(bytes, at))
-        } else if is_of_name(byte) {
-            (Kind::Name, end_of(bytes, at, is_of_name))
-        } else {
-            (Kind::Sign(byte), at + 1)
-        };
-        let token = Token::new(kind, at..end)
-            .ok_or_else(|| Problem::new(at, text!("a longer program"), text!("at most 4 GiB")))?;
-        tokens.push(token);
-        at = end;
     }
-    Ok(tokens)
+
+    /// The words of some bytes; `Err` where a string does not end on its line.
+    pub(super) fn words(&'t self, range: Range<usize>) -> Result<Words<'t, 'a>, Problem> {
+        let (mut count, mut marks) = (0, Vec::new());
+        let mut at = range.start;
+        while let Some(token) = self.next(at..range.end)? {
+            if count > 0 && count % BETWEEN_MARKS == 0 {
+                marks.push(token.start);
+            }
+            count += 1;
+            at = token.range().end;
+        }
+        Ok(Words {
+            source: self,
+            range,
+            marks,
+            count,
+        })
+    }
+
+    /// The first word of some bytes.
+    fn next(&self, range: Range<usize>) -> Result<Option<Token>, Problem> {
+        let bytes = &self.text.bytes[..range.end];
+        let dialect = self.dialect;
+        let mut at = range.start;
+        while at < bytes.len() {
+            let byte = bytes[at];
+            if byte.is_ascii_whitespace() {
+                at += 1;
+                continue;
+            }
+            if Some(byte) == dialect.comment {
+                at = line_end(bytes, at);
+                continue;
+            }
+            let (kind, end) = if dialect.strings.contains(&byte) {
+                (Kind::String, string_end(bytes, at)?)
+            } else if dialect.bits && byte == b'\'' {
+                (Kind::Bits, string_end(bytes, at)?)
+            } else if byte.is_ascii_digit() || (byte == b'.' && digit_at(bytes, at + 1)) {
+                (Kind::Digits, number_end(bytes, at))
+            } else if is_of_name(byte) {
+                (Kind::Name, end_of(bytes, at, is_of_name))
+            } else {
+                (Kind::Sign(byte), at + 1)
+            };
+            let token = Token::new(kind, at..end);
+            let too_long = || Problem::new(at, text!("a longer program"), text!("at most 4 GiB"));
+            return token.map(Some).ok_or_else(too_long);
+        }
+        Ok(None)
+    }
+
+    /// A word behind a mark, of words that end where these bytes do.
+    fn behind_mark(&self, bytes: Range<usize>, k: usize) -> Option<Token> {
+        let mut recent = self.recent.borrow_mut();
+        if let Some(known) = recent.stretches.iter().find(|s| s.bytes == bytes) {
+            return known.tokens.get(k).copied();
+        }
+        let oldest = recent.oldest;
+        recent.oldest = (oldest + 1) % KEPT;
+        let stretch = &mut recent.stretches[oldest];
+        stretch.tokens.clear();
+        let mut at = bytes.start;
+        // That there are no problems is known since the words were counted.
+        while let Ok(Some(token)) = self.next(at..bytes.end)
+            && stretch.tokens.len() < BETWEEN_MARKS
+        {
+            stretch.tokens.push(token);
+            at = token.range().end;
+        }
+        stretch.bytes = bytes;
+        stretch.tokens.get(k).copied()
+    }
 }
 
 fn is_of_name(byte: u8) -> bool {
@@ -150,10 +257,10 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
 
 /// Words that are read one after the other.
 pub(super) struct Words<'t, 'a> {
-    pub(super) text: &'t Text<'a>,
-    pub(super) tokens: Vec<Token>,
-    /// What stands behind the last word, for messages.
-    pub(super) end: crate::text::Template,
+    source: &'t Source<'t, 'a>,
+    range: Range<usize>,
+    marks: Vec<u32>,
+    count: usize,
 }
 
 /// A value in a list.
@@ -163,24 +270,54 @@ pub(super) enum Value {
     RunTime(usize),
 }
 
-impl Words<'_, '_> {
+impl<'t, 'a> Words<'t, 'a> {
+    /// The file.
+    pub(super) fn text(&self) -> &'t Text<'a> {
+        self.source.text
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.count
+    }
+
+    fn token(&self, k: usize) -> Option<Token> {
+        if k >= self.count {
+            return None;
+        }
+        let mark = (k / BETWEEN_MARKS).checked_sub(1);
+        let start = mark.map_or(self.range.start, |mark| self.marks[mark] as usize);
+        let bytes = start..self.range.end;
+        self.source.behind_mark(bytes, k % BETWEEN_MARKS)
+    }
+
+    /// A word's place in the file.
+    pub(super) fn range(&self, k: usize) -> Option<Range<usize>> {
+        self.token(k).map(Token::range)
+    }
+
     /// A word's bytes.
-    pub(super) fn bytes(&self, k: usize) -> &[u8] {
-        self.tokens
-            .get(k)
-            .map_or(&[][..], |token| &self.text.bytes[token.range()])
+    pub(super) fn bytes(&self, k: usize) -> &'t [u8] {
+        let text: &'t [u8] = self.source.text.bytes;
+        self.range(k).map_or(&[], |range| &text[range])
     }
 
     /// Where a word begins; behind the last one where the last ends.
     pub(super) fn at(&self, k: usize) -> usize {
-        match self.tokens.get(k) {
-            Some(token) => token.range().start,
-            None => self.tokens.last().map_or(0, |token| token.range().end),
+        match self.range(k) {
+            Some(range) => range.start,
+            None => self.end(),
         }
     }
 
+    /// Where the last word ends.
+    fn end(&self) -> usize {
+        let last = self.count.checked_sub(1).and_then(|last| self.range(last));
+        last.map_or(0, |range| range.end)
+    }
+
     pub(super) fn kind(&self, k: usize) -> Option<Kind> {
-        self.tokens.get(k).map(|token| token.kind)
+        self.token(k).map(Token::kind)
     }
 
     pub(super) fn is_sign(&self, k: usize, sign: u8) -> bool {
@@ -206,13 +343,13 @@ impl Words<'_, '_> {
         if self.kind(digits) != Some(Kind::Digits) {
             return None;
         }
-        let range = self.at(k)..self.tokens[digits].range().end;
-        let read = Number::read(self.text.bytes, range.clone(), false);
+        let range = self.at(k)..self.at(digits) + self.bytes(digits).len();
+        let read = Number::read(self.text().bytes, range.clone(), false);
         Some(match read {
             Ok(number) => Ok((number, digits + 1)),
             Err(reason) => Err(Problem::new(
                 range.start,
-                text!("'{range}'", range = self.text.shown(range)),
+                text!("'{range}'", range = self.text().shown(range)),
                 reason.expected(),
             )),
         })
@@ -220,10 +357,10 @@ impl Words<'_, '_> {
 
     /// What stands at a word, for messages.
     pub(super) fn found(&self, k: usize) -> crate::text::Text {
-        if k < self.tokens.len() {
+        if k < self.count {
             crate::text::Text::verbatim(format!("'{}'", self.spelled(k)))
         } else {
-            self.end.into()
+            self.source.end.into()
         }
     }
 
@@ -234,11 +371,12 @@ impl Words<'_, '_> {
 
     /// The text from a word to the one before `end`.
     pub(super) fn shown(&self, k: usize, end: usize) -> String {
-        let last = self.tokens.get(end.max(k + 1) - 1).or(self.tokens.last());
-        match (self.tokens.get(k), last) {
-            (Some(first), Some(last)) => self.text.shown(first.range().start..last.range().end),
-            _ => String::new(),
-        }
+        let Some(first) = self.range(k) else {
+            return String::new();
+        };
+        let last = self.range(end.max(k + 1) - 1);
+        let end = last.map_or_else(|| self.end(), |last| last.end);
+        self.text().shown(first.start..end)
     }
 
     /// The first word from `k` on that is one of the signs, outside of brackets that open on the way.
@@ -296,8 +434,9 @@ mod tests {
 
     fn spelled(source: &str) -> Vec<String> {
         let text = Text::new(source.as_bytes());
-        let tokens = words(&text, 0..source.len(), RAPID).unwrap();
-        tokens.iter().map(|t| text.shown(t.range())).collect()
+        let source = Source::new(&text, RAPID, phrase!("the end of the file"));
+        let words = source.words(0..text.bytes.len()).unwrap();
+        (0..words.len()).map(|k| words.spelled(k)).collect()
     }
 
     #[test]
@@ -331,7 +470,8 @@ mod tests {
     #[test]
     fn a_string_without_end_is_a_problem_at_its_quote() {
         let text = Text::new(b"ab \"cd\nef\"");
-        let problem = words(&text, 0..10, RAPID).unwrap_err();
+        let source = Source::new(&text, RAPID, phrase!("the end of the file"));
+        let problem = source.words(0..10).err().unwrap();
         assert_eq!(problem.at, 3);
     }
 }

@@ -21,7 +21,7 @@ use super::moves::{Goal, Moves};
 use super::number::Number;
 use super::target::{Problem, Program, Remark, Shape, Target};
 use super::text::Text;
-use super::tokens::{Dialect, Kind, Words, words};
+use super::tokens::{Dialect, Kind, Source, Words};
 
 use literals::{Assigned, Literal, assigned, frame_of, literal};
 
@@ -47,12 +47,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
             text!("turning joints, which URScript gives in rad"),
         )]);
     }
-    let tokens = words(text, text.start()..text.bytes.len(), DIALECT).map_err(|p| vec![p])?;
-    let words = Words {
-        text,
-        tokens,
-        end: phrase!("the end of the file"),
-    };
+    let source = Source::new(text, DIALECT, phrase!("the end of the file"));
+    let words = source.words(text.start()..text.bytes.len());
+    let words = words.map_err(|problem| vec![problem])?;
     let mut problems = Vec::new();
     let mut reader = UrscriptReader {
         assigned: assigned(&words, &mut problems),
@@ -100,7 +97,7 @@ struct UrscriptReader<'t, 'a> {
 impl UrscriptReader<'_, '_> {
     fn run(&mut self) {
         let mut k = 0;
-        while k < self.words.tokens.len() {
+        while k < self.words.len() {
             let name = self.words.spelled(k);
             let called = self.words.is_sign(k + 1, b'(');
             if self.words.kind(k) == Some(Kind::Name) && called && targets_of(&name) > 0 {
@@ -214,7 +211,7 @@ impl UrscriptReader<'_, '_> {
                 .words
                 .problem(k, text!("the target of {command}", command = command)));
         }
-        if end >= self.words.tokens.len() {
+        if end >= self.words.len() {
             return Err(self.words.problem(end, text!(") at the end of the move")));
         }
         if self.words.spelled(k) == "get_inverse_kin" && self.words.is_sign(k + 1, b'(') {

@@ -260,11 +260,11 @@ fn read_program(language: &str, bytes: &[u8]) -> Option<usize> {
         match &target.shape {
             Shape::Joints { numbers, .. } => {
                 assert_eq!(numbers.len(), 2);
-                ranges.extend(numbers.iter().map(|n| n.range.clone()));
+                ranges.extend(numbers.iter().map(truepose::programs::Number::range));
             }
             Shape::Pose(frame) => {
                 let all = frame.position.iter().chain(&frame.turn);
-                ranges.extend(all.map(|n| n.range.clone()));
+                ranges.extend(all.map(truepose::programs::Number::range));
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::kinematics::configuration::Statement;
 
 use super::super::axes::{Axes, Slot};
 use super::super::frames::{Referred, Way};
-use super::super::number::Number;
+use super::super::number::{Number, Span};
 use super::super::pose::{Frame, Orientation};
 use super::super::target::{Mark, Problem, Program, Remark, Shape, Target};
 use super::super::tokens::{Kind, Words};
@@ -30,14 +30,14 @@ pub(super) struct Positions<'t, 'a, 'p> {
 impl Positions<'_, '_, '_> {
     pub(super) fn run(&mut self) {
         let mut k = 0;
-        while k < self.words.tokens.len() {
+        while k < self.words.len() {
             match self.position(k) {
                 Ok(end) => k = end,
                 Err(problem) => {
                     self.problems.push(problem);
                     // The next position is read all the same.
                     k += 1;
-                    while k < self.words.tokens.len()
+                    while k < self.words.len()
                         && !(self.words.bytes(k) == b"P" && self.words.is_sign(k + 1, b'['))
                     {
                         k += 1;
@@ -160,7 +160,7 @@ impl Positions<'_, '_, '_> {
             if self.words.is_sign(k, b':') {
                 match key.as_str() {
                     "config" if self.words.kind(k + 1) == Some(Kind::String) => {
-                        group.configuration = Some(self.words.tokens[k + 1].range());
+                        group.configuration = self.words.range(k + 1);
                     }
                     // The frame of number 0 is the world.
                     "uf" if self.words.bytes(k + 1) != b"0" => {
@@ -234,7 +234,7 @@ impl Positions<'_, '_, '_> {
             return Ok(None);
         }
         let number = |key: &str, unit: &str| match group.values.get(key) {
-            Some(Value::Number(number, found)) if *found == unit => Ok(number.clone()),
+            Some(Value::Number(number, found)) if *found == unit => Ok(*number),
             Some(Value::Number(number, found)) => {
                 let found = text!(
                     "{component} in {found} in {name}",
@@ -243,7 +243,7 @@ impl Positions<'_, '_, '_> {
                     name = name
                 );
                 Err(Problem::new(
-                    number.range.start,
+                    number.range().start,
                     found,
                     crate::text::Text::verbatim(unit),
                 ))
@@ -276,7 +276,7 @@ impl Positions<'_, '_, '_> {
                 .is_some_and(|n| n.parse::<u8>().is_ok());
             if !axis && !known.contains(&key.as_str()) {
                 let at = match value {
-                    Value::Number(number, _) => number.range.start,
+                    Value::Number(number, _) => number.range().start,
                     Value::Nothing => begins,
                 };
                 let found = text!(
@@ -320,7 +320,7 @@ impl Positions<'_, '_, '_> {
     /// `'N U T, 0, 0, 0'`
     fn configuration(&self, range: Range<usize>, target: &mut Target) -> Result<(), Problem> {
         let problem = || {
-            let found = crate::text::Text::verbatim(self.words.text.shown(range.clone()));
+            let found = crate::text::Text::verbatim(self.words.text().shown(range.clone()));
             Problem::new(
                 range.start,
                 found,
@@ -328,7 +328,7 @@ impl Positions<'_, '_, '_> {
             )
         };
         let inside = range.start + 1..range.end - 1;
-        let bytes = &self.words.text.bytes[inside.clone()];
+        let bytes = &self.words.text().bytes[inside.clone()];
         let mut parts = bytes.split(|b| *b == b',');
         let letters = parts.next().unwrap_or_default();
         let mut at = inside.start + letters.len() + 1;
@@ -339,7 +339,7 @@ impl Positions<'_, '_, '_> {
         else {
             return Err(problem());
         };
-        let fifth = self.axes.joint(Slot::Own(4));
+        let fifth = self.axes.numbered(Slot::Own(4));
         match (*wrist, fifth) {
             (b"N" | b"F", Some(joint)) => {
                 let negative = *wrist == b"N";
@@ -365,17 +365,15 @@ impl Positions<'_, '_, '_> {
         }
         for (part, axis) in parts.zip([0, 3, 5]) {
             let digits = part.trim_ascii();
-            let turns: i64 = std::str::from_utf8(digits)
+            let turns: i16 = std::str::from_utf8(digits)
                 .ok()
                 .and_then(|d| d.parse().ok())
                 .ok_or_else(problem)?;
             let blanks = part.len() - part.trim_ascii_start().len();
-            if let Some(joint) = self.axes.joint(Slot::Own(axis)) {
+            let span = Span::of(&(at + blanks..at + blanks + digits.len()));
+            if let Some((joint, span)) = self.axes.numbered(Slot::Own(axis)).zip(span) {
                 target.configuration.push(Statement::Turns { joint, turns });
-                target.marks.push(Mark::Turns {
-                    range: at + blanks..at + blanks + digits.len(),
-                    joint,
-                });
+                target.marks.push(Mark::Turns { span, joint });
             }
             at += part.len() + 1;
         }

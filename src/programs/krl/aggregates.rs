@@ -46,7 +46,7 @@ pub(super) enum Component {
 impl Aggregate {
     pub(super) fn number(&self, key: &str) -> Option<Number> {
         match self.components.get(key) {
-            Some(Component::Number(number)) => Some(number.clone()),
+            Some(Component::Number(number)) => Some(*number),
             _ => None,
         }
     }
@@ -66,7 +66,7 @@ impl Aggregate {
         for (key, component) in &self.components {
             if !keys.contains(&key.as_str()) && !external.contains(&key.as_str()) {
                 let at = match component {
-                    Component::Number(number) => number.range.start,
+                    Component::Number(number) => number.range().start,
                     Component::Bits(_, range, _) => range.start,
                     Component::RunTime => self.at,
                 };
@@ -106,7 +106,7 @@ impl Aggregate {
                         name = name
                     );
                     return Err(Problem::new(
-                        number.range.start,
+                        number.range().start,
                         found,
                         text!("a whole number from 0 to 255"),
                     ));
@@ -117,7 +117,7 @@ impl Aggregate {
                     reason = "a whole number up to 255"
                 )]
                 let whole = value as u32;
-                Ok(Some((whole, number.range.clone(), 0)))
+                Ok(Some((whole, number.range(), 0)))
             }
             _ => Ok(None),
         }
@@ -195,7 +195,7 @@ fn bits(words: &Words, k: usize) -> Result<(Component, usize), Problem> {
     };
     match u32::from_str_radix(digits, base) {
         Ok(value) if value <= 255 => {
-            let range = words.tokens[k].range();
+            let range = words.range(k).unwrap_or_default();
             let binary = if base == 2 { digits.len() } else { 0 };
             Ok((Component::Bits(value, range, binary), k + 1))
         }

@@ -124,7 +124,7 @@ fn set_by(line: &Words, numbers: &Numbers, program: &mut Program) -> Set {
             _ => [None, None],
         };
     }
-    let Some(equals) = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'=')) else {
+    let Some(equals) = (1..line.len()).find(|k| line.is_sign(*k, b'=')) else {
         return [None, None];
     };
     if line.is_sign(equals + 1, b'=') {
@@ -186,17 +186,17 @@ fn set_by(line: &Words, numbers: &Numbers, program: &mut Program) -> Set {
 
 /// What `$BASE` or `$TOOL` is set to.
 fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
-    let shown = line.shown(k, line.tokens.len());
+    let shown = line.shown(k, line.len());
     if line.is_sign(k, b'{') {
         let read = aggregate(line, k).ok();
         if let Some((aggregate, end)) = read
-            && end == line.tokens.len()
+            && end == line.len()
         {
             declare(names, &shown, line.at(k), pose_of(&aggregate, &shown));
             return Referred::named(shown);
         }
     }
-    let whole = |end: usize| end == line.tokens.len();
+    let whole = |end: usize| end == line.len();
     let indexed = line.is_sign(k + 1, b'[') && line.kind(k + 2) == Some(Kind::Digits);
     if line.kind(k) == Some(Kind::Name) && (whole(k + 1) || indexed && whole(k + 4)) {
         return Referred::named(shown);
@@ -241,7 +241,7 @@ type Numbers = BTreeMap<String, [Option<f64>; 2]>;
 fn numbers_of(lines: &[Words]) -> Numbers {
     let mut numbers = Numbers::new();
     for line in lines {
-        let equals = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'='));
+        let equals = (1..line.len()).find(|k| line.is_sign(*k, b'='));
         let Some(equals) = equals.filter(|k| line.is_sign(*k + 1, b'{')) else {
             continue;
         };

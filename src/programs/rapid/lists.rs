@@ -150,7 +150,7 @@ impl Lists<'_, '_, '_> {
                 Tree::List(elements, at) => (elements, *at),
                 Tree::Number(number) => {
                     let found = text!("a number in {name}", name = name);
-                    return Err(Problem::new(number.range.start, found, expected));
+                    return Err(Problem::new(number.range().start, found, expected));
                 }
                 Tree::Other(_) => return Ok(None),
             };
@@ -169,7 +169,7 @@ impl Lists<'_, '_, '_> {
             let mut own = Vec::new();
             for element in elements {
                 match element {
-                    Tree::Number(number) => own.push(number.clone()),
+                    Tree::Number(number) => own.push(*number),
                     Tree::List(_, at) => {
                         let expected = text!("a number, as in {expected}", expected = expected);
                         return Err(Problem::new(
@@ -187,7 +187,7 @@ impl Lists<'_, '_, '_> {
             self.robtarget(&numbers, name, *at).map(Some)
         } else {
             let target = self.axes.joint_target(name, *at, |slot| match slot {
-                Slot::Own(k) => Ok(numbers[0][k].clone()),
+                Slot::Own(k) => Ok(numbers[0][k]),
                 Slot::External(k) => external_axis(&numbers[1][k], name).cloned(),
             });
             target.map(Some)
@@ -204,8 +204,8 @@ impl Lists<'_, '_, '_> {
         };
         let whole = |number: &Number| {
             #[allow(clippy::cast_possible_truncation, reason = "compared with itself")]
-            let whole = number.value as i64;
-            if whole as f64 == number.value && whole.abs() < 1000 {
+            let whole = number.value as i16;
+            if f64::from(whole) == number.value && whole.abs() < 1000 {
                 Ok(whole)
             } else {
                 let found = text!(
@@ -214,14 +214,14 @@ impl Lists<'_, '_, '_> {
                     name = name
                 );
                 Err(Problem::new(
-                    number.range.start,
+                    number.range().start,
                     found,
                     text!("a whole number"),
                 ))
             }
         };
         let frame = Frame {
-            position: [0, 1, 2].map(|k: usize| position[k].clone()),
+            position: [0, 1, 2].map(|k: usize| position[k]),
             mm: [1.0; 3],
             turn: turn.clone(),
             orientation: Orientation::Quaternion,
@@ -229,7 +229,7 @@ impl Lists<'_, '_, '_> {
         if frame.goal().is_none() {
             let found = text!("a quaternion of no length in {name}", name = name);
             return Err(Problem::new(
-                turn[0].range.start,
+                turn[0].range().start,
                 found,
                 text!("an orientation"),
             ));
@@ -237,20 +237,20 @@ impl Lists<'_, '_, '_> {
         let mut target = Target::new(name, at, Shape::Pose(frame));
         for (number, axis) in configuration.iter().zip([0, 3, 5]) {
             let quadrant = whole(number)?;
-            let Some(joint) = self.axes.joint(Slot::Own(axis)) else {
+            let Some(joint) = self.axes.numbered(Slot::Own(axis)) else {
                 continue;
             };
             target
                 .configuration
                 .push(Statement::Quadrant { joint, quadrant });
             target.marks.push(Mark::Quadrant {
-                range: number.range.clone(),
+                span: number.span(),
                 joint,
             });
         }
         let cfx = whole(&configuration[3])?;
         if (0..8).contains(&cfx) && self.axes.own() == 6 {
-            if let Some(joint) = self.axes.joint(Slot::Own(4)) {
+            if let Some(joint) = self.axes.numbered(Slot::Own(4)) {
                 let negative = cfx & 1 != 0;
                 target
                     .configuration
@@ -300,7 +300,7 @@ fn external_axis<'n>(number: &'n Number, name: &str) -> Result<&'n Number, Probl
     }
     let found = text!("{name} leaves an external axis out", name = name);
     let expected = text!("its value: the model has that axis");
-    Err(Problem::new(number.range.start, found, expected))
+    Err(Problem::new(number.range().start, found, expected))
 }
 
 /// Whether an element of an array of targets is an array again.

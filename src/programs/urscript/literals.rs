@@ -63,9 +63,9 @@ pub(super) fn frame_of(numbers: &[Number]) -> Option<Frame> {
         return None;
     };
     Some(Frame {
-        position: [x, y, z].map(Number::clone),
+        position: [*x, *y, *z],
         mm: [METRE; 3],
-        turn: [rx, ry, rz].map(Number::clone).to_vec(),
+        turn: vec![*rx, *ry, *rz],
         orientation: Orientation::RotationVector,
     })
 }
@@ -76,7 +76,7 @@ pub(super) type Assigned = BTreeMap<String, Vec<(usize, Literal)>>;
 /// What names are given: `global p1 = p[…]`.
 pub(super) fn assigned(words: &Words, problems: &mut Vec<Problem>) -> Assigned {
     let mut assigned = Assigned::new();
-    for k in 0..words.tokens.len() {
+    for k in 0..words.len() {
         let is_name = words.kind(k) == Some(Kind::Name);
         let given = words.is_sign(k + 1, b'=') && !words.is_sign(k + 2, b'=');
         let inside = k > 0 && (words.is_sign(k - 1, b'(') || words.is_sign(k - 1, b','));

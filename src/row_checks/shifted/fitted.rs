@@ -12,7 +12,9 @@ use super::path::{Path, Points, cost, median};
 /// Rows that a fit looks at; of a long session they are spread evenly.
 const MOST_ROWS: usize = 400;
 /// Below this a deviation is rounding, mm.
-const LEAST_SIGMA_MM: f64 = 1e-4;
+pub(super) const LEAST_SIGMA_MM: f64 = 1e-4;
+/// The median length of three coordinates with σ = 1.
+pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 
 /// Where the robot is at every command, and what its points leave.
 pub(super) struct Fitted {
@@ -61,8 +63,7 @@ pub(super) fn fitted(
         let point = path.point_of(row, n)?;
         points.deviation_mm(&predicted, row, point)
     });
-    // The median length of three coordinates with σ = 1 is 1.54.
-    let sigma_mm = median(left)? / 1.538;
+    let sigma_mm = median(left)? / MEDIAN_LENGTH;
     Some(Fitted {
         predicted,
         sigma_mm: sigma_mm.max(LEAST_SIGMA_MM),

@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn a_point_that_is_missing_is_found_wherever_it_is() {
-        for row in [0, 2, 10, 33, 55] {
+        for row in [0, 2, 10, 33, 55, 57] {
             let mut session = axis(60);
             let right = session.clone();
             lost_at(&mut session, row);

@@ -16,8 +16,9 @@ const TAILS: f64 = 4.0;
 const PRICE: f64 = 6.0;
 /// What a row without a point costs: as much as one 3 σ off.
 const WITHOUT_A_POINT: f64 = 4.0;
-/// A row whose point would be behind an end of the file.
-const BEYOND_THE_ENDS: f64 = 20.0;
+/// A row whose point would be behind an end of the file, or would be one that was not measured: a shift that only
+/// takes rows out fits nothing.
+const NO_POINT_THERE: f64 = 20.0;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
@@ -111,6 +112,24 @@ impl Path {
         taken.is_none_or(|taken| point > taken).then_some(point)
     }
 
+    /// Takes out shifts that give no row a point: they only spare a row one that does not fit.
+    fn drop_empty(&mut self, is_point: impl Fn(usize) -> bool, rows: usize) {
+        let mut k = 0;
+        while k < self.changes.len() {
+            let (first, by) = self.changes[k];
+            let end = self.changes.get(k + 1).map_or(rows, |next| next.0);
+            let mut own = (first..end).filter_map(|row| row.checked_add_signed(by));
+            if own.any(|point| point < rows && is_point(point)) {
+                k += 1;
+            } else {
+                self.changes.remove(k);
+            }
+        }
+        let mut before = 0;
+        self.changes
+            .retain(|(_, by)| std::mem::replace(&mut before, *by) != *by);
+    }
+
     /// Rows whose point is not their own.
     pub(super) fn moved(&self, rows: usize) -> impl Iterator<Item = usize> + '_ {
         (0..rows).filter(|row| self.shift_of(*row) != 0)
@@ -185,6 +204,15 @@ pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
     })
 }
 
+/// What the deviation of a point costs that is that of so many rows below.
+pub(super) fn cost_of_shifted(deviation_mm: Option<f64>, by: isize, sigma_mm: f64) -> f64 {
+    if by != 0 && deviation_mm.is_none() {
+        NO_POINT_THERE
+    } else {
+        cost(deviation_mm, sigma_mm)
+    }
+}
+
 /// The median, of nothing `None`.
 pub(super) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
     let mut all: Vec<f64> = values.filter(|v| v.is_finite()).collect();
@@ -213,7 +241,10 @@ pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f6
         points.deviation_mm(predicted, row, point)
     };
     let n = points.len();
-    let (mut path, _) = along(0..n, n, |row, by| cost(deviation(row, by), sigma_mm));
+    let (mut path, _) = along(0..n, n, |row, by| {
+        cost_of_shifted(deviation(row, by), by, sigma_mm)
+    });
+    path.drop_empty(|point| points.get(point).is_some(), n);
     place_exactly(&mut path, n, &|row, point| {
         cost(
             point.and_then(|p| points.deviation_mm(predicted, row, p)),
@@ -249,12 +280,11 @@ pub(super) fn along(
                     }
                 }
             }
-            // Behind the ends there are no points: a shift that only takes rows out fits nothing.
             let inside = row.checked_add_signed(shift(to)).is_some_and(|p| p < rows);
             let own = if inside {
                 cost(row, shift(to))
             } else {
-                BEYOND_THE_ENDS
+                NO_POINT_THERE
             };
             next[to] = best + own;
             from[to] = at as u8;
@@ -332,6 +362,26 @@ mod tests {
         assert_eq!(found(&right).changes, [(17, -1), (25, 0)]);
         assert_eq!(found(&[2; 30]).changes, [(0, 2)]);
         assert!(found(&[]).is_none());
+    }
+
+    #[test]
+    fn a_shift_that_gives_no_row_a_point_is_none() {
+        // The last point was not measured.
+        let after = |changes: &[(usize, isize)]| {
+            let mut path = Path {
+                changes: changes.to_vec(),
+            };
+            path.drop_empty(|point| point < 9, 10);
+            path.changes
+        };
+        assert_eq!(after(&[(7, 2), (8, -1)]), [(8, -1)]);
+        assert_eq!(after(&[(7, 2)]), []);
+        assert_eq!(after(&[(3, -1), (9, 0)]), [(3, -1)]);
+        assert_eq!(
+            after(&[(2, -1), (5, 3), (6, -1)]),
+            [(2, -1), (5, 3), (6, -1)]
+        );
+        assert_eq!(after(&[(2, -1), (6, 3), (7, -1)]), [(2, -1)]);
     }
 
     #[test]

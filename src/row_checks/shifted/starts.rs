@@ -8,7 +8,8 @@ use crate::model::Model;
 use crate::model::rigid_motion::rigid_motion;
 use crate::sessions::Session;
 
-use super::path::{MOST_SHIFT, Path, Points, along, cost, median};
+use super::fitted::{LEAST_SIGMA_MM, MEDIAN_LENGTH};
+use super::path::{MOST_SHIFT, Path, Points, along, cost_of_shifted, median};
 
 /// Stretches that are tried.
 const STRETCHES: usize = 4;
@@ -54,14 +55,22 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
             let point = points.get(row.checked_add_signed(by)?)?;
             Some((point - places[at(row)]).norm())
         };
-        let (path, cost) = along(rows.iter().copied(), n, |row, by| {
-            cost(deviation(row, by), sigma)
-        });
+        let likeliest = |sigma: f64| {
+            along(rows.iter().copied(), n, |row, by| {
+                cost_of_shifted(deviation(row, by), by, sigma)
+            })
+        };
+        let (mut path, cost) = likeliest(sigma);
         let own = median(rows.iter().filter_map(|row| deviation(*row, 0)));
         let shifted = median(rows.iter().filter_map(|row| {
             let others = [-1, 1].into_iter().filter_map(|by| deviation(*row, by));
             others.reduce(f64::min)
         }));
+        // Of the last rows alone a shift shows only beside what this robot leaves, not beside what any may leave.
+        let left = own.unwrap_or(sigma) / MEDIAN_LENGTH;
+        if path.is_none() && left < sigma {
+            path = likeliest(left.max(LEAST_SIGMA_MM)).0;
+        }
         let clear = own
             .zip(shifted)
             .is_some_and(|(own, other)| own < CLEAR_SHARE * other);
