@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
-use crate::linear::Basis;
+use crate::linear::{Basis, along, reject_all};
 use crate::model::shapes::{Profile, Shape};
 
 use super::candidates::What;
@@ -174,9 +174,7 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
 
 /// By how much a shape would lower the sum of squares of a fit.
 fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
-    let along = fit.basis.q.tr_mul(&placed.white);
     let mut own = placed.white.clone();
-    own.gemm(-1.0, &fit.basis.q, &along, 1.0);
-    let basis = Basis::new(&own);
-    basis.q.tr_mul(&fit.residual).norm_squared()
+    reject_all(&fit.basis.q, &mut own);
+    along(&Basis::new(&own).q, &fit.residual).norm_squared()
 }
