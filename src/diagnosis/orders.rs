@@ -11,7 +11,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Term;
+use crate::effects::{Term, stated};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -201,7 +201,9 @@ pub(super) struct OrderSpread {
 impl OrderSpread {
     /// `None` where every order is whole, or where the samples do not tell them.
     pub(super) fn of(problem: &Problem, model: &Model) -> Option<Self> {
-        let fractions = model.terms().iter().filter(|t| is_fraction(t));
+        // What a gear ratio says is not fitted.
+        let fitted = |t: &&Term| is_fraction(t) && stated(&model.robot, t).is_none();
+        let fractions = model.terms().iter().filter(fitted);
         let orders: Vec<Term> = fractions.cloned().collect();
         if orders.is_empty() {
             return None;

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Term;
+use crate::effects::{Term, stated};
 
 use super::columns::Among;
 use super::familywise::FamilyP;
@@ -180,7 +180,14 @@ pub(crate) fn found(
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
+        let robot = &regression.base.robot;
         let says = says(step, &p_family, odds, next.as_deref(), floor)
+            + &stated(robot, term).map_or_else(String::new, |of| {
+                format!(
+                    "; {} for a turn of the motor, by the stated gear ratio of {}",
+                    of.per_motor_turn, of.ratio
+                )
+            })
             + &within_s.map_or_else(String::new, |[from, to]| {
                 format!("; the step lies between {from:.0} and {to:.0} s (95 %)")
             });
