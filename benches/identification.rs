@@ -65,6 +65,7 @@ fn session(n: usize) -> Session {
                 }),
                 link: None,
                 follows: None,
+                gear_ratio: None,
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,
@@ -167,6 +168,7 @@ fn arm_session(n: usize) -> Session {
         }),
         link: None,
         follows: None,
+        gear_ratio: None,
     };
     let mut session = session(n);
     session.robot.joints = ARM.map(joint).to_vec();

@@ -142,6 +142,7 @@ pub(crate) mod linear;
 pub(crate) mod numeric;
 pub mod progress;
 pub mod recorder;
+pub(crate) mod side_by_side;
 pub(crate) mod sincos;
 pub(crate) mod unfinished;
 pub mod units;

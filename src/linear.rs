@@ -2,7 +2,7 @@
 //! enough", Giraud, Langou & Rozložník 2005), which drops columns that the ones before them already
 //! explain.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -22,7 +22,7 @@ pub(crate) struct Basis {
     pub(crate) kept: Vec<usize>,
     columns: usize,
     /// The basis that its first columns are.
-    pub(crate) extends: Option<Rc<Self>>,
+    pub(crate) extends: Option<Arc<Self>>,
 }
 
 impl Basis {
@@ -43,7 +43,7 @@ impl Basis {
     }
 
     /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
-    pub(crate) fn extending(known: &Rc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
+    pub(crate) fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let rank = known.rank();
         let mut basis = Self {
@@ -51,7 +51,7 @@ impl Basis {
             r: DMatrix::zeros(p, p),
             kept: known.kept.iter().map(|k| own[*k]).collect(),
             columns: p,
-            extends: Some(Rc::clone(known)),
+            extends: Some(Arc::clone(known)),
         };
         basis.q.columns_mut(0, rank).copy_from(&known.q);
         basis.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
@@ -102,7 +102,7 @@ impl Basis {
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
     pub(crate) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
-        self.coefficients(self.q.tr_mul(y))
+        self.coefficients(along(&self.q, y))
     }
 
     /// The coefficients of the columns from those of the orthonormal ones; zero for columns that were
@@ -114,7 +114,7 @@ impl Basis {
 
     /// `y` without its part in the span.
     pub(crate) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
-        let along = self.q.tr_mul(y);
+        let along = along(&self.q, y);
         y - &self.q * along
     }
 
@@ -232,6 +232,183 @@ pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
     }
     gram.fill_upper_triangle_with_lower_triangle();
     gram
+}
+
+/// Columns whose products with each other are made at once: each of them is read once for all of the others.
+const SQUARE: usize = 4;
+
+/// `Aᵀ B` with the bits of [`dot`] for every product.
+pub(crate) fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(a.ncols(), b.ncols());
+    wide(Cross {
+        height: a.nrows().min(b.nrows()),
+        a: a.as_slice(),
+        b: b.as_slice(),
+        out: all.as_mut_slice(),
+        lower: false,
+    });
+    all
+}
+
+/// `Aᵀ A` with the bits of [`dot`] for every product.
+pub(crate) fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
+    let p = a.ncols();
+    let mut all = DMatrix::zeros(p, p);
+    wide(Cross {
+        height: a.nrows(),
+        a: a.as_slice(),
+        b: a.as_slice(),
+        out: all.as_mut_slice(),
+        lower: true,
+    });
+    all.fill_upper_triangle_with_lower_triangle();
+    all
+}
+
+/// `Aᵀ v` with the bits of [`dot`] for every product.
+pub(crate) fn along(a: &DMatrix<f64>, v: &DVector<f64>) -> DVector<f64> {
+    let mut all = DVector::zeros(a.ncols());
+    products(v.as_slice(), a.as_slice(), all.as_mut_slice());
+    all
+}
+
+/// Takes from columns what orthonormal ones span of them.
+pub(crate) fn reject_all(q: &DMatrix<f64>, columns: &mut DMatrix<f64>) {
+    let parts = cross(q, columns);
+    if columns.ncols() > FEW {
+        columns.gemm(-1.0, q, &parts, 1.0);
+        return;
+    }
+    let height = q.nrows().max(1);
+    let own = columns.as_mut_slice().chunks_exact_mut(height);
+    for (own, parts) in own.zip(parts.column_iter()) {
+        subtract(q.as_slice(), parts.as_slice(), own);
+    }
+}
+
+/// A product of matrices puts all numbers of both in another order first: for so few columns that is most of it.
+const FEW: usize = 8;
+
+struct Cross<'a> {
+    height: usize,
+    a: &'a [f64],
+    b: &'a [f64],
+    out: &'a mut [f64],
+    /// Only what is not above the diagonal, and what lies beside it.
+    lower: bool,
+}
+
+impl Loop for Cross<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self {
+            height,
+            a,
+            b,
+            out,
+            lower,
+        } = self;
+        if height == 0 {
+            return;
+        }
+        let (rows, columns) = (a.len() / height, b.len() / height);
+        let of = |all: &'_ [f64], k: usize| -> std::ops::Range<usize> {
+            debug_assert!((k + 1) * height <= all.len(), "one of the columns");
+            k * height..(k + 1) * height
+        };
+        let whole = columns - columns % SQUARE;
+        for j in (0..whole).step_by(SQUARE) {
+            let four: [&[f64]; SQUARE] = std::array::from_fn(|k| &b[of(b, j + k)]);
+            let first = if lower { j } else { 0 };
+            let mut i = first;
+            while i + SQUARE <= rows {
+                let own: [&[f64]; SQUARE] = std::array::from_fn(|k| &a[of(a, i + k)]);
+                let square = square_of_products(own, four);
+                for (k, column) in square.iter().enumerate() {
+                    let at = (j + k) * rows + i;
+                    out[at..at + SQUARE].copy_from_slice(column);
+                }
+                i += SQUARE;
+            }
+            for i in i..rows {
+                let one = four_products(&a[of(a, i)], four);
+                for (k, product) in one.into_iter().enumerate() {
+                    out[(j + k) * rows + i] = product;
+                }
+            }
+        }
+        for j in whole..columns {
+            let first = if lower { j } else { 0 };
+            for i in first..rows {
+                let (a, b) = (&a[of(a, i)], &b[of(b, j)]);
+                out[j * rows + i] = Dot { a, b }.run();
+            }
+        }
+    }
+}
+
+/// The products of four columns with four others, a list for each of the others.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn square_of_products(a: [&[f64]; SQUARE], b: [&[f64]; SQUARE]) -> [[f64; SQUARE]; SQUARE] {
+    let n = a[0].len();
+    let [a0, a1, a2, a3] = a.map(|column| &column[..n]);
+    let [b0, b1, b2, b3] = b.map(|column| &column[..n]);
+    // One by one, so that every sum stays in a vector.
+    let none = [0.0; 8];
+    let (mut s00, mut s10, mut s20, mut s30) = (none, none, none, none);
+    let (mut s01, mut s11, mut s21, mut s31) = (none, none, none, none);
+    let (mut s02, mut s12, mut s22, mut s32) = (none, none, none, none);
+    let (mut s03, mut s13, mut s23, mut s33) = (none, none, none, none);
+    let mut k = 0;
+    while k + 8 <= n {
+        let eight = k..k + 8;
+        let (x0, x1) = (&a0[eight.clone()], &a1[eight.clone()]);
+        let (x2, x3) = (&a2[eight.clone()], &a3[eight.clone()]);
+        let y = &b0[eight.clone()];
+        s00 = with_products(s00, x0, y);
+        s10 = with_products(s10, x1, y);
+        s20 = with_products(s20, x2, y);
+        s30 = with_products(s30, x3, y);
+        let y = &b1[eight.clone()];
+        s01 = with_products(s01, x0, y);
+        s11 = with_products(s11, x1, y);
+        s21 = with_products(s21, x2, y);
+        s31 = with_products(s31, x3, y);
+        let y = &b2[eight.clone()];
+        s02 = with_products(s02, x0, y);
+        s12 = with_products(s12, x1, y);
+        s22 = with_products(s22, x2, y);
+        s32 = with_products(s32, x3, y);
+        let y = &b3[eight];
+        s03 = with_products(s03, x0, y);
+        s13 = with_products(s13, x1, y);
+        s23 = with_products(s23, x2, y);
+        s33 = with_products(s33, x3, y);
+        k += 8;
+    }
+    let rest = |sums: &[f64; 8], a: &[f64], b: &[f64]| {
+        let pairs = a[k..].iter().zip(&b[k..]);
+        pairs.fold(total(sums), |sum, (a, b)| sum + a * b)
+    };
+    let of = |sums: [&[f64; 8]; SQUARE], b: &[f64]| {
+        let [s0, s1, s2, s3] = sums;
+        [
+            rest(s0, a0, b),
+            rest(s1, a1, b),
+            rest(s2, a2, b),
+            rest(s3, a3, b),
+        ]
+    };
+    [
+        of([&s00, &s10, &s20, &s30], b0),
+        of([&s01, &s11, &s21, &s31], b1),
+        of([&s02, &s12, &s22, &s32], b2),
+        of([&s03, &s13, &s23, &s33], b3),
+    ]
 }
 
 /// Scalar products of a vector with columns, each with the bits of [`dot`].
@@ -366,10 +543,140 @@ impl Loop for Subtracting<'_> {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "see Loop")]
     fn run(self) {
-        let columns = self.columns.chunks_exact(self.v.len().max(1));
-        for (column, coefficient) in columns.zip(self.coefficients) {
-            for (v, column) in self.v.iter_mut().zip(column) {
+        let Self {
+            columns,
+            coefficients,
+            v,
+        } = self;
+        let height = v.len().max(1);
+        let count = coefficients.len().min(columns.len() / height);
+        let columns = &columns[..count * height];
+        let coefficients = &coefficients[..count];
+        // Four at once: the vector is read and written once for them, and each number loses its parts in the same
+        // order.
+        let (fours, of_fours) = (
+            columns.chunks_exact(4 * height),
+            coefficients.chunks_exact(4),
+        );
+        let (columns, coefficients) = (fours.remainder(), of_fours.remainder());
+        for (four, of) in fours.zip(of_fours) {
+            let (ab, cd) = four.split_at(2 * height);
+            let ((a, b), (c, d)) = (ab.split_at(height), cd.split_at(height));
+            let (ka, kb, kc, kd) = (of[0], of[1], of[2], of[3]);
+            let rows = a.iter().zip(b).zip(c.iter().zip(d));
+            for (v, ((a, b), (c, d))) in v.iter_mut().zip(rows) {
+                *v = (((*v - a * ka) - b * kb) - c * kc) - d * kd;
+            }
+        }
+        for (column, coefficient) in columns.chunks_exact(height).zip(coefficients) {
+            for (v, column) in v.iter_mut().zip(column) {
                 *v -= column * coefficient;
+            }
+        }
+    }
+}
+
+/// Makes the lower half of a symmetric matrix its Cholesky factor; whether it has one. What is above the diagonal
+/// stays. The operations and their order are those of nalgebra's, with wide vectors.
+#[must_use]
+pub(crate) fn cholesky(m: &mut DMatrix<f64>) -> bool {
+    let n = m.nrows();
+    wide(Factoring {
+        m: m.as_mut_slice(),
+        n,
+    })
+}
+
+/// The inverse of a lower triangle.
+pub(crate) fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = l.nrows();
+    let mut inverse = DMatrix::identity(n, n);
+    wide(Inverting {
+        l: l.as_slice(),
+        inverse: inverse.as_mut_slice(),
+        n,
+    });
+    inverse
+}
+
+struct Factoring<'a> {
+    m: &'a mut [f64],
+    n: usize,
+}
+
+impl Loop for Factoring<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) -> bool {
+        let Self { m, n } = self;
+        for j in 0..n {
+            let (before, own) = m.split_at_mut(j * n);
+            let own = &mut own[j..n];
+            let column = |k: usize| &before[k * n + j..(k + 1) * n];
+            let mut k = 0;
+            while k + 4 <= j {
+                take_four(
+                    own,
+                    [column(k), column(k + 1), column(k + 2), column(k + 3)],
+                );
+                k += 4;
+            }
+            for k in k..j {
+                let column = column(k);
+                let factor = column[0];
+                for (own, column) in own.iter_mut().zip(column) {
+                    *own -= factor * column;
+                }
+            }
+            let pivot = own[0];
+            if pivot.is_nan() || pivot <= 0.0 {
+                return false;
+            }
+            let pivot = pivot.sqrt();
+            own[0] = pivot;
+            for own in &mut own[1..] {
+                *own /= pivot;
+            }
+        }
+        true
+    }
+}
+
+/// Takes from a column four others, each times its first number.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn take_four(own: &mut [f64], columns: [&[f64]; 4]) {
+    let [a, b, c, d] = columns;
+    let (ka, kb, kc, kd) = (a[0], b[0], c[0], d[0]);
+    let rows = a.iter().zip(b).zip(c.iter().zip(d));
+    for (own, ((a, b), (c, d))) in own.iter_mut().zip(rows) {
+        *own = (((*own - ka * a) - kb * b) - kc * c) - kd * d;
+    }
+}
+
+struct Inverting<'a> {
+    l: &'a [f64],
+    inverse: &'a mut [f64],
+    n: usize,
+}
+
+impl Loop for Inverting<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self { l, inverse, n } = self;
+        for (first, own) in inverse.chunks_exact_mut(n.max(1)).enumerate() {
+            for i in first..n {
+                let column = &l[i * n..(i + 1) * n];
+                let x = own[i] / column[i];
+                own[i] = x;
+                for (value, l) in own[i + 1..].iter_mut().zip(&column[i + 1..]) {
+                    *value -= x * l;
+                }
             }
         }
     }
@@ -525,6 +832,40 @@ mod tests {
         );
         subtract(&a.as_slice()[..406], &coefficients, own.as_mut_slice());
         assert_eq!(own, left);
+        let five = [0.3, -1.7, 0.2, 2.5, -0.9];
+        left.gemv(-1.0, &a, &DVector::from_column_slice(&five), 1.0);
+        subtract(a.as_slice(), &five, own.as_mut_slice());
+        assert_eq!(own, left);
+        // Of nine columns with six: squares, what is beside them, and what is below.
+        let a = DMatrix::from_fn(203, 9, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
+        let b = DMatrix::from_fn(203, 6, |i, j| ((i * 5 + j * i * 3) as f64 * 0.61).cos());
+        assert_eq!(cross(&a, &b), a.tr_mul(&b));
+        assert_eq!(own_products(&a), a.tr_mul(&a));
+        let v = b.column(2).into_owned();
+        assert_eq!(along(&a, &v), a.tr_mul(&v));
+        // Few columns and many.
+        let q = Basis::new(&b).q;
+        for width in [2, 9] {
+            let mut free = a.columns(0, width).into_owned();
+            reject_all(&q, &mut free);
+            assert!(q.tr_mul(&free).amax() < 1e-12 * a.norm());
+            assert!((a.columns(0, width) - &free).norm() > 0.1);
+        }
+    }
+
+    #[test]
+    fn a_factor_has_the_bits_of_nalgebras_and_its_inverse_is_one() {
+        for n in [1, 4, 23] {
+            let a = DMatrix::from_fn(40, n, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
+            let gram = a.tr_mul(&a) + DMatrix::identity(n, n);
+            let mut factor = gram.clone();
+            assert!(cholesky(&mut factor));
+            let expected = gram.clone().cholesky().unwrap();
+            assert_eq!(factor, *expected.l_dirty());
+            let inverse = inverse_of_lower(&factor);
+            assert!((expected.l() * inverse - DMatrix::identity(n, n)).amax() < 1e-12);
+            assert!(!cholesky(&mut (-gram)));
+        }
     }
 
     #[test]
@@ -541,7 +882,7 @@ mod tests {
     fn a_basis_that_extends_another_is_as_good() {
         let a = DMatrix::from_fn(50, 6, |i, j| ((i * i * 7 + i * j * 13) as f64 * 0.37).sin());
         let own = [1, 2, 5];
-        let known = Rc::new(Basis::new(&a.select_columns(&own)));
+        let known = Arc::new(Basis::new(&a.select_columns(&own)));
         let (whole, extended) = (Basis::new(&a), Basis::extending(&known, &own, &a));
         let y = DVector::from_fn(50, |i, _| (i as f64).cos());
         assert!((whole.solve(&y) - extended.solve(&y)).norm() < 1e-9);

@@ -133,6 +133,8 @@ impl Diagnose {
                 correct_unexplained: self.correct_unexplained,
                 keep_when_stopped: one_session,
                 without_unnamed: self.no_unnamed,
+                // Several sessions are each on a thread of its own.
+                threads: (!one_session).then_some(1),
             },
             start: self.start,
         };

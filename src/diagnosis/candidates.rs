@@ -4,7 +4,9 @@
 use nalgebra::{DMatrix, DVector};
 
 pub(crate) use crate::answers::diagnosis::NotTestable;
-use crate::effects::{CATALOGUE, Setting, Survey, Term, find, form_in, rank};
+use crate::effects::{
+    CATALOGUE, Setting, Survey, Term, find, form_in, rank, stated, stated_orders,
+};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
@@ -278,14 +280,16 @@ fn names(
                 Setting::Time => (settings.len() as f64).min(40.0),
                 _ => settings.len() as f64,
             };
+            // What the gear ratio asks for is no choice among all orders.
+            let robot = &problem.session.robot;
+            let of_the_gear = stated_orders(robot, joint).count() as f64;
             names.extend(settings.into_iter().map(|setting| {
-                (
-                    Term {
-                        setting,
-                        ..term.clone()
-                    },
-                    tried.max(1.0),
-                )
+                let term = Term {
+                    setting,
+                    ..term.clone()
+                };
+                let tried = stated(robot, &term).map_or(tried, |_| of_the_gear);
+                (term, tried.max(1.0))
             }));
         }
     }

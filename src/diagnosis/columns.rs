@@ -15,12 +15,16 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 use super::regression::lengthened;
 use crate::fit::noise::Filter;
 use crate::linear;
+use crate::side_by_side::Threads;
 
 /// How well a column is given by a number for each sample, beside its largest value: rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// A product of matrices with fewer rows is slower than products of vectors.
 const FEW: usize = 8;
+
+/// A product of matrices on several threads is cut at multiples of so many columns.
+const TOGETHER: usize = 64;
 
 /// So many numbers of columns stay near the processor (128 KiB) while all vectors go over them.
 const NEAR: usize = 1 << 14;
@@ -230,14 +234,33 @@ impl Columns {
     }
 
     /// Products of whitened columns with vectors of all rows, a row of products for each; zero for the others.
-    pub(crate) fn products(&self, filter: &Filter, z: &DMatrix<f64>, among: Among) -> DMatrix<f64> {
+    pub(crate) fn products(
+        &self,
+        filter: &Filter,
+        z: &DMatrix<f64>,
+        among: Among,
+        threads: Threads,
+    ) -> DMatrix<f64> {
         let of_samples = self.of_samples(filter, z);
         let mut all = DMatrix::zeros(z.ncols(), self.count());
         for (group, g) in self.groups.iter().zip(&of_samples) {
             let (from, count) = group.part(among);
             let mut own = all.columns_mut(group.first + from, count);
             if z.ncols() > FEW {
-                own.gemm(1.0, g, &group.values.columns(from, count), 0.0);
+                let stretches = threads.stretches(count, TOGETHER);
+                let of = |k: usize| {
+                    let stretch = &stretches[k];
+                    g * group.values.columns(from + stretch.start, stretch.len())
+                };
+                if let [_] = stretches[..] {
+                    own.gemm(1.0, g, &group.values.columns(from, count), 0.0);
+                    continue;
+                }
+                let all = threads.each(stretches.len(), of);
+                for (stretch, of_stretch) in stretches.iter().zip(all) {
+                    let mut own = own.columns_mut(stretch.start, stretch.len());
+                    own.copy_from(&of_stretch);
+                }
                 continue;
             }
             let by_vector = g.transpose();
@@ -384,10 +407,11 @@ mod tests {
         let times: Vec<f64> = (0..n).map(|k| k as f64).collect();
         let filter = noise.filter_over(&times, &[0, 1, 2]);
         let z = DMatrix::from_fn(n * axes + 2, 5, |i, k| value(i, k + 70));
-        let all = columns.products(&filter, &z, Among::All);
-        let one = columns.products(&filter, &z.columns(3, 1).into_owned(), Among::All);
-        let names = columns.products(&filter, &z, Among::Names);
-        let shapes = columns.products(&filter, &z, Among::Shapes);
+        let all = columns.products(&filter, &z, Among::All, Threads::ONE);
+        let one = z.columns(3, 1).into_owned();
+        let one = columns.products(&filter, &one, Among::All, Threads::ONE);
+        let names = columns.products(&filter, &z, Among::Names, Threads::ONE);
+        let shapes = columns.products(&filter, &z, Among::Shapes, Threads::ONE);
         assert!((&names + &shapes - &all).norm() < 1e-12);
         let named = names.column_iter().map(|c| c.norm() > 0.0);
         let both = named.zip(shapes.column_iter().map(|c| c.norm() > 0.0));

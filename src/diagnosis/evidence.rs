@@ -7,13 +7,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{Form, Setting, Term};
+use crate::effects::{Form, Setting, Term, stated, stated_orders};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
 
 use super::placed::Placed;
-use super::regression::Regression;
+use super::regression::{Fit, Regression};
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.
@@ -134,9 +134,28 @@ impl Regression<'_> {
         PRICE_OF_A_SETTING + 0.5 * self.m().ln()
     }
 
+    /// Whether a term is an order that the gear ratio of its joint asks for.
+    pub(super) fn is_stated(&self, term: &Term) -> bool {
+        stated(&self.base.robot, term).is_some()
+    }
+
+    /// A term and what is proven together with it: of an order that the gear ratio asks for, the others of that gear
+    /// in the fit.
+    pub(super) fn together(&self, fit: &Fit, term: &Term) -> Vec<Term> {
+        if !self.is_stated(term) {
+            return vec![term.clone()];
+        }
+        let added = self.added(fit).into_iter();
+        let same = |t: &&Term| t.joint == term.joint && self.is_stated(t);
+        added.filter(same).cloned().collect()
+    }
+
     pub(crate) fn price_of_term(&self, term: &Term) -> f64 {
         if term.effect.about().setting == Setting::None {
             return 0.0;
+        }
+        if self.is_stated(term) {
+            return (stated_orders(&self.base.robot, term.joint).count() as f64).ln();
         }
         let fraction =
             if term.setting.fract() != 0.0 && term.effect.about().setting.takes_fractions() {
@@ -146,7 +165,8 @@ impl Regression<'_> {
             };
         let mut same = self.table.candidates.iter().filter(|c| {
             c.what.term().is_some_and(|t| {
-                t.effect.about().id == term.effect.about().id && t.joint == term.joint
+                let same = t.effect.about().id == term.effect.about().id;
+                same && t.joint == term.joint && !self.is_stated(t)
             })
         });
         fraction + same.next().map_or(0.0, |c| c.tried.ln())

@@ -14,7 +14,7 @@
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
 use super::left_out::LeftOut;
-use crate::linear::{Basis, small_cholesky, small_gain};
+use crate::linear::{Basis, cross, own_products, small_cholesky, small_gain};
 
 /// A setting has to be better than the fit's by this share of its gain.
 const BETTER: f64 = 1e-9;
@@ -67,10 +67,7 @@ impl Told {
         let of_term = |term: &Scanned| {
             let own: Vec<usize> = (term.first..term.first + term.size).collect();
             let alone = basis.only_of(&own);
-            let gram = |setting| {
-                let own = term.columns(setting);
-                own.tr_mul(&own)
-            };
+            let gram = |setting| own_products(&term.columns(setting).into_owned());
             OfTerm {
                 alone: alone.map_or_else(|| DMatrix::zeros(basis.rank(), 0), |(alone, _)| alone),
                 along: &transposed * &term.white,
@@ -158,12 +155,12 @@ impl Seen<'_> {
     /// Products of columns in the rows that stay.
     fn products(&self, a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
         let rows = self.left_out.rows();
-        a.tr_mul(b) - a.select_rows(rows).tr_mul(&b.select_rows(rows))
+        cross(a, b) - cross(&a.select_rows(rows), &b.select_rows(rows))
     }
 
     /// `W` of columns.
     fn along(&self, a: &DMatrix<f64>) -> DMatrix<f64> {
-        let along = self.told.basis.q.tr_mul(a);
+        let along = cross(&self.told.basis.q, a);
         let without = a.select_rows(self.left_out.rows());
         self.left_out.along(&along, &without)
     }

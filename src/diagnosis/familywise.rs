@@ -9,7 +9,7 @@
 //!
 //! Mostly it is only asked whether noise reaches as much at all: where it does, a few simulations say so.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use nalgebra::DVector;
 
@@ -50,7 +50,7 @@ struct Null {
     fingerprint: Vec<u64>,
     /// Whether it is the same whatever the seed.
     seedless: bool,
-    basis: Rc<Basis>,
+    basis: Arc<Basis>,
     /// What the signs of are flipped; `None` where the residuals are Gaussian.
     flipped: Option<DVector<f32>>,
     /// Largest first.
@@ -180,7 +180,7 @@ impl Regression<'_> {
             rank,
             fingerprint,
             seedless,
-            basis: Rc::clone(&fit.basis),
+            basis: Arc::clone(&fit.basis),
             flipped: flip
                 .then(|| DVector::from_fn(m, |row, _| flipped(row)))
                 .filter(|noise| noise.iter().any(|v| *v != 0.0)),
@@ -196,9 +196,14 @@ impl Regression<'_> {
         if answered(null) {
             return;
         }
-        let basis = Rc::clone(&null.basis);
+        let basis = Arc::clone(&null.basis);
         let projected = self.projected(&basis, Among::All);
-        let trials = Trials::new(&projected, &self.table.candidates, &self.tests, self.m());
+        let trials = Trials::new(
+            &projected,
+            &self.table.candidates,
+            &self.tests,
+            (self.m(), self.threads),
+        );
         let seed = if null.seedless { 0 } else { self.seed };
         while !answered(null) {
             let there = null.largest.len();
@@ -347,7 +352,7 @@ mod tests {
                 rank: 0,
                 fingerprint: Vec::new(),
                 seedless: false,
-                basis: Rc::new(Basis::new(&DMatrix::zeros(1, 0))),
+                basis: Arc::new(Basis::new(&DMatrix::zeros(1, 0))),
                 flipped: None,
                 largest: Vec::new(),
                 tail: None,

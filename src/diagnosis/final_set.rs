@@ -207,8 +207,18 @@ pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
     let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
     let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
     let tried = regression.price_of_term(term);
+    let mut minus_ln_p = Significance::new(rank, freedom).of(share) - 0.5 * tried;
+    // Orders of one gear that are there together are no chance if all of them are none.
+    let together = regression.together(fit, term);
+    if together.len() > 1 {
+        let gone = |t: &Term| together.iter().any(|own| own.same_column(t));
+        let without = regression.fit(&fit.model.without(gone), &fit.shapes);
+        let rank = fit.basis.rank().saturating_sub(without.basis.rank()).max(1);
+        let share = (1.0 - fit.rss / without.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+        minus_ln_p = minus_ln_p.max(Significance::new(rank, freedom).of(share));
+    }
     Worth {
-        minus_ln_p: Significance::new(rank, freedom).of(share) - 0.5 * tried,
+        minus_ln_p,
         ln_odds: fit.ln_evidence - rest.ln_evidence,
         rest,
     }

@@ -249,9 +249,12 @@ impl Folds {
         let (mut sum, mut sum_mm) = (0.0, 0.0);
         let mut left = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
-        for fold in 0..self.count {
-            let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
-            let of_fold = rescanned.left(&unseen, columns);
+        let unseen = (0..self.count).map(|fold| -> Vec<usize> {
+            (0..rows).filter(|row| self.fold[row % n] == fold).collect()
+        });
+        let unseen: Vec<Vec<usize>> = unseen.collect();
+        let folds = rescanned.left(&unseen, columns);
+        for (unseen, of_fold) in unseen.into_iter().zip(folds) {
             for (row, e) in unseen.into_iter().zip(of_fold) {
                 let mm = regression.rows.mm(row) * e;
                 left[row] = e;

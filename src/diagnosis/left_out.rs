@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linear::{Basis, gram};
+use crate::linear::{Basis, along, gram};
 
 /// A direction of which less than this share (of its square) is seen in the rows that stay is not told by them.
 /// A fit without some rows is taken from that of all while those that stay see each direction
@@ -69,7 +69,7 @@ impl<'b> LeftOut<'b> {
     }
 
     fn along_one(&self, y: &DVector<f64>) -> DVector<f64> {
-        let seen = self.basis.q.tr_mul(y) - &self.own * y.select_rows(self.rows);
+        let seen = along(&self.basis.q, y) - &self.own * y.select_rows(self.rows);
         &self.inverse_root * seen
     }
 

@@ -29,11 +29,6 @@ impl<T: Clone> Memo<T> {
         self.of_key(key, work)
     }
 
-    /// The answer for what a fit starts from.
-    pub(crate) fn of_start(&self, model: &Model, shapes: &[Placed], work: impl FnOnce() -> T) -> T {
-        self.of_key(start(model, shapes), work)
-    }
-
     /// Drops all of them.
     pub(crate) fn clear(&self) {
         self.known.borrow_mut().clear();
@@ -55,7 +50,7 @@ impl<T: Clone> Memo<T> {
 }
 
 /// Every bit that tells one start of a fit from another.
-fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
+pub(super) fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
     let mut all = Vec::new();
     for term in model.terms() {
         all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);

@@ -40,12 +40,14 @@ mod base_misfit;
 pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;
+mod fitting;
 mod floor;
 mod free_curve;
 mod gross;
 mod handed_out;
 mod held_out;
 mod incomplete;
+mod known_fits;
 mod left_out;
 mod of_group;
 mod orders;
@@ -118,6 +120,9 @@ pub struct Options {
     pub keep_when_stopped: bool,
     /// Whether the model holds names and geometry only, and nothing that predicts without a name.
     pub without_unnamed: bool,
+    /// On how many threads the parts of a search are done that do not depend on each other; `None`: on two where
+    /// the machine has them. The answer is the same to the last bit.
+    pub threads: Option<usize>,
 }
 
 /// How far the diagnosis is.

@@ -6,7 +6,7 @@
 //! off by a share ε the coefficients are off by ε of what the noise lets them be known.
 
 use std::cell::OnceCell;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
@@ -14,6 +14,7 @@ use super::columns::{Among, Columns};
 use crate::fit::noise::Filter;
 use crate::linear::Basis;
 use crate::model::Model;
+use crate::side_by_side::Threads;
 
 /// How far a column may be from the base's own, as a share of it.
 /// A fit takes the base's columns as they are at the base's own coefficients while they differ
@@ -24,7 +25,7 @@ const NEAR: f64 = 5e-3;
 pub(crate) struct OfBase {
     /// Whitened, at the base's coefficients.
     columns: DMatrix<f64>,
-    basis: Rc<Basis>,
+    basis: Arc<Basis>,
     /// Products of the candidates' columns with the basis, of names and of the others.
     along: [OnceCell<DMatrix<f64>>; 2],
 }
@@ -32,13 +33,13 @@ pub(crate) struct OfBase {
 impl OfBase {
     pub(crate) fn new(columns: DMatrix<f64>) -> Self {
         Self {
-            basis: Rc::new(Basis::new(&columns)),
+            basis: Arc::new(Basis::new(&columns)),
             columns,
             along: Default::default(),
         }
     }
 
-    pub(crate) fn basis(&self) -> &Rc<Basis> {
+    pub(crate) fn basis(&self) -> &Arc<Basis> {
         &self.basis
     }
 
@@ -64,25 +65,25 @@ impl OfBase {
     /// Products of the candidates' columns with a basis, a row for each of its columns.
     pub(crate) fn along(
         &self,
-        columns: &Columns,
-        filter: &Filter,
+        (columns, filter): (&Columns, &Filter),
         basis: &Basis,
         among: Among,
+        threads: Threads,
     ) -> DMatrix<f64> {
         let extends = basis.extends.as_ref();
-        let is_own = std::ptr::eq(basis, Rc::as_ptr(&self.basis));
-        if !is_own && !extends.is_some_and(|own| Rc::ptr_eq(own, &self.basis)) {
-            return columns.products(filter, &basis.q, among);
+        let is_own = std::ptr::eq(basis, Arc::as_ptr(&self.basis));
+        if !is_own && !extends.is_some_and(|own| Arc::ptr_eq(own, &self.basis)) {
+            return columns.products(filter, &basis.q, among, threads);
         }
         let known = self.basis.rank();
         let more = basis.rank() - known;
         let new = basis.q.columns(known, more).into_owned();
         let mut all = DMatrix::zeros(basis.rank(), columns.count());
         all.rows_mut(known, more)
-            .copy_from(&columns.products(filter, &new, among));
+            .copy_from(&columns.products(filter, &new, among, threads));
         for (at, part) in [Among::Names, Among::Shapes].into_iter().enumerate() {
             if among == part || among == Among::All {
-                let make = || columns.products(filter, &self.basis.q, part);
+                let make = || columns.products(filter, &self.basis.q, part, threads);
                 let own = self.along[at].get_or_init(make);
                 columns.copy(own, &mut all, part);
             }

@@ -11,11 +11,11 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Term;
+use crate::effects::{Term, stated};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::Basis;
+use crate::linear::{Basis, along, own_products, reject_all};
 use crate::model::Model;
 
 use super::candidates::Candidate;
@@ -139,10 +139,9 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
         .collect();
     let terms: Vec<&Term> = candidates.iter().filter_map(|c| c.what.term()).collect();
     let mut free = regression.white_columns(&candidates);
-    let along = rest.basis.q.tr_mul(&free);
-    free.gemm(-1.0, &rest.basis.q, &along, 1.0);
-    let gram = free.tr_mul(&free);
-    let pulls = free.tr_mul(&rest.residual);
+    reject_all(&rest.basis.q, &mut free);
+    let gram = own_products(&free);
+    let pulls = along(&free, &rest.residual);
     let gain = |of: &[usize]| {
         let at: Vec<usize> = of.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
         let own = gram.select_rows(&at).select_columns(&at);
@@ -202,7 +201,9 @@ pub(super) struct OrderSpread {
 impl OrderSpread {
     /// `None` where every order is whole, or where the samples do not tell them.
     pub(super) fn of(problem: &Problem, model: &Model) -> Option<Self> {
-        let fractions = model.terms().iter().filter(|t| is_fraction(t));
+        // What a gear ratio says is not fitted.
+        let fitted = |t: &&Term| is_fraction(t) && stated(&model.robot, t).is_none();
+        let fractions = model.terms().iter().filter(fitted);
         let orders: Vec<Term> = fractions.cloned().collect();
         if orders.is_empty() {
             return None;

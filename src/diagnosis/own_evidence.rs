@@ -44,25 +44,32 @@ pub(super) fn least_proven(prepared: &Prepared, fit: &Fit) -> Option<Term> {
     let whole = Basis::new(&all);
     let with = whole.reject(&residual).norm_squared();
     let freedom = (regression.m() - whole.rank() as f64).max(2.0);
+    let coefficients = fit.model.coefficients();
     let mut least: Option<(f64, Term)> = None;
     let mut first = 0;
     for term in fit.model.terms() {
         let size = term.coefficients.len();
         if terms.iter().any(|t| t.same_column(term)) {
-            let kept: Vec<usize> = (0..width)
-                .filter(|k| !(first..first + size).contains(k))
-                .collect();
-            let rest: DMatrix<f64> = all.select_columns(&kept);
-            let mut left = residual.clone();
-            for (k, coefficient) in term.coefficients.iter().enumerate() {
-                left.axpy(*coefficient, &all.column(first + k), 1.0);
+            // −ln p of some columns: of the term alone, and of what is proven together with it.
+            let of = |own: &[usize]| {
+                let kept: Vec<usize> = (0..width).filter(|k| !own.contains(k)).collect();
+                let rest: DMatrix<f64> = all.select_columns(&kept);
+                let mut left = residual.clone();
+                for k in own {
+                    left.axpy(coefficients[*k], &all.column(*k), 1.0);
+                }
+                let basis = Basis::new(&rest);
+                let without = basis.reject(&left).norm_squared();
+                let share = (1.0 - with / without.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+                let rank = whole.rank().saturating_sub(basis.rank()).max(1);
+                Significance::new(rank, freedom).of(share)
+            };
+            let own: Vec<usize> = (first..first + size).collect();
+            let mut minus_ln_p = of(&own) - 0.5 * regression.price_of_term(term);
+            let together = regression.together(fit, term);
+            if together.len() > 1 {
+                minus_ln_p = minus_ln_p.max(of(&places(fit, &together)));
             }
-            let basis = Basis::new(&rest);
-            let without = basis.reject(&left).norm_squared();
-            let share = (1.0 - with / without.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
-            let rank = whole.rank().saturating_sub(basis.rank()).max(1);
-            let minus_ln_p =
-                Significance::new(rank, freedom).of(share) - 0.5 * regression.price_of_term(term);
             let unproven = regression.is_improbable(minus_ln_p, CHANCE, fit);
             if unproven && least.as_ref().is_none_or(|least| minus_ln_p < least.0) {
                 least = Some((minus_ln_p, term.clone()));
@@ -71,4 +78,18 @@ pub(super) fn least_proven(prepared: &Prepared, fit: &Fit) -> Option<Term> {
         first += size;
     }
     least.map(|least| least.1)
+}
+
+/// Places of the columns of some terms in a fit.
+fn places(fit: &Fit, terms: &[Term]) -> Vec<usize> {
+    let mut all = Vec::new();
+    let mut first = 0;
+    for own in fit.model.terms() {
+        let end = first + own.coefficients.len();
+        if terms.iter().any(|t| t.same_column(own)) {
+            all.extend(first..end);
+        }
+        first = end;
+    }
+    all
 }

@@ -19,6 +19,7 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::sessions::Session;
 use crate::sessions::cells::cells;
+use crate::side_by_side::Threads;
 
 use super::candidates::Table;
 use super::held_out::Folds;
@@ -372,7 +373,7 @@ fn bare_regression<'a>(
         Noise::white(1.0),
         Rc::new(table),
         base.clone(),
-        options.seed,
+        (options.seed, Threads::of(options.threads)),
     )
 }
 

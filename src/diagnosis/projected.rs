@@ -12,7 +12,8 @@ use nalgebra::{DMatrix, DVector};
 use super::candidates::Candidate;
 use super::columns::{Among, Columns};
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, small_cholesky, subtract};
+use crate::linear::{Basis, along, own_products, reject_all, small_cholesky, subtract};
+use crate::side_by_side::Threads;
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -104,8 +105,7 @@ pub(crate) fn units_beside(
         .map(|c| (SEEN * c.norm_squared()).max(1e-300))
         .collect();
     let mut free = white;
-    let along = basis.q.tr_mul(&free);
-    free.gemm(-1.0, &basis.q, &along, 1.0);
+    reject_all(&basis.q, &mut free);
     let mut first = 0;
     let one = |k: usize| {
         let own = free.columns(first, k);
@@ -119,7 +119,7 @@ pub(crate) fn units_beside(
 /// The same span, orthonormal; `None` where less than this is left of a column beside the others.
 fn orthonormal(mut columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
     let k = columns.ncols();
-    let mut factor: Vec<f64> = columns.tr_mul(&columns).iter().copied().collect();
+    let mut factor: Vec<f64> = own_products(&columns).as_slice().to_vec();
     if small_cholesky(&mut factor, k, tolerance) < k {
         return None;
     }
@@ -232,9 +232,11 @@ impl<'r> Projected<'r> {
 
     /// Products of all columns with a residual.
     pub(crate) fn pulls(&self, residual: &DVector<f64>) -> DVector<f64> {
-        let inside = self.basis.q.tr_mul(residual);
+        let inside = along(&self.basis.q, residual);
         let one = DMatrix::from_column_slice(residual.len(), 1, residual.as_slice());
-        let products = self.columns.products(self.filter, &one, self.among);
+        let products = self
+            .columns
+            .products(self.filter, &one, self.among, Threads::ONE);
         let mut pulls = products.row(0).transpose();
         pulls.gemv_tr(-1.0, &self.along, &inside, 1.0);
         pulls

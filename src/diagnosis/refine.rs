@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{Setting, Term};
-use crate::linear::Basis;
+use crate::effects::{Setting, Term, stated_orders};
+use crate::linear::{Basis, along, reject_all};
 use crate::model::shapes::{Profile, Shape};
 
 use super::candidates::What;
@@ -28,6 +28,9 @@ impl Regression<'_> {
         let Setting::Order { from, to } = term.effect.about().setting else {
             return term.clone();
         };
+        if self.is_stated(term) {
+            return term.clone();
+        }
         let at = |order: f64| Term {
             setting: order,
             ..term.clone()
@@ -63,11 +66,19 @@ impl Regression<'_> {
             let share = (gain / fit.rss.max(1e-300)).min(1.0 - 1e-12);
             -0.5 * self.m() * (-share).ln_1p()
         };
-        if worth(most) - worth(of_whole) > self.price_of_a_fraction() {
-            at(best)
+        let (chosen, value) = if worth(most) - worth(of_whole) > self.price_of_a_fraction() {
+            (best, worth(most) - self.price_of_a_fraction())
         } else {
-            at(nearest)
-        }
+            (nearest, worth(of_whole))
+        };
+        // An order that the gear ratio asks for is no choice among all.
+        let stated = stated_orders(&self.base.robot, term.joint).map(|s| s.order);
+        let near = stated.filter(|order| (order - term.setting).abs() < 1.5);
+        let pays = |order: f64| self.price_of_term(&at(order));
+        let likelier =
+            near.filter(|order| worth(gain(*order)) - pays(*order) >= value - pays(chosen.round()));
+        let stated = likelier.max_by(|a, b| gain(*a).total_cmp(&gain(*b)));
+        at(stated.unwrap_or(chosen))
     }
 
     fn refined_shape(&self, fit: &Fit, start: Shape) -> Shape {
@@ -174,9 +185,7 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
 
 /// By how much a shape would lower the sum of squares of a fit.
 fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
-    let along = fit.basis.q.tr_mul(&placed.white);
     let mut own = placed.white.clone();
-    own.gemm(-1.0, &fit.basis.q, &along, 1.0);
-    let basis = Basis::new(&own);
-    basis.q.tr_mul(&fit.residual).norm_squared()
+    reject_all(&fit.basis.q, &mut own);
+    along(&Basis::new(&own).q, &fit.residual).norm_squared()
 }

@@ -4,6 +4,7 @@
 
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,6 +15,7 @@ use crate::model::Model;
 use super::aliases::Rival;
 use super::candidates::{Table, What};
 use super::familywise::Familywise;
+use super::known_fits::KnownFits;
 use super::memo::Memo;
 use super::of_base::OfBase;
 use super::placed::Placed;
@@ -25,6 +27,7 @@ use super::work::Work;
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::linear::Basis;
+use crate::side_by_side::Threads;
 
 /// A model fitted to the rows.
 #[derive(Debug, Clone)]
@@ -32,7 +35,7 @@ pub(crate) struct Fit {
     pub(crate) model: Model,
     pub(crate) shapes: Vec<Placed>,
     pub(crate) residual: DVector<f64>,
-    pub(crate) basis: Rc<Basis>,
+    pub(crate) basis: Arc<Basis>,
     pub(crate) rss: f64,
     pub(crate) ln_evidence: f64,
 }
@@ -51,10 +54,12 @@ pub(crate) struct Regression<'a> {
     /// Number of rows beside those of the samples.
     pub(super) beside: usize,
     pub(crate) seed: u64,
+    /// On how many threads parts of it are done; the answer is the same.
+    pub(crate) threads: Threads,
     /// What was done so far of what may be done.
     pub(crate) work: Work,
     pub(crate) familywise: RefCell<Familywise>,
-    fits: Memo<Fit>,
+    pub(super) fits: KnownFits,
     pub(super) scores_of_names: Memo<Vec<Score>>,
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
@@ -79,8 +84,7 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 16;
-/// Fits that are kept: so many numbers of their bases (16 MiB), and no more than these, as to look for one is
-/// not to take longer than a small fit.
+/// Fits that are kept with their bases: so many numbers of the base's columns in them (16 MiB), and no more than these.
 const FITS_KEPT: usize = 1 << 21;
 const MOST_FITS: usize = 64;
 const RIVALS_KEPT: usize = 2;
@@ -89,13 +93,6 @@ const UNSEEN_KEPT: usize = 256;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
 const SURROUNDINGS_KEPT: usize = 2;
 
-/// Products for each number of a fit's columns beside those of making them orthonormal.
-const OF_A_FIT: f64 = 150.0;
-
-/// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
-/// where it is.
-const WITH_THE_BASES_OWN: usize = 4;
-
 impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
@@ -103,7 +100,7 @@ impl<'a> Regression<'a> {
         noise: Noise,
         table: Rc<Table>,
         base: Model,
-        seed: u64,
+        (seed, threads): (u64, Threads),
     ) -> Self {
         let priors = prior_rows(&problem, &base);
         let beside = priors.len() + rows.known(&base, &problem.priors).0.len();
@@ -133,8 +130,9 @@ impl<'a> Regression<'a> {
             priors,
             beside,
             seed,
+            threads,
             familywise: RefCell::new(Familywise::default()),
-            fits: Memo::new(fits_kept),
+            fits: KnownFits::new(fits_kept, fits_kept),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
             unseen: Memo::new(UNSEEN_KEPT),
@@ -151,7 +149,7 @@ impl<'a> Regression<'a> {
             noise,
             Rc::clone(&self.table),
             self.base.clone(),
-            self.seed,
+            (self.seed, self.threads),
         );
         Self {
             tests: Rc::clone(&self.tests),
@@ -189,90 +187,43 @@ impl<'a> Regression<'a> {
         raw: &DVector<f64>,
         columns: &DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
-        let (m, more) = (self.rows.len(), self.beside);
-        let residual = self.noise.whitened_vector(&self.rows, raw);
-        let mut residual = residual.resize_vertically(m + more, 0.0);
-        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), more);
+        let m = self.rows.len();
+        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), self.beside);
         let mut first = 0;
         for term in model.terms() {
             for (row, prior) in self.priors.iter().enumerate() {
                 if prior.term.same_column(term) {
-                    let k = prior.coefficient;
-                    jacobian[(m + row, first + k)] = 1.0 / prior.sigma;
-                    residual[m + row] = -term.coefficients[k] / prior.sigma;
+                    jacobian[(m + row, first + prior.coefficient)] = 1.0 / prior.sigma;
                 }
             }
             first += term.coefficients.len();
         }
-        if more > self.priors.len() {
+        if self.beside > self.priors.len() {
             let (left, columns) = self.rows.known(model, &self.problem.priors);
             let from = m + self.priors.len();
-            residual.rows_mut(from, left.len()).copy_from(&left);
             jacobian.rows_mut(from, left.len()).copy_from(&columns);
         }
-        (residual, jacobian)
+        (self.whitened_residual(model, raw), jacobian)
     }
 
-    /// Fits a model and shapes, starting from their coefficients.
-    pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
-        let work = || self.fitted(start.clone(), shapes.to_vec());
-        self.fits.of_start(start, shapes, work)
-    }
-
-    fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> Fit {
-        let mut last = None;
-        for round in 0..8 {
-            let (raw, columns) = self.raw(&model);
-            let (residual, jacobian) = self.whitened(&model, &raw, &columns);
-            let own = jacobian.ncols();
-            let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
-            self.work
-                .did((self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64));
-            let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-            let mut all = jacobian.resize_horizontally(width, 0.0);
-            let mut at = own;
-            for shape in &shapes {
-                all.columns_mut(at, shape.white.ncols())
-                    .copy_from(&shape.white);
-                at += shape.white.ncols();
-            }
-            let extended = (round < WITH_THE_BASES_OWN)
-                .then(|| self.of_base().extended(&self.base, &model, &all))
-                .flatten();
-            let basis = Rc::new(extended.unwrap_or_else(|| Basis::new(&all)));
-            // The shapes are linear: they are solved for afresh, the model by steps.
-            let step = basis.solve(&residual);
-            let left = basis.reject(&residual);
-            let moved = (all.columns(0, own) * step.rows(0, own)).norm_squared();
-            model = model.stepped(&step.as_slice()[..own]);
-            let mut at = own;
-            for shape in &mut shapes {
-                let size = shape.white.ncols();
-                shape.coefficients = step.rows(at, size).into_owned();
-                at += size;
-            }
-            let rss = left.norm_squared();
-            last = Some((left, basis, rss));
-            // A step of a hundredth of the noise changes nothing to second order.
-            if own == 0 || moved <= 1e-10 * self.m().max(1.0) + 1e-8 * rss && round > 0 {
-                break;
+    /// Whitened residuals, with the rows of the priors.
+    pub(super) fn whitened_residual(&self, model: &Model, raw: &DVector<f64>) -> DVector<f64> {
+        let (m, more) = (self.rows.len(), self.beside);
+        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        for term in model.terms() {
+            for (row, prior) in self.priors.iter().enumerate() {
+                if prior.term.same_column(term) {
+                    residual[m + row] = -term.coefficients[prior.coefficient] / prior.sigma;
+                }
             }
         }
-        let (residual, basis, rss) = last.unwrap_or_else(|| {
-            let empty = DMatrix::zeros(self.height(), 0);
-            let basis = Rc::new(Basis::new(&empty));
-            (DVector::zeros(self.height()), basis, 0.0)
-        });
-        let ln_evidence =
-            self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
-        Fit {
-            model,
-            shapes,
-            residual,
-            basis,
-            rss,
-            ln_evidence,
+        if more > self.priors.len() {
+            let (left, _) = self.rows.known(model, &self.problem.priors);
+            let from = m + self.priors.len();
+            residual.rows_mut(from, left.len()).copy_from(&left);
         }
+        residual
     }
 
     /// What was found for fits so far is worked out again where it is asked for again.

@@ -146,9 +146,20 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         }
     }
 
-    /// What a fit without these rows leaves of them, where its first so many columns predict.
-    pub(super) fn left(&self, rows: &[usize], columns: usize) -> Vec<f64> {
-        let (step, exchanged) = self.step(rows);
+    /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
+    pub(super) fn left(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
+        let steps = self.steps(folds).into_iter().zip(folds);
+        steps
+            .map(|(step, rows)| self.left_by(step, rows, columns))
+            .collect()
+    }
+
+    fn left_by(
+        &self,
+        (step, exchanged): (DVector<f64>, Vec<Exchanged>),
+        rows: &[usize],
+        columns: usize,
+    ) -> Vec<f64> {
         let width = columns.min(self.whole.raw.ncols());
         // What terms with another setting do more than with the fit's.
         let more = exchanged.into_iter().map(|(at, setting, own)| {
@@ -168,18 +179,30 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         left.collect()
     }
 
-    /// The step without these rows, and the terms with another setting.
-    fn step(&self, rows: &[usize]) -> (DVector<f64>, Vec<Exchanged>) {
-        let of = |told: &Told| told.step(&self.terms, &self.whole.residual, rows);
-        let mut step = of(&self.told);
-        let stays = step
-            .as_ref()
-            .is_some_and(|(_, exchanged)| exchanged.is_empty());
-        if !stays && self.told.is_near() {
-            let exact = || Told::new(Basis::new(&self.whole.white), &self.terms);
-            step = of(self.exact.get_or_init(exact));
+    /// The steps without each of these sets of rows, and the terms with another setting.
+    fn steps(&self, folds: &[Vec<usize>]) -> Vec<(DVector<f64>, Vec<Exchanged>)> {
+        let (terms, residual) = (&self.terms, &self.whole.residual);
+        let of = |told: &Told, which: &[usize]| {
+            let step = |k: usize| told.step(terms, residual, &folds[which[k]]);
+            self.regression.threads.each(which.len(), step)
+        };
+        let all: Vec<usize> = (0..folds.len()).collect();
+        let mut steps = of(&self.told, &all);
+        if self.told.is_near() {
+            let others = |k: &usize| steps[*k].as_ref().is_none_or(|step| !step.1.is_empty());
+            let anew: Vec<usize> = all.into_iter().filter(others).collect();
+            if !anew.is_empty() {
+                let exact = || Told::new(Basis::new(&self.whole.white), &self.terms);
+                let exact = of(self.exact.get_or_init(exact), &anew);
+                for (k, step) in anew.into_iter().zip(exact) {
+                    steps[k] = step;
+                }
+            }
         }
-        step.unwrap_or_else(|| self.told_by_the_rest(rows))
+        let steps = steps.into_iter().zip(folds);
+        steps
+            .map(|(step, rows)| step.unwrap_or_else(|| self.told_by_the_rest(rows)))
+            .collect()
     }
 
     /// The same where the rows that stay do not tell all columns: which they do not has to be seen in them.
@@ -278,7 +301,9 @@ mod tests {
             // Shapes are solved for afresh.
             let step = anew.solve(&whole.residual.select_rows(&stay));
             let expected = &whole.raw_residual - &whole.raw * step;
-            let left = rescanned.left(&out, usize::MAX);
+            let folds = [out];
+            let left = rescanned.left(&folds, usize::MAX).remove(0);
+            let [out] = folds;
             let apart = out.iter().zip(&left).map(|(row, e)| expected[*row] - e);
             let apart = apart.fold(0.0, |most: f64, e| most.max(e.abs()));
             assert!(apart < 1e-3 * expected.amax(), "{apart}");

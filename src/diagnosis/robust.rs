@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::Basis;
+use crate::linear::{Basis, along, cross};
 use crate::observations::figures::apart;
 use crate::observations::outliers::suspected;
 
@@ -138,12 +138,12 @@ fn weighted(
             }
         }
     }
-    let mut gram = scaled.tr_mul(q);
+    let mut gram = cross(&scaled, q);
     for k in 0..gram.nrows() {
         gram[(k, k)] += 1e-9;
     }
     let factor = gram.cholesky()?;
-    let step = factor.solve(&scaled.tr_mul(residual));
+    let step = factor.solve(&along(&scaled, residual));
     let left = residual - q * step;
     let spread = factor.l_dirty().solve_lower_triangular(&q.transpose())?;
     let kept = (0..axes * n)

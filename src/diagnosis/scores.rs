@@ -5,7 +5,7 @@ use std::rc::Rc;
 use nalgebra::DMatrix;
 
 use crate::effects::{Form, Held, Term};
-use crate::linear::{Basis, small_cholesky, small_gain};
+use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
 use super::candidates::{Candidate, What};
@@ -117,7 +117,9 @@ impl Regression<'_> {
         let (columns, filter) = (&self.table.columns, &self.filter);
         let make = || Grams::new(columns, filter, &self.table.candidates);
         let table = (columns, filter, self.grams.get_or_init(make));
-        let along = self.of_base().along(columns, filter, basis, among);
+        let along = self
+            .of_base()
+            .along((columns, filter), basis, among, self.threads);
         let more = basis.rank().saturating_sub(self.of_base().basis().rank()) + 8;
         self.work
             .did((columns.count() * self.rows.samples.len() * more) as f64);
@@ -153,9 +155,8 @@ impl Regression<'_> {
     /// By how much columns that are not in a fit would lower its sum of squares.
     pub(super) fn gain_of_columns(&self, fit: &Fit, own: &DMatrix<f64>) -> f64 {
         let mut free = self.white_of(own);
-        let along = fit.basis.q.tr_mul(&free);
-        free.gemm(-1.0, &fit.basis.q, &along, 1.0);
-        Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
+        reject_all(&fit.basis.q, &mut free);
+        along(&Basis::new(&free).q, &fit.residual).norm_squared()
     }
 
     /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.

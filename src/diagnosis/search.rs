@@ -159,6 +159,7 @@ impl Search<'_, '_> {
         let mut fit = start;
         while self.count(&fit) < self.most && !self.regression.work.is_over() {
             let next = self.step(&fit, allow);
+            let next = next.or_else(|| self.of_a_gear(&fit));
             let Some(next) = next.or_else(|| self.two_at_once(&fit, allow)) else {
                 break;
             };
@@ -190,6 +191,35 @@ impl Search<'_, '_> {
             }
         }
         None
+    }
+
+    /// All orders at once that the gear ratio of a joint asks for, where none of them does alone: as likely by their
+    /// odds as a step has to be by its p.
+    fn of_a_gear(&self, fit: &Fit) -> Option<Fit> {
+        let regression = self.regression;
+        let there = regression.added(fit);
+        let joints = 0..regression.base.robot.joints.len();
+        let fits = joints.filter_map(|joint| {
+            let candidates = regression.table.candidates.iter();
+            let terms = candidates.filter_map(|c| c.what.term());
+            let own =
+                |t: &&Term| t.joint == joint && regression.is_stated(t) && compatible(&there, t);
+            let own: Vec<&Term> = terms.filter(own).collect();
+            if own.len() < 2 || self.count(fit) + own.len() > self.most {
+                return None;
+            }
+            let model = own
+                .into_iter()
+                .fold(fit.model.clone(), |m, t| m.with_term(t.clone()));
+            Some(regression.fit(&model, &fit.shapes))
+        });
+        let least = -CHANCE.ln();
+        let proven = fits.filter(|next| {
+            next.ln_evidence > fit.ln_evidence + least
+                && self.matters(fit.rss - next.rss, fit)
+                && self.unseen(next) < self.unseen(fit)
+        });
+        proven.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))
     }
 
     /// Two names at once, where neither does without the other: as likely by their odds as a step has to

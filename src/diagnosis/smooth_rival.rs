@@ -20,6 +20,7 @@ use nalgebra::DMatrix;
 use crate::decompose::eigen;
 use crate::effects::{Setting, Term};
 use crate::fit::regression::Rows;
+use crate::linear::{along, own_products, reject_all};
 
 use super::aliases::UNDECIDED;
 use super::evidence::PRICE_OF_A_NAME;
@@ -182,10 +183,9 @@ fn likeliest(regression: &Regression, rest: &Fit, joint: usize) -> Option<f64> {
     if unit <= 0.0 {
         return None;
     }
-    let along = rest.basis.q.tr_mul(&free);
-    free.gemm(-1.0, &rest.basis.q, &along, 1.0);
-    let gram = free.tr_mul(&free);
-    let pulls = free.tr_mul(&rest.residual);
+    reject_all(&rest.basis.q, &mut free);
+    let gram = own_products(&free);
+    let pulls = along(&free, &rest.residual);
     let gaussian = GAUSSIAN.map(|length| covariance(length, |d| (-0.5 * d * d).exp()));
     let matern = MATERN.map(|length| {
         covariance(length, |d| {

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Term;
+use crate::effects::{Term, stated};
 
 use super::columns::Among;
 use super::familywise::FamilyP;
@@ -13,7 +13,7 @@ use super::search::compatible;
 use super::step_time;
 use super::values::Values;
 use crate::answers::diagnosis::{Floor, Found};
-use crate::linear::Basis;
+use crate::linear::{Basis, along, reject_all};
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
 const CLOSE: f64 = 6.0;
@@ -91,10 +91,9 @@ fn likeliest(
             let size = own.coefficients.len();
             if own.same_column(term) {
                 let mut free = white.columns(first, size).into_owned();
-                let along = now.basis.q.tr_mul(&free);
-                free.gemm(-1.0, &now.basis.q, &along, 1.0);
+                reject_all(&now.basis.q, &mut free);
                 let basis = Basis::new(&free);
-                let gain = basis.q.tr_mul(&now.residual).norm_squared();
+                let gain = along(&basis.q, &now.residual).norm_squared();
                 let share = (gain / now.rss.max(1e-300)).min(1.0 - 1e-12);
                 // Of a vector the components that are not there are spared.
                 let rank = basis.rank().min(2) as f64;
@@ -181,7 +180,14 @@ pub(crate) fn found(
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
+        let robot = &regression.base.robot;
         let says = says(step, &p_family, odds, next.as_deref(), floor)
+            + &stated(robot, term).map_or_else(String::new, |of| {
+                format!(
+                    "; {} for a turn of the motor, by the stated gear ratio of {}",
+                    of.per_motor_turn, of.ratio
+                )
+            })
             + &within_s.map_or_else(String::new, |[from, to]| {
                 format!("; the step lies between {from:.0} and {to:.0} s (95 %)")
             });

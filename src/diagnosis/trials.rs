@@ -23,6 +23,7 @@ use super::projected::Projected;
 use super::scores::weight_of;
 use super::significance::{Significance, Tests};
 use crate::linear::Basis;
+use crate::side_by_side::Threads;
 
 /// Residuals of a chunk.
 pub(super) const CHUNK: usize = 250;
@@ -59,6 +60,7 @@ pub(super) struct Trials<'p> {
     all: Vec<Trial<'p>>,
     kinds: Vec<Kind>,
     height: usize,
+    threads: Threads,
 }
 
 /// Columns that residuals are sent through at once.
@@ -70,7 +72,7 @@ impl<'p> Trials<'p> {
         projected: &'p Projected<'p>,
         candidates: &'p [Candidate],
         tests: &Tests,
-        rows: f64,
+        (rows, threads): (f64, Threads),
     ) -> Self {
         let (height, inside) = projected.basis().q.shape();
         let freedom = rows - inside as f64;
@@ -108,6 +110,7 @@ impl<'p> Trials<'p> {
             all,
             kinds,
             height,
+            threads,
         }
     }
 
@@ -153,18 +156,25 @@ impl<'p> Trials<'p> {
                 totals.iter().map(|total| share * total).collect()
             })
             .collect();
-        let mut most = vec![vec![0.0_f32; count]; self.kinds.len()];
-        let mut reaching = vec![0_usize; count];
-        let mut gain = vec![0.0_f32; count];
+        let projected = self.projected;
+        let end = |t: &Trial| t.candidate.first + t.candidate.size;
+        let mut together: Vec<&[Trial]> = Vec::new();
         let mut all = self.all.as_slice();
         while let Some(first) = all.first().map(|t| t.candidate.first) {
-            let up_to = first + self.projected.together(first).min(AT_ONCE);
-            let end = |t: &Trial| t.candidate.first + t.candidate.size;
+            let up_to = first + projected.together(first).min(AT_ONCE);
             let some = all.partition_point(|t| end(t) <= up_to).max(1);
             let (now, rest) = all.split_at(some);
             all = rest;
+            together.push(now);
+        }
+        // By kind the largest gain of each residual, and how many of these candidates reach what is enough.
+        let of_some = |now: &[Trial]| {
+            let mut most = vec![vec![0.0_f32; count]; enough.len()];
+            let mut reaching = vec![0_usize; count];
+            let mut gain = vec![0.0_f32; count];
+            let first = now.first().map_or(0, |t| t.candidate.first);
             let width = now.last().map_or(0, |t| end(t) - first);
-            let mut pulls = self.projected.pulls_of_noise(&noise, first, width);
+            let mut pulls = projected.pulls_of_noise(&noise, first, width);
             for trial in now {
                 let at = (trial.candidate.first - first) * count;
                 let own = &mut pulls.as_mut_slice()[at..at + trial.candidate.size * count];
@@ -174,6 +184,18 @@ impl<'p> Trials<'p> {
                     most[k] = most[k].max(*gain);
                     reaching[k] += usize::from(*gain >= enough[k]);
                 }
+            }
+            (most, reaching)
+        };
+        // The largest of all and a sum of whole numbers are the same in whatever order they are taken.
+        let mut most = vec![vec![0.0_f32; count]; enough.len()];
+        let mut reaching = vec![0_usize; count];
+        for (own, more) in self.threads.each(together.len(), |k| of_some(together[k])) {
+            for (most, own) in most.iter_mut().flatten().zip(own.into_iter().flatten()) {
+                *most = most.max(own);
+            }
+            for (sum, more) in reaching.iter_mut().zip(more) {
+                *sum += more;
             }
         }
         let one = |(k, reaching): (usize, usize)| {
@@ -330,7 +352,12 @@ mod tests {
         let along = DMatrix::zeros(0, columns.count());
         let table = (&columns, &filter, &grams);
         let projected = Projected::new(table, &nothing, along, Among::All);
-        let trials = Trials::new(&projected, &candidates, &Tests::default(), ROWS as f64);
+        let trials = Trials::new(
+            &projected,
+            &candidates,
+            &Tests::default(),
+            (ROWS as f64, Threads::of(Some(2))),
+        );
         look(&trials);
     }
 

@@ -7,7 +7,8 @@ use super::about::{About, Form, Quantity, Setting};
 use super::block::{Block, Turned};
 use super::needs::Need;
 use super::units::Unit;
-use super::{Effect, Placed};
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::sincos::sin_cos_small as sin_cos;
 
 const ABOUT: About = About {
@@ -30,6 +31,47 @@ const ABOUT: About = About {
 
 pub(super) static GEAR_TRANSMISSION_ERROR: Effect = Effect::new(ABOUT, act);
 
+/// Cycles for a turn of the motor that the gears of robots have: the wave generator's turn, which is that of an
+/// eccentric shaft, its two lobes, and twice these.
+const PER_MOTOR_TURN: [f64; 3] = [1.0, 2.0, 4.0];
+
+/// An order that a stated gear ratio asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct StatedOrder {
+    /// Cycles for a turn of the motor.
+    pub(crate) per_motor_turn: f64,
+    /// Turns of the motor for one of the joint.
+    pub(crate) ratio: f64,
+    /// Cycles for a turn of the joint.
+    pub(crate) order: f64,
+}
+
+/// The orders that a joint's stated gear ratio asks for; none where none is stated.
+pub(crate) fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item = StatedOrder> {
+    let ratio = robot.joints.get(joint).and_then(|joint| joint.gear_ratio);
+    let all = PER_MOTOR_TURN.into_iter();
+    all.filter_map(move |per_motor_turn| {
+        let ratio = ratio?;
+        let order = ratio * per_motor_turn;
+        let Setting::Order { from, to } = ABOUT.setting else {
+            return None;
+        };
+        let inside = order >= f64::from(from) && order <= f64::from(to);
+        inside.then_some(StatedOrder {
+            per_motor_turn,
+            ratio,
+            order,
+        })
+    })
+}
+
+/// Which of the orders that its joint's gear ratio asks for a term is.
+pub(crate) fn stated(robot: &Robot, term: &Term) -> Option<StatedOrder> {
+    let mut all = stated_orders(robot, term.joint);
+    let own = all.find(|stated| stated.order == term.setting);
+    own.filter(|_| term.effect.about().id == ABOUT.id)
+}
+
 fn act(me: &Placed, block: &mut Block) {
     add_sine_of_the_command(me, block, me.setting);
 }
@@ -50,4 +92,27 @@ pub(super) fn add_sine_of_the_command(me: &Placed, block: &mut Block, order: f64
         let (s, c) = sin_cos(order * at.q);
         order * (a * c - b * s)
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::testing::{revolute, robot_of, z_axis_at};
+
+    #[test]
+    fn a_stated_ratio_asks_for_its_orders_within_those_that_there_are() {
+        let mut robot = robot_of(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
+        assert_eq!(stated_orders(&robot, 0).count(), 0);
+        robot.joints[0].gear_ratio = Some(100.0);
+        robot.joints[1].gear_ratio = Some(62.6111);
+        let orders =
+            |joint| -> Vec<f64> { stated_orders(&robot, joint).map(|s| s.order).collect() };
+        assert_eq!(orders(0), [100.0, 200.0]);
+        assert_eq!(orders(1), [62.6111, 125.2222, 250.4444]);
+        let term = Term::absent(&GEAR_TRANSMISSION_ERROR, 1, 125.2222);
+        let own = stated(&robot, &term).unwrap();
+        assert_eq!((own.per_motor_turn, own.ratio), (2.0, 62.6111));
+        let other = Term::absent(&GEAR_TRANSMISSION_ERROR, 0, 125.2222);
+        assert_eq!(stated(&robot, &other), None);
+    }
 }

@@ -106,7 +106,7 @@ fn act(me: &Placed, block: &mut Block) {
                 by_coefficient: [tau],
             };
         }
-        let torque = &torques[at.lane];
+        let torque = torques[at.lane].wave();
         let mut theta = start;
         for _ in 0..NEWTON_STEPS {
             let (tau, slope) = torque.at(theta);
@@ -173,13 +173,18 @@ impl Torque {
         }
     }
 
+    /// The torque as a wave of the joint's angle: what of the moment is along the axis has no part in it.
+    fn wave(&self) -> Wave {
+        let of = |moment| dot(self.axis, cross(moment, self.gravity));
+        Wave {
+            sine: of(cross(self.axis, self.moment)),
+            cosine: of(self.moment),
+        }
+    }
+
     /// Torque in N·m and its slope in N·m/rad.
     fn at(&self, theta: f64) -> (f64, f64) {
-        let (sin, cos) = sin_cos(theta);
-        let moment = turned(self.moment, self.axis, sin, cos);
-        let tau = dot(self.axis, cross(moment, self.gravity));
-        let slope = dot(self.axis, cross(cross(self.axis, moment), self.gravity));
-        (tau, slope)
+        self.wave().at(theta)
     }
 
     /// What a moment's product with is its torque at an angle, where gravity is that of this one.
@@ -202,6 +207,22 @@ impl Torque {
             self.axis,
             cross(turned(moment, self.axis, sin, cos), gravity),
         )
+    }
+}
+
+/// A torque over the angle of its joint, N·m.
+#[derive(Clone, Copy)]
+struct Wave {
+    sine: f64,
+    cosine: f64,
+}
+
+impl Wave {
+    /// Torque and its slope in N·m/rad.
+    fn at(self, theta: f64) -> (f64, f64) {
+        let (sin, cos) = sin_cos(theta);
+        let tau = self.sine * sin + self.cosine * cos;
+        (tau, self.sine * cos - self.cosine * sin)
     }
 }
 

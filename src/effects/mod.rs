@@ -65,6 +65,7 @@ pub use about::{
 };
 pub use block::{Block, Lane, Turned};
 pub use curve::{Curve, CurveError, Knots};
+pub(crate) use gear_transmission_error::{stated, stated_orders};
 pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LINK_GEOMETRY;
 pub use measuring_frame::MEASURING_FRAME;

@@ -160,12 +160,11 @@ pub(crate) fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> 
         columns.set_column(own + k, shape);
     }
     let stated = problem.session.instrument.sigma_mm;
-    let noise = Noise::estimate_with_alternatives(stated, &rows, &residual, &columns);
     if problem.shows_time() {
-        noise
-    } else {
-        noise.made_white()
+        return Noise::estimate_with_alternatives(stated, &rows, &residual, &columns);
     }
+    // What it may be besides is a noise that wanders in time as well.
+    Noise::estimate(stated, &rows, &residual, &columns).made_white()
 }
 
 /// The samples of some stretches of a long problem.

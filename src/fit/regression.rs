@@ -207,6 +207,24 @@ impl<'a> Rows<'a> {
         (residual, columns)
     }
 
+    /// The residuals of [`extract`](Self::extract) alone.
+    pub fn residual(&self, model: &Model) -> DVector<f64> {
+        if let Some(rows) = &self.observed {
+            return rows.residual(model);
+        }
+        let n = self.samples.len();
+        let mut residual = DVector::zeros(self.len());
+        model.visit(&self.inputs, false, |start, block| {
+            for (a, axis) in self.axes.iter().enumerate() {
+                let row = a * n + start;
+                for i in 0..block.len {
+                    residual[row + i] = self.measured_mm[a][start + i] - block.point[*axis][i];
+                }
+            }
+        });
+        residual
+    }
+
     /// Points that the model predicts, in the order of the samples.
     pub fn points(&self, model: &Model) -> Vec<[f64; 3]> {
         let predicted = model.predict(&self.inputs);

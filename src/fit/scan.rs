@@ -9,7 +9,7 @@
 
 use nalgebra::DVector;
 
-use crate::effects::{Setting, Survey, Term};
+use crate::effects::{Setting, Survey, Term, stated_orders};
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -43,7 +43,15 @@ pub(crate) fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<
 pub(crate) fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
     match term.effect.about().setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![term.setting],
-        Setting::Order { from, to } => (from..=to).map(f64::from).collect(),
+        Setting::Order { from, to } => {
+            let mut all: Vec<f64> = (from..=to).map(f64::from).collect();
+            if term.effect.about().setting.takes_fractions() {
+                all.extend(stated_orders(&problem.session.robot, term.joint).map(|s| s.order));
+                all.sort_by(f64::total_cmp);
+                all.dedup();
+            }
+            all
+        }
         Setting::Fade => fades(problem, term.joint),
         Setting::Time => times(problem),
         Setting::Listed(listed) => {

@@ -23,6 +23,7 @@ fn robot() -> Robot {
             limits: None,
             link: None,
             follows: None,
+            gear_ratio: None,
         }],
         base_from_tool: pose_from_parts([250.0, 0.0, 300.0], [1.0, 0.0, 0.0, 0.0]).unwrap(),
         gravity_m_s2: None,

@@ -219,6 +219,8 @@ pub struct Joint {
     pub link: Option<LinkMass>,
     /// The joint that it follows, where it has no drive of its own.
     pub follows: Option<Follows>,
+    /// Turns of the motor for one of the joint, where they are stated.
+    pub gear_ratio: Option<f64>,
 }
 
 impl Joint {
@@ -231,6 +233,7 @@ impl Joint {
             limits: None,
             link: None,
             follows: None,
+            gear_ratio: None,
         }
     }
 }

@@ -131,6 +131,21 @@ impl<'a> ObservedRows<'a> {
         (residual, columns)
     }
 
+    /// The residuals of [`extract`](Self::extract) alone.
+    pub fn residual(&self, model: &Model) -> DVector<f64> {
+        let n = self.layer.items.len();
+        let mut residual = DVector::zeros(n * self.width);
+        self.layer.visit(model, false, |block| {
+            for (lane, item) in block.items.iter().enumerate() {
+                let Some(item) = *item else { continue };
+                for row in (0..self.width).filter(|row| block.rows[*row][lane]) {
+                    residual[row * n + item] = block.left[row][lane];
+                }
+            }
+        });
+        residual
+    }
+
     /// What is known of the distances between sockets, in units of σ.
     pub fn known_distances(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
         let block = self.layer.distances(model);

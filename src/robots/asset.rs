@@ -83,6 +83,10 @@ pub(super) fn read() -> Library {
 
 fn robot(entry: Entry) -> LibraryRobot {
     let loaded = parse_robot(entry.robot.to_string().as_bytes()).expect("a bundled robot is sound");
+    let mut robot = loaded.robot;
+    for (joint, ratio) in robot.joints.iter_mut().zip(&entry.gear_ratios) {
+        joint.gear_ratio = Some(*ratio);
+    }
     let kind = RobotKind::ALL
         .into_iter()
         .find(|kind| kind.name() == entry.kind);
@@ -93,7 +97,7 @@ fn robot(entry: Entry) -> LibraryRobot {
         model: entry.model,
         also: entry.also,
         kind: kind.expect("a bundled robot is of a kind"),
-        robot: loaded.robot,
+        robot,
         reach_mm: entry.reach_mm,
         payload_kg: entry.payload_kg,
         mass_kg: entry.mass_kg,

@@ -38,6 +38,7 @@ mod faults;
 mod fleet;
 mod fuzz_smoke;
 mod gate;
+mod gear_ratio;
 mod hostile;
 mod house;
 mod imports;

@@ -64,6 +64,7 @@ fn paper_session() -> Session {
                 }),
                 link: None,
                 follows: None,
+                gear_ratio: None,
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,

@@ -48,7 +48,7 @@ fn turned(q: &[f64]) -> Vec<f64> {
 }
 
 /// A session of so many poses; `more` is what the joints do besides.
-fn session(poses: usize, seed: u64, more: fn(&[f64]) -> Vec<f64>) -> Session {
+pub(crate) fn session(poses: usize, seed: u64, more: fn(&[f64]) -> Vec<f64>) -> Session {
     let robot = hidden();
     let mut session = load(folder().join("arm.json")).unwrap().session;
     let mut random = Random(seed);
@@ -89,7 +89,7 @@ fn session(poses: usize, seed: u64, more: fn(&[f64]) -> Vec<f64>) -> Session {
     session
 }
 
-fn diagnosed(session: &Session, without_unnamed: bool) -> Diagnosis {
+pub(crate) fn diagnosed(session: &Session, without_unnamed: bool) -> Diagnosis {
     let options = Options {
         // The search is not what is looked at here.
         max_effects: Some(2),
@@ -223,4 +223,27 @@ fn a_chain_that_cannot_hold_it_is_that_of_the_geometry_without_it() {
     let (with, without) = (urdf(false), urdf(true));
     assert!(with.robot.is_some());
     assert_eq!(with.robot, without.robot);
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_bytes() {
+    let measured = session(220, 9, turned);
+    let on = |threads: usize| {
+        let options = Options {
+            max_effects: Some(4),
+            threads: Some(threads),
+            ..Options::default()
+        };
+        let found = pipeline::diagnose(&measured, &options, &|_| true).unwrap();
+        let model = pipeline::hand_out(&calibration(&found, &measured), &measured);
+        // Every digit of all numbers, and the model that goes out.
+        (format!("{found:?}"), pipeline::write_model(&model.unwrap()))
+    };
+    let (alone, together) = (on(1), on(2));
+    assert!(
+        alone.0.contains("unnamed: Some("),
+        "its parts are done side by side"
+    );
+    assert_eq!(alone, together);
+    assert_eq!(on(3), alone);
 }

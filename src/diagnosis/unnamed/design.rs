@@ -16,6 +16,8 @@ use super::orders::{self, Residual};
 use super::products::Products;
 use super::strengths::{NEARLY, Remaining};
 use crate::diagnosis::held_out::Folds;
+use crate::linear::subtract;
+use crate::side_by_side::Threads;
 
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;
@@ -32,14 +34,31 @@ pub(super) struct Design<'a> {
     orders: usize,
     /// Rows of a unit in each direction of each joint.
     directions: DMatrix<f64>,
-    /// The geometry's columns, then the families', then the residual: as they are, and whitened with the
-    /// rows of the priors below.
-    raw: DMatrix<f64>,
+    /// The geometry's columns, then the families', then the residual: whitened with the rows of the priors below, and
+    /// as they are where that is more than their unit.
+    raw: Option<DMatrix<f64>>,
     white: DMatrix<f64>,
     geometry: usize,
-    /// By fold, and of what is known beforehand.
+    /// By fold.
     parts: Vec<Products>,
+    /// Of what is known beforehand.
+    known: Option<Products>,
     total: Products,
+    threads: Threads,
+}
+
+/// Every fold by the others: what does not depend on how strong the families are.
+pub(super) struct Unseen<'d, 'a> {
+    design: &'d Design<'a>,
+    folds: Vec<Fold>,
+}
+
+struct Fold {
+    /// Products of the other folds' rows.
+    seen: Products,
+    remaining: Remaining,
+    /// Squares of what the geometry alone leaves of each sample, mm², summed over its rows.
+    alone: Vec<f64>,
 }
 
 /// What the families bring on unseen cells.
@@ -52,7 +71,12 @@ pub(super) struct Gains {
 
 impl<'a> Design<'a> {
     /// Of the samples of a problem that count; `None` where they are too few.
-    pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model) -> Option<Self> {
+    pub(super) fn new(
+        problem: &Problem<'a>,
+        noise: &Noise,
+        model: &Model,
+        threads: Threads,
+    ) -> Option<Self> {
         let mut problem = problem.clone();
         problem.thin(MOST_SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
@@ -109,16 +133,18 @@ impl<'a> Design<'a> {
                 white[(m + known.len() + row, column)] = columns[(row, *place)];
             }
         }
-        let mut raw = geometry;
+        let mut raw = noise.slow.is_some().then_some(geometry);
         let kept: Vec<usize> = (0..white.ncols())
             .filter(|k| white.column(*k).norm() > 0.0)
             .collect();
         let mut white = white.select_columns(&kept);
-        raw = raw.select_columns(&kept);
+        raw = raw.map(|raw| raw.select_columns(&kept));
         for k in 0..kept.len() {
             let norm = white.column(k).norm();
             white.column_mut(k).unscale_mut(norm);
-            raw.column_mut(k).unscale_mut(norm);
+            if let Some(raw) = &mut raw {
+                raw.column_mut(k).unscale_mut(norm);
+            }
         }
         if rows.count() < kept.len() + FEWEST_ROWS {
             return None;
@@ -126,13 +152,18 @@ impl<'a> Design<'a> {
         let geometry = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
-        raw = raw.insert_column(geometry, 0.0);
-        raw.column_mut(geometry).copy_from(&residual);
+        raw = raw.map(|raw| {
+            let mut raw = raw.insert_column(geometry, 0.0);
+            raw.column_mut(geometry).copy_from(&residual);
+            raw
+        });
         white = white.insert_column(geometry, 0.0);
         white.column_mut(geometry).copy_from(&y);
         let mut design = Self {
             total: Products::of(&white, geometry, &[]),
             parts: Vec::new(),
+            known: None,
+            threads,
             orders: 0,
             noise: noise.clone(),
             model: model.clone(),
@@ -152,31 +183,43 @@ impl<'a> Design<'a> {
     fn append(&mut self, first: usize) {
         let inputs = &self.rows.inputs;
         let robot = &self.model.robot;
-        let more = self.families.shown(robot, inputs, &self.directions, first);
-        let white = self.noise.whitened(&self.rows, &more);
-        let (last, width) = (self.raw.ncols() - 1, more.ncols());
+        let mut more = self.families.shown(robot, inputs, &self.directions, first);
+        let (last, width) = (self.white.ncols() - 1, more.ncols());
         let m = self.rows.len();
-        for (all, own) in [(&mut self.raw, &more), (&mut self.white, &white)] {
+        let put = |all: &mut DMatrix<f64>, own: &DMatrix<f64>| {
             let wider = std::mem::take(all).insert_columns(last, width, 0.0);
             *all = wider;
             all.view_mut((0, last), (m, width)).copy_from(own);
+        };
+        if let Some(raw) = &mut self.raw {
+            put(raw, &more);
         }
-        let n = self.folds.samples().max(1);
-        self.parts = (0..self.folds.count())
-            .map(|fold| {
-                let rows: Vec<usize> = (0..m)
-                    .filter(|row| self.folds.of(row % n) == fold)
-                    .collect();
-                Products::of(&self.white, self.geometry, &rows)
-            })
-            .collect();
+        self.noise.filter(&self.rows).whiten(more.as_mut_slice());
+        put(&mut self.white, &more);
+        drop(more);
         let known: Vec<usize> = (m..self.white.nrows()).collect();
-        let known = Products::of(&self.white, self.geometry, &known);
+        let geometry = self.geometry;
+        let of = |rows: &[usize], before: Option<&Products>| match before {
+            Some(products) => products.with(&self.white, width, rows),
+            None => Products::of(&self.white, geometry, rows),
+        };
+        let parts: Vec<Products> = self.threads.each(self.folds.count(), |fold| {
+            let rows: Vec<usize> = self.rows_of(fold).collect();
+            of(&rows, self.parts.get(fold))
+        });
+        let known = of(&known, self.known.as_ref());
         // What was measured counts: an observation may have fewer rows than others.
-        self.total = self
-            .parts
+        self.total = parts
             .iter()
-            .fold(known, |sum, part| sum.and(part, 1.0));
+            .fold(known.clone(), |sum, part| sum.and(part, 1.0));
+        self.parts = parts;
+        self.known = Some(known);
+    }
+
+    /// Rows of the samples that are in a fold.
+    fn rows_of(&self, fold: usize) -> impl Iterator<Item = usize> {
+        let n = self.folds.samples().max(1);
+        (0..self.rows.len()).filter(move |row| self.folds.of(row % n) == fold)
     }
 
     fn family_of(&self) -> Vec<usize> {
@@ -197,13 +240,13 @@ impl<'a> Design<'a> {
             let own = columns.iter().map(|k| first + k);
             (0..first)
                 .chain(own)
-                .chain([self.raw.ncols() - 1])
+                .chain([self.white.ncols() - 1])
                 .collect()
         };
         let places = all(self.geometry);
-        self.raw = self.raw.select_columns(&places);
+        self.raw = self.raw.take().map(|raw| raw.select_columns(&places));
         self.white = self.white.select_columns(&places);
-        for part in &mut self.parts {
+        for part in self.parts.iter_mut().chain(&mut self.known) {
             *part = part.only(&columns);
         }
         self.total = self.total.only(&columns);
@@ -215,11 +258,20 @@ impl<'a> Design<'a> {
 
     /// Coefficients of the geometry and of the families on some products, in the order of the columns.
     fn solved(&self, products: &Products, strengths: &[f64]) -> Option<DVector<f64>> {
+        self.solved_of(products, &Remaining::of(products)?, strengths)
+    }
+
+    /// The same of what remains of the products without the geometry.
+    fn solved_of(
+        &self,
+        products: &Products,
+        remaining: &Remaining,
+        strengths: &[f64],
+    ) -> Option<DVector<f64>> {
         let family = self.family_of();
         let coefficients = if family.is_empty() {
             DVector::zeros(0)
         } else {
-            let remaining = Remaining::of(products)?;
             remaining.coefficients(&family, strengths)?
         };
         let geometry = products.geometry(&coefficients)?;
@@ -260,38 +312,40 @@ impl<'a> Design<'a> {
         self.append(first);
     }
 
-    /// What the families bring on cells that the fit has not seen; the strengths are set again without
-    /// them.
-    pub(super) fn gains(&self, strengths: &[f64]) -> Option<Gains> {
+    /// What a model leaves of the rows of a fold, mm², added up for each sample.
+    fn squares(&self, fold: usize, coefficients: &[f64]) -> Vec<f64> {
         let n = self.folds.samples().max(1);
-        let last = self.raw.ncols() - 1;
-        let family = self.family_of();
-        let mut squares = vec![[0.0; 2]; n];
-        for (fold, part) in self.parts.iter().enumerate() {
-            let seen = self.total.and(part, -1.0);
-            let own = Remaining::of(&seen)?.refined(&family, strengths.to_vec(), NEARLY)?;
-            let with = self.solved(&seen, &own)?;
-            let alone = seen.geometry(&DVector::zeros(family.len()))?;
-            for row in (0..self.rows.len()).filter(|row| self.folds.of(row % n) == fold) {
-                let y = self.raw[(row, last)];
-                let line = self.raw.row(row);
-                let mm = self.rows.mm(row);
-                let before = y - line.columns(0, self.geometry).tr_dot(&alone);
-                let after = y - line.columns(0, last).tr_dot(&with);
-                squares[row % n][0] += (mm * before).powi(2);
-                squares[row % n][1] += (mm * after).powi(2);
-            }
+        let all = self.raw.as_ref().unwrap_or(&self.white);
+        let mut left = all.column(all.ncols() - 1).into_owned();
+        let columns = &all.as_slice()[..all.nrows() * coefficients.len()];
+        subtract(columns, coefficients, left.as_mut_slice());
+        // Without a slow part a whitened row is one in units of its axis's noise.
+        let unit = |row: usize| match self.raw {
+            Some(_) => 1.0,
+            None => self.noise.sigma_mm[self.rows.axes[row / n]],
+        };
+        let mut squares = vec![0.0; n];
+        for row in self.rows_of(fold) {
+            squares[row % n] += (self.rows.mm(row) * unit(row) * left[row]).powi(2);
         }
-        let count = self.rows.lengths().max(1) as f64;
-        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
-        let gains: Vec<f64> = squares.iter().map(|s| s[0] - s[1]).collect();
-        let mean = gains.iter().sum::<f64>() / n as f64;
-        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
-        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Some(Gains {
-            before_mm: rms(0),
-            after_mm: rms(1),
-            sigmas: mean / sigma,
+        squares
+    }
+
+    /// Every fold by the others, for [`Unseen::gains`].
+    pub(super) fn unseen(&self) -> Option<Unseen<'_, 'a>> {
+        let none = DVector::zeros(self.families.columns.len());
+        let of = |fold: usize| {
+            let seen = self.total.and(&self.parts[fold], -1.0);
+            let alone = seen.geometry(&none)?;
+            Some(Fold {
+                alone: self.squares(fold, alone.as_slice()),
+                remaining: Remaining::of(&seen)?,
+                seen,
+            })
+        };
+        Some(Unseen {
+            design: self,
+            folds: self.threads.all(self.parts.len(), of)?,
         })
     }
 
@@ -303,5 +357,42 @@ impl<'a> Design<'a> {
         let all = self.families.all.iter().zip(strengths);
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
+    }
+}
+
+impl Unseen<'_, '_> {
+    /// What the families bring on cells that the fit has not seen; the strengths are set again without
+    /// them.
+    pub(super) fn gains(&self, strengths: &[f64]) -> Option<Gains> {
+        let design = self.design;
+        let n = design.folds.samples().max(1);
+        let family = design.family_of();
+        let with = |fold: usize| {
+            let Fold {
+                seen, remaining, ..
+            } = &self.folds[fold];
+            let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
+            let with = design.solved_of(seen, remaining, &refined)?;
+            Some(design.squares(fold, with.as_slice()))
+        };
+        let mut squares = vec![[0.0; 2]; n];
+        let with = design.threads.all(self.folds.len(), with)?;
+        for (own, with) in self.folds.iter().zip(with) {
+            for (sum, (before, after)) in squares.iter_mut().zip(own.alone.iter().zip(with)) {
+                sum[0] += before;
+                sum[1] += after;
+            }
+        }
+        let count = design.rows.lengths().max(1) as f64;
+        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
+        let gains: Vec<f64> = squares.iter().map(|s| s[0] - s[1]).collect();
+        let mean = gains.iter().sum::<f64>() / n as f64;
+        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
+        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
+        Some(Gains {
+            before_mm: rms(0),
+            after_mm: rms(1),
+            sigmas: mean / sigma,
+        })
     }
 }

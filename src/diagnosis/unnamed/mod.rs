@@ -100,7 +100,12 @@ struct Fitted {
 }
 
 fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitted> {
-    let mut design = Design::new(problem, &prepared.regression.noise, model)?;
+    let mut design = Design::new(
+        problem,
+        &prepared.regression.noise,
+        model,
+        prepared.regression.threads,
+    )?;
     let mut strengths = design.strengths()?;
     while let Some((joint, order)) = design.next_order(&strengths.0) {
         design.add_order(joint, order);
@@ -111,12 +116,13 @@ fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitte
         return None;
     }
     // A family that does not help on unseen cells goes.
-    let mut gains = design.gains(&strengths)?;
+    let unseen = design.unseen()?;
+    let mut gains = unseen.gains(&strengths)?;
     for family in 0..strengths.len() {
         if strengths[family] > 0.0 {
             let mut without = strengths.clone();
             without[family] = 0.0;
-            let rest = design.gains(&without);
+            let rest = unseen.gains(&without);
             if let Some(rest) = rest.filter(|rest| rest.after_mm <= gains.after_mm) {
                 (strengths, gains) = (without, rest);
             }

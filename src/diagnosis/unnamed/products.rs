@@ -2,6 +2,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use crate::linear::{cross, own_products};
+
 /// What is added to a geometry's own products, in units of a column: directions that the rows do not
 /// show stay as they are.
 const RIDGE: f64 = 1e-9;
@@ -20,9 +22,25 @@ impl Products {
     pub(super) fn of(all: &DMatrix<f64>, geometry: usize, rows: &[usize]) -> Self {
         let own = all.select_rows(rows);
         Self {
-            gram: own.tr_mul(&own),
+            gram: own_products(&own),
             geometry,
             rows: rows.len() as f64,
+        }
+    }
+
+    /// The same with so many families' columns more, the last ones but the residual.
+    pub(super) fn with(&self, all: &DMatrix<f64>, more: usize, rows: &[usize]) -> Self {
+        let own = all.select_rows(rows);
+        let first = own.ncols() - 1 - more;
+        let new = cross(&own, &own.columns(first, more).into_owned());
+        let gram = self.gram.clone().insert_columns(first, more, 0.0);
+        let mut gram = gram.insert_rows(first, more, 0.0);
+        gram.columns_mut(first, more).copy_from(&new);
+        gram.rows_mut(first, more).copy_from(&new.transpose());
+        Self {
+            gram,
+            geometry: self.geometry,
+            rows: self.rows,
         }
     }
 
@@ -69,12 +87,14 @@ impl Products {
     /// The families' products, those with the residual, and its square, with the geometry taken out.
     pub(super) fn without_geometry(&self) -> Option<(DMatrix<f64>, DVector<f64>, f64)> {
         let (n, p) = (self.geometry, self.gram.nrows() - self.geometry - 1);
-        let cross = self.gram.view((0, n), (n, p + 1));
+        let cross = self.gram.view((0, n), (n, p + 1)).into_owned();
         let inner = self.gram.view((n, n), (p + 1, p + 1));
         let left = if n == 0 {
             inner.into_owned()
         } else {
-            inner - cross.tr_mul(&self.factor()?.solve(&cross))
+            // L⁻¹ of the cross products, once: what the geometry takes is its square.
+            let taken = self.factor()?.l().solve_lower_triangular(&cross)?;
+            inner - own_products(&taken)
         };
         Some((
             left.view((0, 0), (p, p)).into_owned(),

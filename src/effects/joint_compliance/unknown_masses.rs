@@ -87,12 +87,13 @@ fn act<const N: usize>(me: &Placed, block: &mut Block) {
     let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, &parts, lane));
     block.turn(me, |start, at| {
         let sag = &sags[at.lane];
+        let wave = sag.whole.wave();
         let mut theta = start;
         for _ in 0..NEWTON_STEPS {
-            let (angle, slope) = sag.whole.at(theta);
+            let (angle, slope) = wave.at(theta);
             theta -= (theta - start - angle) / (1.0 - slope);
         }
-        let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
+        let gain = 1.0 / (1.0 - wave.at(theta).1);
         let arm = sag.whole.arm(theta);
         Turned::<N> {
             value: theta,

@@ -74,6 +74,9 @@ pub(crate) struct Row {
     link: Option<(f64, [f64; 3])>,
     /// The joint that it follows, counted from 0, with ratio and offset (rad or mm).
     follows: Option<(usize, f64, f64)>,
+    /// Turns of the motor for one of the joint.
+    #[serde(default)]
+    gear_ratio: Option<f64>,
 }
 
 /// A robot as it is typed.
@@ -177,6 +180,7 @@ impl RobotTable {
                     .as_ref()
                     .map(|link| (link.mass_kg, link.centre_mm.coords.into())),
                 follows: joint.follows.map(|f| (f.of, f.ratio, f.offset)),
+                gear_ratio: joint.gear_ratio,
             }
         };
         Self {
@@ -216,6 +220,7 @@ impl RobotTable {
             travel: Some([-180.0, 180.0]),
             link: None,
             follows: None,
+            gear_ratio: None,
         });
     }
 
@@ -314,6 +319,7 @@ impl RobotTable {
             });
             let follows = row.follows;
             joint.follows = follows.map(|(of, ratio, offset)| Follows { of, ratio, offset });
+            joint.gear_ratio = row.gear_ratio;
         }
         Ok(robot)
     }

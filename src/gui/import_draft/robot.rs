@@ -96,6 +96,7 @@ impl TypedAxis {
                 }),
                 link: None,
                 follows: None,
+                gear_ratio: None,
             }],
             base_from_tool,
             gravity_m_s2: self.gravity_down.then(|| Vector3::new(0.0, 0.0, -9.81)),

@@ -43,6 +43,7 @@ fn any_robot() -> impl Strategy<Value = Robot> {
                     centre_mm: Point3::from(point * 0.3),
                 }),
                 follows: None,
+                gear_ratio: None,
             })
             .collect(),
         base_from_tool: Pose::from_parts(at.into(), UnitQuaternion::from_scaled_axis(turn)),

@@ -67,7 +67,16 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
         }
         _ => {
             for key in [
-                "joints", "dh", "urdf", "mjcf", "tool", "base", "limits", "masses", "source",
+                "joints",
+                "dh",
+                "urdf",
+                "mjcf",
+                "tool",
+                "base",
+                "limits",
+                "masses",
+                "gear_ratios",
+                "source",
             ] {
                 o.know(key);
             }
@@ -128,6 +137,7 @@ const JOINT: Kind<Joint> = Kind {
             limits: None,
             link: None,
             follows: None,
+            gear_ratio: None,
         };
         at.object(blank, joint)
     },
@@ -161,7 +171,18 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
         own.link = Some(link);
     }
     o.optional("follows", &mut own.follows, &FOLLOWS);
+    o.optional("gear_ratio", &mut own.gear_ratio, &GEAR_RATIO);
 }
+
+/// Turns of the motor for one of a joint.
+pub(super) const GEAR_RATIO: Kind<f64> = Kind {
+    expected: phrase!("turns of the motor for one of the joint, a number above 0"),
+    read: |at| {
+        let ratio = NUMBER.read(at.fields, at.node, at.path)?;
+        if ratio > 0.0 { Some(ratio) } else { at.wrong() }
+    },
+    write: NUMBER.write,
+};
 
 const FOLLOWS: Kind<Follows> = Kind {
     expected: phrase!("an object with joint, ratio and offset"),

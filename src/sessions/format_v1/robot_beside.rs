@@ -1,10 +1,10 @@
 //! What may stand beside Denavit–Hartenberg rows, a URDF or an MJCF file, and replaces what those
-//! say: the tool at home, the limits, the masses of the links. Rows may also have a `base`: where
+//! say: the tool at home, the limits, the masses of the links, the ratios of the gears. Rows may also have a `base`: where
 //! the frame before the first row stands, which carries everything behind it.
 
 use nalgebra::Point3;
 
-use super::robot::{ENDS, POSE, range};
+use super::robot::{ENDS, GEAR_RATIO, POSE, range};
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, point};
 use crate::document::object::{At, Kind, Object};
@@ -12,7 +12,7 @@ use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
 
 /// Reads what stands beside `source`, one of the keys `dh`, `urdf` and `mjcf`.
 pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
-    for key in ["tool", "limits", "masses"] {
+    for key in ["tool", "limits", "masses", "gear_ratios"] {
         o.know(key);
     }
     if source == "dh" {
@@ -50,6 +50,19 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         |joint, at| {
             joint.link = None;
             at.node.value == Value::Null || at.fill(&mut joint.link, mass)
+        },
+    );
+    of_joints(
+        o,
+        "gear_ratios",
+        &mut robot.joints,
+        "gear ratio, or null,",
+        |joint, at| {
+            if at.node.value == Value::Null {
+                return true;
+            }
+            joint.gear_ratio = GEAR_RATIO.read(at.fields, at.node, at.path);
+            joint.gear_ratio.is_some()
         },
     );
 }

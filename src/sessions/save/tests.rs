@@ -127,6 +127,7 @@ fn any_session() -> impl Strategy<Value = Session> {
                     centre_mm: Point3::from(point),
                 }),
                 follows: None,
+                gear_ratio: None,
             };
             Session {
                 name,
