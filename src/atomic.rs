@@ -8,6 +8,7 @@
 //!
 //! What an output may replace is decided here too: never an input, and another file only by force.
 
+use crate::text::Text;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -20,10 +21,9 @@ use crate::progress::Cancelled;
 use crate::unfinished::{self, List};
 
 /// Why an output was not written.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum WriteError {
     /// The output would replace an input.
-    #[error("{}: would replace the input {}; choose another name", output.display(), input.display())]
     ReplacesInput {
         /// The refused output.
         output: PathBuf,
@@ -31,25 +31,66 @@ pub enum WriteError {
         input: PathBuf,
     },
     /// The file exists, and nobody said that it may be replaced.
-    #[error("{}: exists already; --force replaces it", .0.display())]
     Exists(PathBuf),
     /// A directory or a device stands there.
-    #[error("{}: is not a regular file and cannot be replaced", .0.display())]
     NotAFile(PathBuf),
     /// Two outputs of one command are the same file.
-    #[error("{}: is the name of two outputs; choose another name", .0.display())]
     SameName(PathBuf),
     /// Whoever watches asked to stop before the file had its name.
-    #[error("{}: cancelled", .0.display())]
     Cancelled(PathBuf),
     /// The system says no.
-    #[error("{}: {source}", path.display())]
     Io {
         /// The output.
         path: PathBuf,
         /// What the system says.
         source: io::Error,
     },
+}
+
+impl WriteError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::ReplacesInput { output, input } => text!(
+                "{output}: would replace the input {input}; choose another name",
+                output = output.display().to_string(),
+                input = input.display().to_string()
+            ),
+            Self::Exists(file) => text!(
+                "{file}: exists already; --force replaces it",
+                file = file.display().to_string()
+            ),
+            Self::NotAFile(file) => text!(
+                "{file}: is not a regular file and cannot be replaced",
+                file = file.display().to_string()
+            ),
+            Self::SameName(file) => text!(
+                "{file}: is the name of two outputs; choose another name",
+                file = file.display().to_string()
+            ),
+            Self::Cancelled(file) => text!("{file}: cancelled", file = file.display().to_string()),
+            Self::Io { path, source } => text!(
+                "{file}: {source}",
+                file = path.display().to_string(),
+                source = source.to_string()
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for WriteError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for WriteError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Io { source, .. } => Some(source),
+            _ => None,
+        }
+    }
 }
 
 impl WriteError {

@@ -64,25 +64,26 @@ impl Place {
     }
 }
 
+impl Place {
+    /// In words; nothing where nothing is known of it.
+    pub fn says(&self) -> Text {
+        let file = self.file.as_ref();
+        let parts = [
+            file.map(|file| Text::verbatim(file.display().to_string())),
+            self.line.map(|line| text!("line {line}", line = line)),
+            self.column
+                .map(|column| text!("column {column}", column = column)),
+            self.field.as_ref().map(Text::verbatim),
+        ];
+        let all = parts.into_iter().flatten();
+        let all = all.reduce(|all, next| text!("{first}, {next}", first = all, next = next));
+        all.unwrap_or_default()
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut written = false;
-        if let Some(file) = &self.file {
-            write!(f, "{}", file.display())?;
-            written = true;
-        }
-        if let Some(line) = self.line {
-            write!(f, "{}line {line}", if written { ", " } else { "" })?;
-            written = true;
-        }
-        if let Some(column) = self.column {
-            write!(f, "{}column {column}", if written { ", " } else { "" })?;
-            written = true;
-        }
-        if let Some(field) = &self.field {
-            write!(f, "{}{field}", if written { ", " } else { "" })?;
-        }
-        Ok(())
+        fmt::Display::fmt(&self.says(), f)
     }
 }
 
@@ -148,17 +149,28 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// In words: where it is, what was found, and what was expected.
+    pub fn says(&self) -> Text {
+        let found = if self.expected.is_empty() {
+            self.found.clone()
+        } else {
+            text!(
+                "{found}; expected {expected}",
+                found = &self.found,
+                expected = &self.expected
+            )
+        };
+        match self.place.says() {
+            nowhere if nowhere.is_empty() => found,
+            place => text!("{place}: {found}", place = place, found = found),
+        }
+    }
+}
+
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = self.place.to_string();
-        if !place.is_empty() {
-            write!(f, "{place}: ")?;
-        }
-        write!(f, "{}", self.found)?;
-        if !self.expected.is_empty() {
-            write!(f, "; expected {}", self.expected)?;
-        }
-        Ok(())
+        fmt::Display::fmt(&self.says(), f)
     }
 }
 
@@ -182,15 +194,16 @@ impl Rejected {
     }
 }
 
+impl Rejected {
+    /// In words, a line for each finding.
+    pub fn says(&self) -> Text {
+        Text::listed(self.diagnostics.iter().map(Diagnostic::says), "\n")
+    }
+}
+
 impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, diagnostic) in self.diagnostics.iter().enumerate() {
-            if index > 0 {
-                writeln!(f)?;
-            }
-            write!(f, "{diagnostic}")?;
-        }
-        Ok(())
+        fmt::Display::fmt(&self.says(), f)
     }
 }
 

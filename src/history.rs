@@ -11,6 +11,7 @@
 //! What belongs to the measuring set-up (the frame of the instrument) is new in every session and is
 //! never a change. No clock and no date of a file is asked: order comes from what the documents hold.
 
+use crate::text::Text;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -44,7 +45,7 @@ pub struct NotRead {
     /// Its name in the folder.
     pub file: String,
     /// Why.
-    pub because: String,
+    pub because: Text,
 }
 
 /// What became of one robot.
@@ -322,14 +323,14 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
 }
 
 /// A session; `None` where it is of another robot than the `only` one that is wanted.
-fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read>, String> {
-    let session = load(path).map_err(|rejected| rejected.to_string())?.session;
+fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read>, Text> {
+    let session = load(path).map_err(|rejected| rejected.says())?.session;
     if only.is_some_and(|robot| session.robot.name != robot) {
         return Ok(None);
     }
     let values = JointValues::Commanded;
     let identified = identify_exact(&session, &DEFAULT_EFFECTS.map(str::to_owned), values);
-    let identification = identified.map_err(|error| error.to_string())?;
+    let identification = identified.map_err(|error| error.says())?;
     let calibration = identification.calibration(&session, &Inputs::new(&session, values));
     let Identification {
         parameters, gap, ..
@@ -357,8 +358,8 @@ fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read
     }))
 }
 
-fn of_model(path: &Path, file: &str) -> Result<Read, String> {
-    let calibration = load_model(path).map_err(|rejected| rejected.to_string())?;
+fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
+    let calibration = load_model(path).map_err(|rejected| rejected.says())?;
     let steps = &calibration.history;
     let gap = |step: Option<&crate::model::GapStep>| step.map_or(f64::NAN, |step| step.gap_mm);
     Ok(Read {

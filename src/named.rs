@@ -1,4 +1,5 @@
-//! Enums whose values have names: each value stands once, with its name beside it.
+//! Enums whose values have names: each value stands once, with its name beside it. Names are `&str`, or of the type
+//! behind an arrow.
 //!
 //! ```text
 //! named! {
@@ -18,6 +19,23 @@ macro_rules! named {
         $(#[$of_fn:meta])*
         $fn_vis:vis fn $fn_name:ident;
     ) => {
+        named! {
+            $(#[$about])*
+            $vis enum $Name {
+                $($(#[$of_value])* $Value = $name,)*
+            }
+            $(#[$of_fn])*
+            $fn_vis fn $fn_name -> &'static str;
+        }
+    };
+    (
+        $(#[$about:meta])*
+        $vis:vis enum $Name:ident {
+            $($(#[$of_value:meta])* $Value:ident = $name:expr,)*
+        }
+        $(#[$of_fn:meta])*
+        $fn_vis:vis fn $fn_name:ident -> $Of:ty;
+    ) => {
         $(#[$about])*
         $vis enum $Name {
             $($(#[$of_value])* $Value,)*
@@ -25,7 +43,7 @@ macro_rules! named {
 
         impl $Name {
             $(#[$of_fn])*
-            $fn_vis fn $fn_name(self) -> &'static str {
+            $fn_vis fn $fn_name(self) -> $Of {
                 match self {
                     $(Self::$Value => $name,)*
                 }
@@ -38,7 +56,7 @@ macro_rules! named {
             $($(#[$of_value:meta])* $Value:ident = $name:expr,)*
         }
         $(#[$of_fn:meta])*
-        $fn_vis:vis fn $fn_name:ident;
+        $fn_vis:vis fn $fn_name:ident $(-> $Of:ty)?;
         $(#[$of_all:meta])*
         $all_vis:vis const ALL;
     ) => {
@@ -48,7 +66,7 @@ macro_rules! named {
                 $($(#[$of_value])* $Value = $name,)*
             }
             $(#[$of_fn])*
-            $fn_vis fn $fn_name;
+            $fn_vis fn $fn_name $(-> $Of)?;
         }
 
         impl $Name {

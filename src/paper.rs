@@ -15,7 +15,7 @@
 //! are those of the session if nothing else is in them.
 
 use crate::effects::term::JointFrame;
-use crate::effects::{Inputs, JointValues};
+use crate::effects::{Inputs, JointValues, called};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
@@ -24,6 +24,7 @@ use crate::model::Model;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Region, Session};
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 use crate::diagnosis::Diagnosis;
@@ -47,7 +48,7 @@ pub struct RegionalStart {
     /// The largest distance between those and the identified ones, mm.
     pub apart_mm: f64,
     /// In words.
-    pub says: String,
+    pub says: Text,
 }
 
 /// Holds the regional model of a session against the answer of its diagnosis.
@@ -62,7 +63,7 @@ pub fn regional_start(
     let session = &*session.whole()?;
     let of_another = diagnosis.model.robot.joints.len() != session.robot.joints.len();
     if of_another {
-        let says = "the diagnosis is of a robot with another number of joints".to_owned();
+        let says = text!("the diagnosis is of a robot with another number of joints");
         return Err(IdentifyError::NotASingleRevoluteJoint(says));
     }
     let regional = identify_regional(session, &RegionChoice::FromSession, values)?;
@@ -156,29 +157,59 @@ fn says(
     (theta, l1): (f64, f64),
     apart_mm: f64,
     diagnosis: &Diagnosis,
-) -> String {
+) -> Text {
     let regions = regional.regions.len();
     let [before, after] = [regional.gap.before, regional.gap.after].map(|s| s.rms_mm);
-    let mut text = format!("{regions} regions leave {after:.4} of {before:.4} mm");
-    if let Some(turn) = turn {
-        text += &format!(
-            "; within a region the error turns by {turn:.2}° for each degree of the joint"
-        );
-        if (turn - 1.0).abs() < TURNS {
-            text += ": it is constant in the frame that turns with the joint, and the regional \
-                     model drops that rotation";
-        }
-    }
-    text += &format!(
-        "; one constant correction ({:+.4}° and {l1:+.4} mm), turned into the base frame, gives \
-         the {regions} corrections to within {apart_mm:.4} mm",
-        deg_from_rad(theta),
+    let (after, before) = (format!("{after:.4}"), format!("{before:.4}"));
+    let (theta, l1) = (format!("{:+.4}°", deg_from_rad(theta)), format!("{l1:+.4}"));
+    let (apart, end) = (
+        format!("{apart_mm:.4}"),
+        format!("{:.4}", diagnosis.gap.end_mm),
     );
-    let with = if diagnosis.found.is_empty() {
-        " and".to_owned()
+    let one = if diagnosis.found.is_empty() {
+        text!(
+            "one constant correction ({theta} and {l1} mm), turned into the base frame, gives the {regions} corrections to within {apart} mm and leaves {end} mm",
+            theta = theta,
+            l1 = l1,
+            regions = regions,
+            apart = apart,
+            end = end
+        )
     } else {
-        let names: Vec<&str> = diagnosis.found.iter().map(|f| f.effect).collect();
-        format!("; with {} it", names.join(", "))
+        let names = diagnosis.found.iter().map(|f| called(f.effect));
+        text!(
+            "one constant correction ({theta} and {l1} mm), turned into the base frame, gives the {regions} corrections to within {apart} mm; with {effects} it leaves {end} mm",
+            theta = theta,
+            l1 = l1,
+            regions = regions,
+            apart = apart,
+            effects = Text::listed(names, ", "),
+            end = end
+        )
     };
-    text + &format!("{with} leaves {:.4} mm", diagnosis.gap.end_mm)
+    match turn {
+        None => text!(
+            "{regions} regions leave {after} of {before} mm; {one}",
+            regions = regions,
+            after = after,
+            before = before,
+            one = one
+        ),
+        Some(turn) if (turn - 1.0).abs() < TURNS => text!(
+            "{regions} regions leave {after} of {before} mm; within a region the error turns by {turn} for each degree of the joint: it is constant in the frame that turns with the joint, and the regional model drops that rotation; {one}",
+            regions = regions,
+            after = after,
+            before = before,
+            turn = format!("{turn:.2}°"),
+            one = one
+        ),
+        Some(turn) => text!(
+            "{regions} regions leave {after} of {before} mm; within a region the error turns by {turn} for each degree of the joint; {one}",
+            regions = regions,
+            after = after,
+            before = before,
+            turn = format!("{turn:.2}°"),
+            one = one
+        ),
+    }
 }

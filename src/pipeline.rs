@@ -42,6 +42,7 @@ use crate::sessions::division::RegionChoice;
 use crate::sessions::{Mend, Session};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 use crate::standards::Standards;
+use crate::text::Text;
 
 pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
@@ -254,17 +255,15 @@ pub fn standards(
 /// See [`ExportError`].
 pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
     let Some(format) = find(format) else {
-        let unknown = format!("no format is called '{format}'");
+        let unknown = text!("no format is called '{format}'", format = format);
         return Err(ExportError::Refused(unknown));
     };
     let set_up = &job.calibration.set_up;
     if format.rules.is_none() && set_up.moves_joints() {
-        return Err(ExportError::Refused(format!(
-            "{} holds joint values as the robot's description has them, and the controller of the model's session \
-             has them otherwise ({}): correct the controller or the description, identify again and export \
-             that model",
-            format.title,
-            set_up.says()
+        return Err(ExportError::Refused(text!(
+            "{format} holds joint values as the robot's description has them, and the controller of the model's session has them otherwise ({why}): correct the controller or the description, identify again and export that model",
+            format = format.title,
+            why = set_up.says()
         )));
     }
     format.exporter.export(job)
@@ -288,15 +287,15 @@ pub fn export_for(format: &str, job: &Job, session: &Session) -> Result<Checked,
     let session = session.whole();
     let session = session
         .as_deref()
-        .map_err(|error| ExportError::Refused(error.to_string()))?;
+        .map_err(|error| ExportError::Refused(error.says()))?;
     let gaps = gaps_of_export(job.calibration, session, &export);
     match gaps {
         Some([before, after]) if after.rms_mm > before.rms_mm => Err(ExportError::MakesWorse {
             session: session.name.clone(),
             what: if export.reads_as.is_some() {
-                "table"
+                phrase!("table")
             } else {
-                "description of the robot"
+                phrase!("description of the robot")
             },
             before_mm: before.rms_mm,
             after_mm: after.rms_mm,
@@ -366,9 +365,9 @@ pub fn conformity(
     session: &Session,
     calibration: &Calibration,
     fitted: Fitted,
-) -> Result<Measured, String> {
-    let verification = verify(calibration, session).map_err(|error| error.to_string())?;
-    Measured::of(session, &verification, fitted).map_err(str::to_owned)
+) -> Result<Measured, Text> {
+    let verification = verify(calibration, session).map_err(|error| error.says())?;
+    Measured::of(session, &verification, fitted).map_err(Text::from)
 }
 
 /// A report as a file of this kind, with the fonts of this machine where the bundled ones do not do.

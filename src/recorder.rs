@@ -9,6 +9,7 @@
 pub mod live;
 pub mod source;
 
+use crate::text::Text;
 use std::io::{self, Write};
 
 use crate::document::number::quoted;
@@ -19,20 +20,14 @@ const LONGEST_LINE: usize = 1 << 20;
 const NAMED: u64 = 20;
 
 /// Why a stream cannot be recorded.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum RecordError {
     /// The first line holds numbers, and nobody said what they are.
-    #[error(
-        "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm"
-    )]
     NoHeadings {
         /// The first line.
         found: String,
     },
     /// The headings that were given are more or fewer than the cells.
-    #[error(
-        "line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has"
-    )]
     Width {
         /// Counted from 1.
         line: u64,
@@ -42,14 +37,63 @@ pub enum RecordError {
         headings: usize,
     },
     /// No line ends.
-    #[error("line {line} of the stream: longer than a megabyte; expected lines of text")]
     LongLine {
         /// Counted from 1.
         line: u64,
     },
     /// The file cannot be written.
-    #[error("cannot write the recording: {0}")]
-    Io(#[from] io::Error),
+    Io(io::Error),
+}
+
+impl RecordError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::NoHeadings { found } => text!(
+                "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",
+                found = found
+            ),
+            Self::Width {
+                line,
+                cells,
+                headings,
+            } => text!(
+                "line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has",
+                line = line,
+                cells = cells,
+                headings = headings
+            ),
+            Self::LongLine { line } => text!(
+                "line {line} of the stream: longer than a megabyte; expected lines of text",
+                line = line
+            ),
+            Self::Io(error) => text!(
+                "cannot write the recording: {error}",
+                error = error.to_string()
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for RecordError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for RecordError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Io(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<io::Error> for RecordError {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
 }
 
 impl RecordError {

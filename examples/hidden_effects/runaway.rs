@@ -122,7 +122,7 @@ fn session(k: usize) -> [BTreeSet<Wrong>; 3] {
         let open: Vec<String> = answer
             .not_identifiable
             .iter()
-            .map(|n| n.combination.clone())
+            .map(|n| n.combination.to_string())
             .collect();
         let wrong = wrongs(&answer.parameters, &open);
         told("identify", &wrong, &answer.parameters, &open);

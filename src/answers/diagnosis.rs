@@ -5,7 +5,7 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::model::shapes::{Shape, Where};
 use crate::model::{Calibration, GapStep, Model, SetUp};
 use crate::sessions::{Mend, Session};
-use crate::text::Text;
+use crate::text::{Template, Text};
 
 use super::identification::{Estimate, Identification, Outlier};
 use super::limits::Limit;
@@ -64,7 +64,7 @@ pub struct Gaps {
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldOut {
     /// How they were held out.
-    pub how: String,
+    pub how: Text,
     /// How many.
     pub samples: usize,
     /// The gaps; `None` where there are too few samples.
@@ -99,9 +99,9 @@ pub struct Found {
     /// The next name, if any.
     pub next: Option<String>,
     /// The evidence in words.
-    pub says: String,
+    pub says: Text,
     /// What to look at on the machine.
-    pub check: &'static str,
+    pub check: Template,
 }
 
 /// Why a search ended before it had looked for everything. What is said then is proven as ever; more may be
@@ -124,10 +124,12 @@ impl Stopped {
     }
 
     /// In words.
-    pub fn says(self) -> &'static str {
+    pub fn says(self) -> Template {
         match self {
-            Self::Asked => "the search was stopped: this is what was proven until then",
-            Self::Budget => "the search stopped at its budget: this is what was proven until then",
+            Self::Asked => phrase!("the search was stopped: this is what was proven until then"),
+            Self::Budget => {
+                phrase!("the search stopped at its budget: this is what was proven until then")
+            }
         }
     }
 }
@@ -143,7 +145,7 @@ pub struct Equivalent {
     /// How much likelier the model is.
     pub odds: f64,
     /// What would tell.
-    pub separate_by: String,
+    pub separate_by: Text,
     /// Where the names are the same: the other orders (of a screw the leads, mm) that the steps between the
     /// poses cannot tell from that of the model. Empty where the names differ.
     pub orders: Vec<f64>,
@@ -165,13 +167,13 @@ pub struct Unexplained {
     /// Names that only imitate a part of it; of several joints each with its joint.
     pub resembles: Vec<String>,
     /// In words; empty where nothing is left.
-    pub says: String,
+    pub says: Text,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
     /// Noise as stated and as found, where they differ; whether anything is unexplained or not.
     pub noise: Option<StatedNoise>,
     /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
-    pub correction: Option<Result<Correction, String>>,
+    pub correction: Option<Result<Correction, Text>>,
 }
 
 impl Unexplained {
@@ -189,20 +191,18 @@ pub struct Unnamed {
     /// RMS error on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
     /// What it follows, as in `joint 2 (gravity)`.
-    pub over: Vec<String>,
+    pub over: Vec<Text>,
 }
 
 impl Unnamed {
     /// In words.
-    pub fn says(&self) -> String {
-        format!(
-            "{:.4} mm that no name is proven for predict unseen poses all the same and are in the \
-             model: cross-validated {:.4} → {:.4} mm, over {}; outside the measured range they fade \
-             to nothing",
-            self.rms_mm,
-            self.held_out_mm[0],
-            self.held_out_mm[1],
-            self.over.join(", ")
+    pub fn says(&self) -> Text {
+        text!(
+            "{size} mm that no name is proven for predict unseen poses all the same and are in the model: cross-validated {without} → {with} mm, over {over}; outside the measured range they fade to nothing",
+            size = format!("{:.4}", self.rms_mm),
+            without = format!("{:.4}", self.held_out_mm[0]),
+            with = format!("{:.4}", self.held_out_mm[1]),
+            over = Text::listed(&self.over, ", ")
         )
     }
 }
@@ -305,9 +305,9 @@ pub struct Correction {
     /// Gap on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
     /// How they were held out.
-    pub how: String,
+    pub how: Text,
     /// In words.
-    pub says: String,
+    pub says: Text,
 }
 
 impl Correction {
@@ -334,7 +334,7 @@ pub struct NotTestable {
     /// Joint, counted from 0; `None` where it belongs to none.
     pub joint: Option<usize>,
     /// Why.
-    pub because: String,
+    pub because: Text,
 }
 
 /// A mistake in the data, its evidence, and how to mend it.

@@ -2,12 +2,13 @@
 
 pub use super::rms_error::Spread;
 use super::rms_error::rms_error;
+use crate::text::Template;
 
 /// One level of correction and the errors that it leaves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// What the controller would have to take.
-    pub what: &'static str,
+    pub what: Template,
     /// Combinations of coefficients that the samples determine.
     pub parameters: usize,
     /// Root mean square error in the fit, mm.
@@ -74,12 +75,12 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Unusable {
         /// A joint value or a coordinate is missing.
-        MissingCell = "a joint value or a coordinate is missing",
+        MissingCell = phrase!("a joint value or a coordinate is missing"),
         /// The instrument lost the reflector: it wrote (0, 0, 0).
-        LostReflector = "the instrument lost the reflector: it wrote 0, 0, 0",
+        LostReflector = phrase!("the instrument lost the reflector: it wrote 0, 0, 0"),
         /// A person took it out.
-        Excluded = "by hand",
+        Excluded = phrase!("by hand"),
     }
     /// In words.
-    pub fn says;
+    pub fn says -> Template;
 }

@@ -9,7 +9,7 @@ use crate::kinematics::Range;
 use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
-use crate::text::Text;
+use crate::text::{Template, Text};
 
 use super::errors::{Expected, Level, Spread, Unusable};
 use super::noise::Noise;
@@ -118,9 +118,9 @@ pub struct RegionResult {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotIdentifiable {
     /// What: a parameter, or a combination of several.
-    pub combination: String,
+    pub combination: Text,
     /// Why.
-    pub because: String,
+    pub because: Text,
 }
 
 /// The gap before and after.
@@ -156,7 +156,7 @@ pub struct LeftOut {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quality {
     /// Why it stopped, in words.
-    pub stopped: &'static str,
+    pub stopped: Template,
     /// Whether the result can be relied on.
     pub converged: bool,
     /// Passes over the samples.
@@ -210,7 +210,7 @@ pub struct Identification {
     /// How the solver fared.
     pub quality: Quality,
     /// What else there is to say.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// The step of a calibration's history that is an identification with the full model.

@@ -2,6 +2,7 @@
 
 use crate::kinematics::Robot;
 use crate::model::SetUp;
+use crate::text::Text;
 
 /// Brings poses from the convention of a model into that of the controller.
 pub(crate) fn to_raw(poses: &mut [NextPose], set_up: &SetUp, robot: &Robot) {
@@ -32,18 +33,18 @@ pub struct NextPose {
     /// Temperature, °C.
     pub temperature_c: Option<f64>,
     /// Why.
-    pub why: String,
+    pub why: Text,
 }
 
 impl NextPose {
     /// Whether it is measured under the same conditions as another.
     pub fn repeats(&self, other: &Self) -> bool {
         let but_why = Self {
-            why: String::new(),
+            why: Text::default(),
             ..self.clone()
         };
         let other = Self {
-            why: String::new(),
+            why: Text::default(),
             ..other.clone()
         };
         but_why == other

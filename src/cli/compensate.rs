@@ -6,9 +6,10 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use crate::kinematics::{Pose, Robot};
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document, SAID_RAD, Summary};
+use crate::present::names::word;
 use crate::programs::{
     Answer, CompensateError, Holds, LANGUAGES, Language, ModelTool, Orientation, ProgramFrames,
     Request, find, language_of,
@@ -106,7 +107,7 @@ impl From<CompensateError> for Failure {
         match error {
             CompensateError::ReadBack(_) => Self::Failed(error.into()),
             CompensateError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(&other),
+            other => Self::refused(other.says()),
         }
     }
 }
@@ -362,7 +363,7 @@ fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
             let says = say!(
                 "{target} is left as it is ({reason}): {left}",
                 target = target.name,
-                reason = of_core(left.reason.name()),
+                reason = word(left.reason.name()),
                 left = spoken(&left.says)
             );
             output::messages(&[format!("{}, {}", file.display(), at(target.place, &says))]);

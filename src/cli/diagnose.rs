@@ -85,7 +85,7 @@ impl From<DiagnoseError> for Failure {
     fn from(error: DiagnoseError) -> Self {
         match error {
             DiagnoseError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(&other),
+            other => Self::refused(other.says()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::diagnosis::Diagnosis;
 use crate::explain::{self, Detail, Topic, implausible, parameters};
 use crate::fit::Estimate;
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::paper::RegionalStart;
 use crate::present::table::Table;
 
@@ -27,7 +27,7 @@ pub(super) fn start_in_words(start: &RegionalStart) -> String {
             format!("{:.4}", region.rms_after_mm),
         ]);
     }
-    let start = say!("start: {start}", start = of_core(&start.says));
+    let start = say!("start: {start}", start = spoken(&start.says));
     format!("{start}\n\n{}\n", table.aligned(0))
 }
 

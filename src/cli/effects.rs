@@ -4,7 +4,6 @@ use clap::Args;
 
 use crate::effects::term::parameter_names;
 use crate::effects::{CATALOGUE, Effect};
-use crate::language::of_core;
 use crate::present::effects_v1::document;
 use crate::text::spoken;
 
@@ -32,7 +31,7 @@ impl Effects {
 
 fn in_words(effect: &Effect) -> String {
     let about = effect.about();
-    let needs: Vec<_> = about.needs.iter().map(|need| of_core(need.what)).collect();
+    let needs: Vec<_> = about.needs.iter().map(|need| spoken(need.what)).collect();
     let needs = if needs.is_empty() {
         say!("nothing beside the poses").to_owned()
     } else {
@@ -48,7 +47,7 @@ fn in_words(effect: &Effect) -> String {
         (say!("usual size"), spoken(about.usual_size).to_owned()),
         (
             say!("confused with"),
-            of_core(about.confused_with).into_owned(),
+            spoken(about.confused_with).to_owned(),
         ),
         (say!("check"), spoken(about.check).to_owned()),
     ];

@@ -96,7 +96,7 @@ impl Export {
         };
         let failure = |error| match error {
             ExportError::ReadBack(_) => Failure::Failed(anyhow::Error::from(error)),
-            _ => Failure::refused(&error),
+            _ => Failure::refused(error.says()),
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
@@ -120,10 +120,10 @@ impl Export {
                 ),
             };
             export = checked.export;
-            notes = told(&export.notes).chain([says]).collect();
+            notes = export.notes.iter().cloned().chain([says]).collect();
         } else {
             export = pipeline::export(&self.to, &job).map_err(failure)?;
-            notes = told(&export.notes).collect();
+            notes = export.notes.clone();
         }
         let beside = self.out.parent().map(PathBuf::from).unwrap_or_default();
         let places = export.documents.iter().enumerate().map(|(k, document)| {
@@ -183,9 +183,4 @@ impl Export {
             reference,
         }
     }
-}
-
-/// Notes as sentences that no template made.
-fn told(notes: &[String]) -> impl Iterator<Item = Text> {
-    notes.iter().map(Text::verbatim)
 }

@@ -8,8 +8,9 @@ use std::process::ExitCode;
 use crate::atomic::WriteError;
 use crate::compensation::NotHandedOut;
 use crate::diagnostic::Rejected;
+use crate::export::ExportError;
 use crate::fit::IdentifyError;
-use crate::language::{finding, of_core, spoken};
+use crate::language::{finding, spoken};
 use crate::text::Text;
 
 use super::output::plain;
@@ -34,8 +35,8 @@ pub(crate) enum Failure {
 
 impl Failure {
     /// An input that the core refused, in its words.
-    pub(super) fn refused(error: &dyn Error) -> Self {
-        Self::WrongInput(in_words(error))
+    pub(super) fn refused(says: Text) -> Self {
+        Self::WrongInput(says)
     }
 
     /// Tells the user, once, and gives the exit status.
@@ -54,23 +55,15 @@ impl Failure {
     pub(super) fn spoken(&self) -> String {
         match self {
             Self::WrongInput(text) => spoken(text),
-            Self::WrongAt(place, text) => match text.words() {
-                // An error of the core may have several lines.
-                Some(words) => {
-                    let lines: Vec<_> = words.lines().map(of_core).collect();
-                    format!("{place}: {}", lines.join("\n"))
-                }
-                None => format!("{place}: {}", spoken(text)),
-            },
+            Self::WrongAt(place, text) => format!("{place}: {}", spoken(text)),
             Self::Rejected(rejected) => {
                 let findings: Vec<String> = rejected.diagnostics.iter().map(finding).collect();
                 findings.join("\n")
             }
             Self::Failed(error) => {
                 let own = error.downcast_ref::<Text>().map(spoken);
-                let own = own.unwrap_or_else(|| of_core(&error.to_string()).into_owned());
-                let causes = error.chain().skip(1);
-                let causes = causes.map(|cause| of_core(&cause.to_string()).into_owned());
+                let own = own.unwrap_or_else(|| spoken(in_words(error.as_ref())));
+                let causes = error.chain().skip(1).map(|one| spoken(in_words(one)));
                 let all: Vec<String> = [own].into_iter().chain(causes).collect();
                 all.join(": ")
             }
@@ -78,9 +71,17 @@ impl Failure {
     }
 }
 
-/// What an error of the core says.
-pub(super) fn in_words(error: &dyn Error) -> Text {
-    Text::verbatim(error.to_string())
+/// What an error says: one of the core in a sentence, any other in its own words.
+fn in_words(error: &(dyn Error + 'static)) -> Text {
+    if let Some(error) = error.downcast_ref::<WriteError>() {
+        error.says()
+    } else if let Some(error) = error.downcast_ref::<NotHandedOut>() {
+        error.says()
+    } else if let Some(error) = error.downcast_ref::<ExportError>() {
+        error.says()
+    } else {
+        Text::verbatim(error.to_string())
+    }
 }
 
 impl fmt::Display for Failure {
@@ -104,7 +105,7 @@ impl From<IdentifyError> for Failure {
     fn from(error: IdentifyError) -> Self {
         match error {
             IdentifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(&other),
+            other => Self::refused(other.says()),
         }
     }
 }
@@ -118,7 +119,7 @@ impl From<NotHandedOut> for Failure {
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         if error.is_refusal() {
-            Self::refused(&error)
+            Self::refused(error.says())
         } else {
             Self::Failed(error.into())
         }

@@ -16,10 +16,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::Error;
 
 use crate::diagnosis::Diagnosis;
-use crate::language::{finding, of_core};
+use crate::language::finding;
 use crate::pipeline::{load, sessions_of_folder};
 use crate::present::diagnosis_v1::document;
 use crate::present::json::{Json, keyed};
+use crate::present::names::word;
 use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::sessions::Session;
@@ -196,7 +197,7 @@ impl Summary {
             }
         };
         self.diagnosed += 1;
-        let verdict = of_core(row.verdict).into_owned();
+        let verdict = word(row.verdict);
         let names = effects(&row.names, ", ");
         let mut cells = vec![file, row.machine.clone(), verdict, names];
         cells.extend(row.errors_mm.map(|mm| format!("{mm:.4}")));
@@ -222,7 +223,7 @@ impl Summary {
             "{sessions} of {machines}: {verdicts}",
             sessions = sessions,
             machines = machines,
-            verdicts = counted(verdicts, of_core)
+            verdicts = counted(verdicts, |verdict| word(verdict).into())
         );
         let mut text = self.table.aligned(0);
         text += &format!("\n{all}\n");

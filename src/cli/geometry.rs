@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::effects::{Role, role};
 use crate::fit::Estimate;
-use crate::language::of_core;
+use crate::present::names::word;
 use crate::present::numbers::decimals_of;
 use crate::present::table::Table;
 
@@ -78,7 +78,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
             (Role::ToolTurn, ..) => say!("tool orientation").to_owned(),
             (Role::Place, ..) => format!(
                 "{} {}",
-                of_core(estimate.effect.trim_start_matches("unknown-")),
+                word(estimate.effect.trim_start_matches("unknown-")),
                 estimate.place.as_deref().unwrap_or_default()
             ),
             _ => continue,
@@ -95,7 +95,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
         let _ = write!(
             text,
             "  {} {}",
-            of_core(&name.replace('_', " ")),
+            word(&name.replace('_', " ")),
             cell(estimate, &unit)
         );
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::history::{Change, Entry, History as Told, Order, Source};
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::pipeline::history;
 use crate::present::history_v1::document;
 use crate::present::numbers::decimals_of;
@@ -33,7 +33,7 @@ impl History {
                 say!(
                     "{file} is excluded: {because}",
                     file = file.file,
-                    because = of_core(&file.because)
+                    because = spoken(&file.because)
                 )
             })
             .collect();

@@ -18,7 +18,7 @@ use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
 use super::failure::Failure;
-use super::words::{Labelled, effect, labelled, line, of_core_table, parameter, wide_of};
+use super::words::{Labelled, effect, labelled, line, parameter, wide_of};
 use super::{blocks, geometry, levels, output};
 
 /// What is taken up by the labels of errors, at least.
@@ -174,10 +174,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
     let errors = errors(answer);
     text += &labelled(&errors, wide_of(&errors).max(LABEL));
     if !answer.kinds.is_empty() {
-        text += &format!(
-            "\n{}",
-            of_core_table(kinds::table(&answer.kinds), 0).aligned(0)
-        );
+        text += &format!("\n{}", kinds::table(&answer.kinds).aligned(0));
     }
     let arm = geometry::is_of_an_arm(&answer.parameters);
     if arm {

@@ -3,7 +3,7 @@
 
 use crate::explain::{Detail, expected};
 use crate::fit::Identification;
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::present::table::Table;
 
 use super::blocks;
@@ -21,10 +21,7 @@ pub(super) fn in_words(answer: &Identification) -> String {
             let errors = [level.rms_mm]
                 .into_iter()
                 .chain(unseen.into_iter().flatten());
-            let mut cells = vec![
-                of_core(level.what).into_owned(),
-                level.parameters.to_string(),
-            ];
+            let mut cells = vec![spoken(level.what), level.parameters.to_string()];
             cells.extend(errors.map(|mm| format!("{mm:.4}")));
             table.row(cells);
         }

@@ -14,7 +14,7 @@ use crate::pipeline::{self, measuring_list, measuring_program};
 use crate::present::plan_v1::document;
 use crate::programs::language_of;
 
-use super::failure::{self, Failure};
+use super::failure::Failure;
 use super::output;
 use super::planned::in_words;
 
@@ -81,7 +81,7 @@ impl From<PlanError> for Failure {
     fn from(error: PlanError) -> Self {
         match error {
             PlanError::Diagnose(error) => error.into(),
-            other => Self::refused(&other),
+            other => Self::refused(other.says()),
         }
     }
 }
@@ -130,11 +130,8 @@ impl Plan {
         if let Some(out) = &self.out {
             let list = match self.language(out) {
                 "csv" => measuring_list(&plan.poses, &plan.robot),
-                language => {
-                    measuring_program(&plan.poses, &plan.robot, language).map_err(|error| {
-                        Failure::WrongAt(out.display().to_string(), failure::in_words(&error))
-                    })?
-                }
+                language => measuring_program(&plan.poses, &plan.robot, language)
+                    .map_err(|error| Failure::WrongAt(out.display().to_string(), error.says()))?,
             };
             output::document(out, list.as_bytes(), self.force, &files)?;
         }

@@ -7,7 +7,7 @@ use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
 use crate::diagnosis::{NextPose, Sight};
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::present::numbers::significant;
 use crate::present::table::width;
 
@@ -83,7 +83,7 @@ pub(super) fn in_words(plan: &Plan) -> String {
         let stays = say!(
             "{effect} stays untestable, {because}: {help}",
             effect = names,
-            because = of_core(&locked.because),
+            because = spoken(&locked.because),
             help = help
         );
         line(&mut text, stays);
@@ -105,7 +105,7 @@ fn separated(separation: &Separation) -> String {
             "no pose tells {a} from {b}: {because}",
             a = a,
             b = b,
-            because = of_core(because)
+            because = spoken(because)
         );
     }
     let percent = |share: f64| format!("{:.1}", 100.0 * share);
@@ -239,7 +239,7 @@ fn grouped(all: &[Untestable]) -> Vec<(String, &Untestable)> {
 }
 
 fn needs(locked: &Untestable) -> String {
-    let says: Vec<_> = locked.needs.iter().map(|n| of_core(n.says())).collect();
+    let says: Vec<_> = locked.needs.iter().map(|n| spoken(n.says())).collect();
     says.join("; ")
 }
 
@@ -251,7 +251,7 @@ fn table(plan: &Plan) -> String {
             "{:>4}  {}  {}",
             k + 1,
             pose_in_words(pose, plan),
-            of_core(&pose.why)
+            spoken(&pose.why)
         );
     }
     text

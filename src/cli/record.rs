@@ -9,11 +9,10 @@ use anyhow::Context;
 use clap::Args;
 use serde_json::json;
 
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::recorder::live::{End, Standing, State, connected, record};
 use crate::recorder::source::{Address, Connection};
 use crate::recorder::{RecordError, Recorder};
-use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -50,8 +49,7 @@ impl Record {
         if !to_stdout {
             output::can_be_written(&self.out, self.force)?;
         }
-        let address = Address::parse(&self.source)
-            .map_err(|words| Failure::WrongInput(Text::verbatim(words)))?;
+        let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
         let once = !self.reconnect;
         let connection = once.then(|| self.connect(&address)).transpose()?;
         output::messages(&[say!(
@@ -65,12 +63,7 @@ impl Record {
         let most = self.lines.unwrap_or(u64::MAX);
         let done = Self::listen(&address, connection, &mut recorder, most);
         let complaints = recorder.complaints();
-        output::messages(
-            &complaints
-                .iter()
-                .map(|one| of_core(one))
-                .collect::<Vec<_>>(),
-        );
+        output::messages(&complaints);
         if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
             // Where the disk is full the start of a line stands behind the last whole one. What
             // cannot be cut off either is left as it is.
@@ -132,13 +125,9 @@ impl Record {
     ) -> Result<(), Failure> {
         let mut before = State::Connecting;
         let mut hear = |standing: &Standing| {
-            let left_out = standing.left_out.iter().map(|one| of_core(one));
-            output::messages(&left_out.collect::<Vec<_>>());
+            output::messages(&standing.left_out);
             if let (State::Waiting(why), true) = (&standing.state, standing.state != before) {
-                output::messages(&[say!(
-                    "not connected, tries again: {why}",
-                    why = of_core(why)
-                )]);
+                output::messages(&[say!("not connected, tries again: {why}", why = spoken(why))]);
             }
             before.clone_from(&standing.state);
             ControlFlow::Continue(())
@@ -166,7 +155,7 @@ impl Record {
 impl From<RecordError> for Failure {
     fn from(error: RecordError) -> Self {
         if error.is_refusal() {
-            Self::refused(&error)
+            Self::refused(error.says())
         } else {
             Self::Failed(error.into())
         }

@@ -7,7 +7,6 @@ use serde_json::json;
 
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fonts;
-use crate::language::of_core;
 use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{Details, ExportedTable, Extras, Kind, ReportError};
@@ -49,7 +48,7 @@ impl Report {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let kind = Kind::of(&self.out).map_err(|expected| {
             let option = format!("--out {}", self.out.display());
-            Failure::WrongAt(option, Text::verbatim(expected.to_string()))
+            Failure::WrongAt(option, expected.into())
         })?;
         let mut inputs = vec![self.file.clone()];
         inputs.extend(self.details.clone());
@@ -72,7 +71,7 @@ impl Report {
         let extras = Extras {
             details,
             history: self.history.as_deref().map(pipeline::history).transpose()?,
-            tables: tables.map_err(|error| Failure::refused(&error))?,
+            tables: tables.map_err(|error| Failure::refused(Text::verbatim(error.to_string())))?,
         };
         let report = if pipeline::is_model(&self.file) {
             pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
@@ -85,7 +84,7 @@ impl Report {
         let written =
             pipeline::write_report(&report, kind).map_err(|error| Failure::Failed(error.into()))?;
         if !written.unshown.is_empty() {
-            output::messages(&[of_core(&fonts::cannot_be_shown(&written.unshown))]);
+            output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
         }
         output::document(&self.out, &written.bytes, self.force, &inputs)?;
         if self.json {
@@ -107,7 +106,7 @@ impl From<ReportError> for Failure {
             ReportError::Diagnose(DiagnoseError::Cancelled) => Self::Failed(error.into()),
             ReportError::Diagnose(error) => error.into(),
             ReportError::Verify(error) => error.into(),
-            other @ ReportError::NotHandedOut(_) => Self::refused(&other),
+            other @ ReportError::NotHandedOut(_) => Self::refused(other.says()),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::language::of_core;
+use crate::present::names::word;
 use crate::present::robots_v1::{self, figure};
 use crate::present::table::Table;
 use crate::robots::{LibraryRobot, Reference, find, named, source};
@@ -71,7 +71,7 @@ impl Robots {
 }
 
 fn one(text: &str) -> Result<&'static LibraryRobot, Failure> {
-    named(text).map_err(|error| Failure::refused(&error))
+    named(text).map_err(|error| Failure::refused(error.says()))
 }
 
 fn listed(robots: &[&LibraryRobot]) -> String {
@@ -83,7 +83,7 @@ fn listed(robots: &[&LibraryRobot]) -> String {
             robot.id.clone(),
             robot.maker.clone(),
             robot.model.clone(),
-            of_core(robot.kind.name()).into_owned(),
+            word(robot.kind.name()),
             robot.robot.joint_count().to_string(),
             figure(robot.reach_mm),
             figure(robot.payload_kg),
@@ -129,8 +129,7 @@ fn described(robot: &LibraryRobot) -> String {
         }
     }
     if !robot.not_checked.is_empty() {
-        let parts: Vec<_> = robot.not_checked.iter().map(|part| of_core(part)).collect();
-        let parts = parts.join("; ");
+        let parts = robot.not_checked.join("; ");
         line(&mut text, say!("not checked: {parts}", parts = parts));
     }
     let mut keys: Vec<&str> = Vec::new();

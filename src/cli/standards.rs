@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::pipeline;
 use crate::present::standards::groups;
 use crate::present::standards_v1::document;
@@ -12,7 +12,7 @@ use crate::standards::Standards as Figures;
 
 use super::failure::Failure;
 use super::output;
-use super::words::{line, of_core_table};
+use super::words::line;
 
 /// Series of an axis that the text shows; --json has more.
 const SHOWN: usize = 3;
@@ -52,25 +52,25 @@ fn in_words(s: &Figures) -> String {
     );
     line(&mut text, samples);
     for group in groups(s, SHOWN) {
-        let of = match group.of.as_str() {
-            "poses" => String::new(),
-            joint => format!("{}, ", of_core(joint)),
+        let of = match &group.of {
+            poses if poses.is_empty() => String::new(),
+            joint => format!("{}, ", spoken(joint)),
         };
         text += &format!(
             "\n{}, {of}{}: {}\n",
             group.standard,
             group.unit,
-            of_core(&group.says)
+            spoken(&group.says)
         );
         if !group.rows.is_empty() {
-            text += &of_core_table(group.table(), 1).aligned(4);
+            text += &group.table().aligned(4);
         }
         for missing in &group.missing {
-            line(&mut text, format!("  {}", of_core(missing)));
+            line(&mut text, format!("  {}", spoken(missing)));
         }
     }
     for note in &s.notes {
-        line(&mut text, say!("note: {note}", note = of_core(note)));
+        line(&mut text, say!("note: {note}", note = spoken(note)));
     }
     text
 }

@@ -8,7 +8,7 @@ use crate::pipeline::measuring_list;
 use crate::present::test_cube_v1::document;
 use crate::standards::test_cube::TestCube;
 
-use super::failure::{self, Failure};
+use super::failure::Failure;
 use super::output;
 use super::words::line;
 
@@ -26,9 +26,8 @@ pub(super) fn run(
     } else {
         (output::robot(subject)?, vec![subject.to_owned()])
     };
-    let cube = TestCube::of(&robot).map_err(|error| {
-        Failure::WrongAt(subject.display().to_string(), failure::in_words(&error))
-    })?;
+    let cube = TestCube::of(&robot)
+        .map_err(|error| Failure::WrongAt(subject.display().to_string(), error.says()))?;
     if let Some((out, force)) = out {
         let list = measuring_list(&cube.measuring_order(), &robot);
         output::document(out, list.as_bytes(), force, &files)?;

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::compensation::{Verification, VerifyError};
 use crate::explain;
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::pipeline::{load_model, verify};
 use crate::present::verification_v1::document;
 
@@ -59,7 +59,7 @@ fn in_words(v: &Verification) -> String {
         );
     }
     for note in &v.notes {
-        line(&mut text, say!("note: {note}", note = of_core(note)));
+        line(&mut text, say!("note: {note}", note = spoken(note)));
     }
     text
 }
@@ -130,7 +130,7 @@ impl From<VerifyError> for Failure {
     fn from(error: VerifyError) -> Self {
         match error {
             VerifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(&other),
+            other => Self::refused(other.says()),
         }
     }
 }

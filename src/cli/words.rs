@@ -3,8 +3,8 @@
 
 use std::borrow::Cow;
 
-use crate::language::{names, of_core};
-use crate::present::table::{Table, width};
+use crate::language::names;
+use crate::present::table::width;
 use crate::text::{Language, Text, current};
 
 fn is_english() -> bool {
@@ -55,17 +55,6 @@ pub(super) fn value(name: &str, written: &str) -> String {
         (words, "°") => format!("{words} {written}°"),
         (words, unit) => format!("{words} {written} {unit}"),
     }
-}
-
-/// A table that the core made, with its headings and one column in the language of this thread.
-pub(super) fn of_core_table(mut table: Table, column: usize) -> Table {
-    for column in &mut table.columns {
-        column.heading = of_core(&column.heading).into_owned();
-    }
-    for cell in table.rows.iter_mut().filter_map(|row| row.get_mut(column)) {
-        cell.shown = of_core(&cell.shown).into_owned();
-    }
-    table
 }
 
 /// Adds a line.

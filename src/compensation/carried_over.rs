@@ -5,6 +5,7 @@
 //! is dropped, and a common shift of the new one is fitted to the samples. Frames that the model does not
 //! know are fitted with it, in turns.
 
+use crate::text::Text;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::effects::{Inputs, Role, TOOL_POSITION, Term};
@@ -31,7 +32,7 @@ pub(super) fn carried_over(
     session: &Session,
     problem: &Problem,
     applied: impl Fn(&Calibration) -> Model,
-) -> Option<(Calibration, String)> {
+) -> Option<(Calibration, Text)> {
     let robot = &calibration.model.robot;
     let same_tool = session.robot.base_from_tool == robot.base_from_tool;
     let same_targets = session.targets == calibration.targets;
@@ -72,14 +73,14 @@ pub(super) fn carried_over(
         [t.coefficients[0], t.coefficients[1], t.coefficients[2]]
     });
     let what = match (same_tool, same_targets) {
-        (false, false) => "another tool and other targets",
-        (false, true) => "another tool",
-        (true, _) => "other targets",
+        (false, false) => phrase!("another tool and other targets"),
+        (false, true) => phrase!("another tool"),
+        (true, _) => phrase!("other targets"),
     };
-    let note = format!(
-        "the session has {what} than the model: its joints and links carry over, and the tool's position is \
-         fitted to these samples: ({:.4}, {:.4}, {:.4}) mm in the tool frame",
-        shift[0], shift[1], shift[2]
+    let note = text!(
+        "the session has {what} than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} mm in the tool frame",
+        what = what,
+        shift = format!("({:.4}, {:.4}, {:.4})", shift[0], shift[1], shift[2])
     );
     Some((carried, note))
 }

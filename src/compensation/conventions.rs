@@ -9,6 +9,7 @@ use std::borrow::Cow;
 
 use crate::model::{Calibration, SetUp};
 use crate::sessions::{Mend, Session, Setups};
+use crate::text::{Template, Text};
 
 use super::verification::{Verification, VerifyError, is_own, verify_as_read};
 
@@ -23,10 +24,10 @@ const NEW_FRAME: &str = "fitted here";
 pub(super) fn verified(
     calibration: &Calibration,
     session: &Session,
-    notes: &[String],
+    notes: &[Text],
 ) -> Result<Verification, VerifyError> {
     let set_up = &calibration.set_up;
-    let by = |read: &Session, says: Option<String>| {
+    let by = |read: &Session, says: Option<Text>| {
         let notes = notes.iter().cloned().chain(says).collect();
         verify_as_read(calibration, read, notes)
     };
@@ -39,24 +40,29 @@ pub(super) fn verified(
     if reads_plain || session.samples.corrected.is_some() {
         return by(session, None);
     }
-    let says = format!("read as the model's own session was: {}", set_up.says());
+    let says = text!(
+        "read as the model's own session was: {how}",
+        how = set_up.says()
+    );
     let says = (!set_up.is_empty()).then_some(says);
     let first = by(&set_up.applied(session, own), says)?;
     if own {
         return Ok(first);
     }
     let mut best = first;
-    let mut others: Vec<(Cow<Session>, &str)> = Vec::new();
+    let mut others: Vec<(Cow<Session>, Template)> = Vec::new();
     if let Some(elsewhere) = with_a_new_frame(set_up, session) {
-        let says =
-            "the instrument does not stand where it stood: its frame is fitted to these samples";
+        let says = phrase!(
+            "the instrument does not stand where it stood: its frame is fitted to these samples"
+        );
         others.push((Cow::Owned(elsewhere), says));
     }
-    let says =
-        "the set-up errors of the model's session are not in this one: it is read as it stands";
+    let says = phrase!(
+        "the set-up errors of the model's session are not in this one: it is read as it stands"
+    );
     others.push((Cow::Borrowed(session), says));
     for (read, says) in others {
-        if let Ok(other) = by(&read, Some(says.to_owned()))
+        if let Ok(other) = by(&read, Some(says.into()))
             && FAR_WORSE * other.model.rms_mm < best.model.rms_mm
         {
             best = other;

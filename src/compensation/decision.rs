@@ -25,6 +25,7 @@
 
 use super::verification::Verification;
 use crate::sessions::{Session, Sigma};
+use crate::text::Template;
 
 /// Coverage factor of the expanded uncertainty, for about 95 %.
 const COVERAGE: f64 = 2.0;
@@ -100,7 +101,7 @@ impl Measured {
         session: &Session,
         verification: &Verification,
         fitted: Fitted,
-    ) -> Result<Self, &'static str> {
+    ) -> Result<Self, Template> {
         let axes = if session.samples.z_mm.is_some() {
             3.0
         } else {
@@ -108,10 +109,13 @@ impl Measured {
         };
         let predicted = session.compensated_by.is_none();
         let largest_mm = if !session.samples.observed.is_empty() {
-            return Err("no position was measured");
+            return Err(phrase!("no position was measured"));
         } else if predicted {
             let corrected = verification.compensated;
-            corrected.ok_or("no command can be corrected")?.gap.max_mm
+            corrected
+                .ok_or(phrase!("no command can be corrected"))?
+                .gap
+                .max_mm
         } else {
             verification.nominal.max_mm
         };
@@ -125,7 +129,7 @@ impl Measured {
             (Some(stated), Some(shown)) => stated.max(shown),
             (stated, shown) => stated
                 .or(shown)
-                .ok_or("the noise of the instrument is not known")?,
+                .ok_or(phrase!("the noise of the instrument is not known"))?,
         };
         let held_out = fitted.held_out_mm.unwrap_or(fitted.fit_mm);
         let more = (held_out.powi(2) - fitted.fit_mm.powi(2)).max(0.0) / axes;

@@ -1,6 +1,7 @@
 //! The gate: what leaves the program is made from a [`VerifiedCalibration`], and only this module makes one, of a
 //! calibration that does on the very session that it came from what was said of it.
 
+use crate::text::Text;
 use std::ops::Deref;
 use std::path::Path;
 
@@ -23,13 +24,9 @@ const NOTHING_MM: f64 = 1e-3;
 const ROUNDING: f64 = 1e-9;
 
 /// Why a calibration is not handed out.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum NotHandedOut {
     /// It does something else than was said.
-    #[error(
-        "on the session that it came from the model leaves an RMS error of {found_mm:.6} mm, and {said_mm:.6} mm \
-         was said: it is not written"
-    )]
     OtherThanSaid {
         /// Verified, mm.
         found_mm: f64,
@@ -37,10 +34,6 @@ pub enum NotHandedOut {
         said_mm: f64,
     },
     /// The robot is better without it.
-    #[error(
-        "on the session that it came from the model leaves an RMS error of {found_mm:.6} mm, and the nominal robot \
-         {nominal_mm:.6} mm: it is not written"
-    )]
     WorseThanNominal {
         /// Verified, mm.
         found_mm: f64,
@@ -48,10 +41,6 @@ pub enum NotHandedOut {
         nominal_mm: f64,
     },
     /// An effect that was added to it made it worse.
-    #[error(
-        "the model leaves an RMS error of {said_mm:.6} mm, and the identification that it began with \
-         {identified_mm:.6} mm: it is not written"
-    )]
     WorseThanIdentified {
         /// Said, mm.
         said_mm: f64,
@@ -59,11 +48,57 @@ pub enum NotHandedOut {
         identified_mm: f64,
     },
     /// It predicts nothing somewhere.
-    #[error("the model predicts no position at joint values {0:?} (rad, mm): it is not written")]
     PredictsNothing(Vec<f64>),
     /// It is of another robot.
-    #[error(transparent)]
-    Verify(#[from] VerifyError),
+    Verify(VerifyError),
+}
+
+impl NotHandedOut {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::OtherThanSaid { found_mm, said_mm } => text!(
+                "on the session that it came from the model leaves an RMS error of {found_mm} mm, and {said_mm} mm was said: it is not written",
+                found_mm = format!("{:.6}", found_mm),
+                said_mm = format!("{:.6}", said_mm)
+            ),
+            Self::WorseThanNominal {
+                found_mm,
+                nominal_mm,
+            } => text!(
+                "on the session that it came from the model leaves an RMS error of {found_mm} mm, and the nominal robot {nominal_mm} mm: it is not written",
+                found_mm = format!("{:.6}", found_mm),
+                nominal_mm = format!("{:.6}", nominal_mm)
+            ),
+            Self::WorseThanIdentified {
+                said_mm,
+                identified_mm,
+            } => text!(
+                "the model leaves an RMS error of {said_mm} mm, and the identification that it began with {identified_mm} mm: it is not written",
+                said_mm = format!("{:.6}", said_mm),
+                identified_mm = format!("{:.6}", identified_mm)
+            ),
+            Self::PredictsNothing(given) => text!(
+                "the model predicts no position at joint values {values} (rad, mm): it is not written",
+                values = format!("{:?}", given)
+            ),
+            Self::Verify(inner) => inner.says(),
+        }
+    }
+}
+
+impl std::fmt::Display for NotHandedOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for NotHandedOut {}
+
+impl From<VerifyError> for NotHandedOut {
+    fn from(error: VerifyError) -> Self {
+        Self::Verify(error)
+    }
 }
 
 /// A calibration that was verified on its own session, or read from the file of one that was. Files of models,

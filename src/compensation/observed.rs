@@ -12,6 +12,7 @@ use crate::model::{Calibration, Model};
 use crate::observations::figures::apart_beside;
 use crate::observations::{Layer, start};
 use crate::sessions::{Session, hash_of_samples};
+use crate::text::Text;
 
 use super::set_aside;
 use super::verification::{
@@ -22,7 +23,7 @@ use super::verification::{
 pub(super) fn verify(
     calibration: &Calibration,
     session: &Session,
-    mut notes: Vec<String>,
+    mut notes: Vec<Text>,
 ) -> Result<Verification, VerifyError> {
     let mut problem = Problem::observing(session, JointValues::Commanded);
     let own = hash_of_samples(session) == calibration.samples_hash;
@@ -77,12 +78,7 @@ pub(super) fn verify(
 }
 
 /// A model with the places of this session: its own by their names, others where they seem to be.
-fn placed(
-    layer: &Layer,
-    model: &Model,
-    session: &Session,
-    notes: Option<&mut Vec<String>>,
-) -> Model {
+fn placed(layer: &Layer, model: &Model, session: &Session, notes: Option<&mut Vec<Text>>) -> Model {
     let references = &session.instrument.references;
     let mut own = model.without(|term| PlaceKind::of(term).is_some());
     let mut located = Vec::new();
@@ -102,15 +98,19 @@ fn placed(
                 reason = "the index of a place"
             )]
             let index = term.setting as usize;
-            let id = term.effect.about().id;
-            located.push(format!("{id} {}", name(references, Place { kind, index })));
+            let about = term.effect.about();
+            let name = name(references, Place { kind, index });
+            located.push(Text::named(
+                format!("{} {name}", about.id),
+                text!("{effect} {name}", effect = about.title, name = name),
+            ));
         }
         own = own.with_term(term);
     }
     if let (Some(notes), false) = (notes, located.is_empty()) {
-        notes.push(format!(
-            "not known to the model, and located beside it: {}",
-            located.join(", ")
+        notes.push(text!(
+            "not known to the model, and located beside it: {places}",
+            places = Text::listed(located, ", ")
         ));
     }
     own

@@ -7,10 +7,11 @@
 //! The share of an effect is what would stay if it were the only one. Shares do not add up (a base
 //! offset may take away a part of a short link), so they are ranked and not summed.
 
-use crate::effects::Inputs;
 use crate::effects::term::JointFrame;
+use crate::effects::{Inputs, called};
 use crate::lanes::{dot, minus};
 use crate::model::{Calibration, Model};
+use crate::text::Text;
 
 use super::plan::Compensation;
 
@@ -27,7 +28,7 @@ pub struct Share {
     /// Root mean square of what would stay if it were the only one, mm.
     pub rms_mm: f64,
     /// What would remove it, for a technician.
-    pub remedy: String,
+    pub remedy: Text,
 }
 
 /// What corrected joint commands cannot remove, mm, with its causes and the change of the controller that would.
@@ -59,13 +60,24 @@ impl Remainder {
     }
 
     /// The whole in one sentence per effect, largest first.
-    pub fn says(&self) -> Vec<String> {
+    pub fn says(&self) -> Vec<Text> {
         let share = |s: &Share| {
-            let joint = s.joint.map_or(String::new(), |j| format!(" of joint {j}"));
-            format!(
-                "{}{joint} leaves {:.4} mm: {}",
-                s.effect, s.rms_mm, s.remedy
-            )
+            let (effect, left) = (called(s.effect), format!("{:.4}", s.rms_mm));
+            match s.joint {
+                Some(joint) => text!(
+                    "{effect} of joint {joint} leaves {left} mm: {remedy}",
+                    effect = effect,
+                    joint = joint,
+                    left = left,
+                    remedy = &s.remedy
+                ),
+                None => text!(
+                    "{effect} leaves {left} mm: {remedy}",
+                    effect = effect,
+                    left = left,
+                    remedy = &s.remedy
+                ),
+            }
         };
         self.shares.iter().map(share).collect()
     }
@@ -119,9 +131,10 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
             effect: "regional correction",
             joint: Some(1),
             rms_mm: left,
-            remedy: "its part along the radius belongs into the tool data (l1) or the base data \
+            remedy: text!(
+                "its part along the radius belongs into the tool data (l1) or the base data \
                      of the controller; the exact method says into which"
-                .to_owned(),
+            ),
         };
         return if left > WORTH_A_WORD_MM {
             vec![share]
@@ -151,13 +164,13 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
 }
 
 /// What removes an effect that the joints cannot.
-fn remedy(calibration: &Calibration, term: &crate::effects::Term) -> String {
+fn remedy(calibration: &Calibration, term: &crate::effects::Term) -> Text {
     let robot = &calibration.model.robot;
     let own = term.effect.remedy.map(|say| say(robot, term));
     own.unwrap_or_else(|| {
-        format!(
-            "needs a mechanical repair: {}",
-            term.effect.about().check.english()
+        text!(
+            "needs a mechanical repair: {check}",
+            check = term.effect.about().check
         )
     })
 }

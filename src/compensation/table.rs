@@ -16,6 +16,7 @@ use crate::effects::{Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model, RawJoint};
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
@@ -30,18 +31,11 @@ pub(crate) const MOST_ENTRIES: usize = 1_000_000;
 const LEVER_MM: f64 = 1000.0;
 
 /// Why there is no table.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum TableError {
     /// The model says what another table leaves.
-    #[error(
-        "the model comes from a session that was measured with the table of model {0} active: it says \
-         what is left, and a table made from it would lack what that one does; measure without a table"
-    )]
     AlreadyCompensated(String),
     /// The controller counts the joint in a way that a table cannot.
-    #[error(
-        "no table for joint {joint}: in the session {why}, and the model corrected that; correct it in the          controller or in the session, identify again and make the table from that model"
-    )]
     Conventions {
         /// The joint, counted from 1.
         joint: usize,
@@ -49,7 +43,6 @@ pub enum TableError {
         why: String,
     },
     /// A joint that the robot does not have.
-    #[error("joint {joint}: the robot has {joints}")]
     NoSuchJoint {
         /// The joint, counted from 1.
         joint: usize,
@@ -57,10 +50,8 @@ pub enum TableError {
         joints: usize,
     },
     /// A step that is not a positive number.
-    #[error("a step of {0}; expected a positive number")]
     Step(f64),
     /// A step so small that the table gets too long.
-    #[error("a step of {step} makes {entries} entries; expected at most {most}")]
     TooMany {
         /// The step as it was given.
         step: f64,
@@ -70,11 +61,52 @@ pub enum TableError {
         most: usize,
     },
     /// No limits, and all samples at one place.
-    #[error(
-        "the joint has no limits and was measured at a single value: there is no range for a table"
-    )]
     NoRange,
 }
+
+impl TableError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::AlreadyCompensated(model) => text!(
+                "the model comes from a session that was measured with the table of model {model} active: it says what is left, and a table made from it would lack what that one does; measure without a table",
+                model = model
+            ),
+            Self::Conventions { joint, why } => text!(
+                "no table for joint {joint}: in the session {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
+                joint = joint,
+                why = why
+            ),
+            Self::NoSuchJoint { joint, joints } => text!(
+                "joint {joint}: the robot has {joints}",
+                joint = joint,
+                joints = joints
+            ),
+            Self::Step(step) => text!("a step of {step}; expected a positive number", step = step),
+            Self::TooMany {
+                step,
+                entries,
+                most,
+            } => text!(
+                "a step of {step} makes {entries} entries; expected at most {most}",
+                step = step,
+                entries = entries,
+                most = most
+            ),
+            Self::NoRange => text!(
+                "the joint has no limits and was measured at a single value: there is no range for a table"
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for TableError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for TableError {}
 
 /// See the module. Values are in inner units; [`JointTable::outer`] gives those of the user.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,7 +130,7 @@ pub struct JointTable {
     /// The conditions that it is made for.
     pub conditions: Conditions,
     /// What else there is to know about it.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 impl JointTable {
@@ -129,7 +161,9 @@ impl JointTable {
         let measured = in_raw_values(measured, raw);
         let travel = axis.limits.unwrap_or(measured);
         if axis.limits.is_none() {
-            notes.push("the joint has no limits: the table covers the measured range".to_owned());
+            notes.push(text!(
+                "the joint has no limits: the table covers the measured range"
+            ));
         }
         let grid = Grid::new(axis.kind, travel, step_outer)?;
         notes.extend(grid.note(step_outer));
@@ -154,17 +188,20 @@ impl JointTable {
         };
         if !raw.is_plain() {
             let outer = axis.kind.outer(raw.at_zero);
-            let sign = if raw.sign < 0.0 {
-                "the other way"
+            let value = format!("{outer:.3}{}", axis.kind.sign());
+            notes.push(if raw.sign < 0.0 {
+                text!(
+                    "commands and corrections are the controller's: it counts joint {joint} the other way as the model, whose value is {value} where the controller's is 0",
+                    joint = joint + 1,
+                    value = value
+                )
             } else {
-                "the same way"
-            };
-            notes.push(format!(
-                "commands and corrections are the controller's: it counts joint {} {sign} as the model, whose \
-                 value is {outer:.3}{} where the controller's is 0",
-                joint + 1,
-                axis.kind.sign(),
-            ));
+                text!(
+                    "commands and corrections are the controller's: it counts joint {joint} the same way as the model, whose value is {value} where the controller's is 0",
+                    joint = joint + 1,
+                    value = value
+                )
+            });
         }
         let (forward, reverse) = (column(Side::Forward), column(Side::Reverse));
         let mut table = Self {
@@ -213,32 +250,30 @@ impl JointTable {
         let mut notes = Vec::new();
         let measured = self.measured;
         if travel.from < measured.from || travel.to > measured.to {
-            notes.push(format!(
-                "measured from {:.3} to {:.3} {unit}; outside, the correction at the end of that \
-                 range is held",
-                outer(measured.from),
-                outer(measured.to),
+            notes.push(text!(
+                "measured from {from} to {to}; outside, the correction at the end of that range is held",
+                from = format!("{:.3}", outer(measured.from)),
+                to = format!("{:.3} {unit}", outer(measured.to))
             ));
         }
         let joints = calibration.model.robot.joints.len();
         if joints > 1 {
-            notes.push(format!(
-                "the table cancels what joint {} does to its own {}; errors of the geometry depend \
-                 on all joints and belong into the controller's kinematic data",
-                self.joint + 1,
-                if self.kind == JointKind::Revolute {
-                    "angle"
+            notes.push(text!(
+                "the table cancels what joint {joint} does to its own {value}; errors of the geometry depend on all joints and belong into the controller's kinematic data",
+                joint = self.joint + 1,
+                value = if self.kind == JointKind::Revolute {
+                    phrase!("angle")
                 } else {
-                    "travel"
-                },
+                    phrase!("travel")
+                }
             ));
             let terms = calibration.model.terms().iter();
             let own = terms.filter(|t| t.joint == self.joint);
             for about in own.map(|t| t.effect.about()) {
                 if about.of_other_joints {
-                    notes.push(format!(
-                        "the {} of this joint depends on the other joints: they stand at home here",
-                        about.title.english().to_lowercase()
+                    notes.push(text!(
+                        "the {effect} of this joint depends on the other joints: they stand at home here",
+                        effect = Text::named(about.title.english().to_lowercase(), about.title)
                     ));
                 }
             }
@@ -246,18 +281,14 @@ impl JointTable {
         notes.extend(unexplained_part(calibration, self.joint));
         let mut own = calibration.model.terms().iter();
         if own.any(|t| t.rest().is_some()) {
-            notes.push(
-                "what the model predicts without a name follows several joints and is not in this \
-                 table"
-                    .to_owned(),
-            );
+            notes.push(text!(
+                "what the model predicts without a name follows several joints and is not in this table"
+            ));
         }
         if !calibration.regions.is_empty() {
-            notes.push(
-                "the correction jumps at the boundaries of the regions; between two entries the \
-                 table makes a ramp of it"
-                    .to_owned(),
-            );
+            notes.push(text!(
+                "the correction jumps at the boundaries of the regions; between two entries the table makes a ramp of it"
+            ));
         }
         self.notes.extend(notes);
     }
@@ -283,7 +314,7 @@ fn in_raw_values(range: Range, raw: RawJoint) -> Range {
 }
 
 /// What of a joint's table has no name, in words.
-fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<String> {
+fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
     let model = &calibration.model;
     let slides = model.robot.joints[joint].kind == JointKind::Prismatic;
     let own = model.terms().iter().filter(|t| t.joint == joint);
@@ -294,13 +325,11 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<String> {
         } else {
             ("°", deg_from_rad)
         };
-        format!(
-            "up to {:.4}{unit} of it is an unexplained smooth correction, measured from {:.2} to \
-             {:.2}{unit}: no effect of the catalogue explains it, and outside that range its end \
-             values are held",
-            outer(curve.largest()[0]),
-            outer(curve.knots().from),
-            outer(curve.knots().to),
+        text!(
+            "up to {size} of it is an unexplained smooth correction, measured from {from} to {to}: no effect of the catalogue explains it, and outside that range its end values are held",
+            size = format!("{:.4}{unit}", outer(curve.largest()[0])),
+            from = format!("{:.2}", outer(curve.knots().from)),
+            to = format!("{:.2}{unit}", outer(curve.knots().to))
         )
     });
     says.collect()
@@ -360,12 +389,13 @@ impl Grid {
         self.commanded.iter().map(inner).collect()
     }
 
-    fn note(&self, asked: f64) -> Option<String> {
+    fn note(&self, asked: f64) -> Option<Text> {
         let differs = (self.step - asked).abs() > 1e-9 * asked;
         differs.then(|| {
-            format!(
-                "a step of {asked} does not divide the travel: the steps are {}",
-                tidy(self.step)
+            text!(
+                "a step of {asked} does not divide the travel: the steps are {steps}",
+                asked = asked,
+                steps = tidy(self.step)
             )
         })
     }

@@ -22,7 +22,7 @@
 //! session that the model came from the held-out samples are apart. For the paper's method everything is in
 //! the plane of motion; z is not used.
 
-use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term};
+use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, called};
 use crate::fit::base_model;
 use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread};
@@ -32,6 +32,7 @@ use crate::model::format_v1::model_hash;
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
+use crate::text::{Template, Text};
 
 use crate::answers::diagnosis::DataProblem;
 
@@ -134,14 +135,13 @@ pub struct Verification {
     /// Suspected outliers, counted from 0.
     pub outliers: Vec<usize>,
     /// What else there is to say.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// Why a session cannot be compared with a model.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum VerifyError {
     /// Another number or kind of joints.
-    #[error("the session's robot has {session} and the model's {model}: they are different robots")]
     DifferentRobots {
         /// Joints of the session's robot.
         session: String,
@@ -149,13 +149,40 @@ pub enum VerifyError {
         model: String,
     },
     /// No sample is complete.
-    #[error(
-        "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
-    )]
     NothingToVerify,
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
-    #[error(transparent)]
-    Rejected(#[from] crate::diagnostic::Rejected),
+    Rejected(crate::diagnostic::Rejected),
+}
+
+impl VerifyError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::DifferentRobots { session, model } => text!(
+                "the session's robot has {session} and the model's {model}: they are different robots",
+                session = session,
+                model = model
+            ),
+            Self::NothingToVerify => text!(
+                "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
+            ),
+            Self::Rejected(inner) => inner.says(),
+        }
+    }
+}
+
+impl std::fmt::Display for VerifyError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for VerifyError {}
+
+impl From<crate::diagnostic::Rejected> for VerifyError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
 }
 
 /// Compares a session with a calibration.
@@ -173,7 +200,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 pub(super) fn verify_as_read(
     calibration: &Calibration,
     session: &Session,
-    mut notes: Vec<String>,
+    mut notes: Vec<Text>,
 ) -> Result<Verification, VerifyError> {
     let samples = &session.samples;
     let own = hash_of_samples(session) == calibration.samples_hash;
@@ -412,7 +439,7 @@ pub(super) fn is_own(calibration: &Calibration, session: &Session) -> bool {
     hash_of_samples(session) == calibration.samples_hash
 }
 
-fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String>, VerifyError> {
+fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<Text>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
         let kinds = robot.joints.iter().map(|j| j.kind.name());
         kinds.collect::<Vec<_>>().join(", ")
@@ -432,16 +459,17 @@ fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String
     let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis);
     // The tool of an arm is fitted; a single axis has effects of its own for where its tool is.
     let same_tool = session.robot.base_from_tool == calibration.model.robot.base_from_tool;
-    let note = |what: &str| {
-        format!(
-            "the session's robot has {what} than the model's: the model's nominal robot is used"
+    let note = |what: Template| {
+        text!(
+            "the session's robot has {what} than the model's: the model's nominal robot is used",
+            what = what
         )
     };
     Ok(
         match (same_axes, same_tool || session.robot.joints.len() > 1) {
             (true, true) => Vec::new(),
-            (true, false) => vec![note("another tool")],
-            (false, _) => vec![note("other axes")],
+            (true, false) => vec![note(phrase!("another tool"))],
+            (false, _) => vec![note(phrase!("other axes"))],
         },
     )
 }
@@ -453,19 +481,16 @@ fn applied_corrections(
     session: &Session,
     compensation: &Compensation,
     inputs: &Inputs,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Option<Vec<Vec<f64>>> {
     let by = session.compensated_by.as_ref()?;
     let ours = by == hash;
     notes.push(
         if ours {
-            "the session was measured with this model's table active: it shows what is left, and \
-             is not compensated a second time"
+            text!("the session was measured with this model's table active: it shows what is left, and is not compensated a second time")
         } else {
-            "the session was measured with another model's table active: it is not compensated a \
-             second time, and this model does not know what that table did"
-        }
-        .to_owned(),
+            text!("the session was measured with another model's table active: it is not compensated a second time, and this model does not know what that table did")
+        },
     );
     let table = Conditions::default().impose_on(inputs);
     ours.then(|| compensation.joint_corrections(&table))
@@ -477,7 +502,7 @@ pub(super) fn model_for(
     calibration: &Calibration,
     session: &Session,
     problem: &Problem,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Model {
     if hash_of_samples(session) == calibration.samples_hash {
         return calibration.model.clone();
@@ -496,9 +521,9 @@ pub(super) fn model_for(
         .map(|t| t.effect.about().id)
         .collect();
     if !dropped.is_empty() {
-        notes.push(format!(
-            "{} belong to the session that the model came from and are left out",
-            dropped.join(", ")
+        notes.push(text!(
+            "{effects} belong to the session that the model came from and are left out",
+            effects = Text::listed(dropped.into_iter().map(called), ", ")
         ));
     }
     let mut model = calibration.model.without(theirs);
@@ -517,8 +542,9 @@ pub(super) fn model_for(
             });
             continue;
         }
-        notes.push(format!(
-            "the model knows no setup {name}: its frame is fitted to these samples"
+        notes.push(text!(
+            "the model knows no setup {name}: its frame is fitted to these samples",
+            name = name
         ));
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {

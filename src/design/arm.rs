@@ -23,6 +23,7 @@ use crate::fit::problem::Problem;
 use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::{Instrument, Session, Sigma, Target};
+use crate::text::Text;
 
 /// Candidates around what was chosen.
 const AROUND: usize = 700;
@@ -230,7 +231,7 @@ impl Arm {
 
     /// The session with these poses measured too.
     pub(crate) fn with(&self, candidates: &[Candidate], writing: &Writing) -> Session {
-        let poses = candidates.iter().map(|c| writing.pose(c, String::new()));
+        let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
         let like: Vec<_> = candidates.iter().map(|c| self.ways[c.way].like).collect();
         let mut whole = self.session.clone();
         extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);

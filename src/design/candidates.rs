@@ -16,6 +16,7 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::term::{JointFrame, travel_of};
 use crate::kinematics::{Joint, JointKind, Range, Robot};
 use crate::sessions::{Session, Target};
+use crate::text::Text;
 
 use super::imagined::{LATER_S, measured_like};
 use super::ways::{Way, last_setup, ways};
@@ -97,7 +98,7 @@ pub(crate) struct Writing<'t> {
 
 impl Writing<'_> {
     /// The pose of a candidate, and why it is measured.
-    pub(crate) fn pose(&self, candidate: &Candidate, why: String) -> NextPose {
+    pub(crate) fn pose(&self, candidate: &Candidate, why: Text) -> NextPose {
         let index = candidate.target as usize;
         let target = self.targets.get(index);
         let (load_kg, above_20_c) = (candidate.load_kg, candidate.above_20_c);
@@ -235,7 +236,7 @@ impl Offer {
     }
 
     /// The pose of a candidate; before a short approach the place where the joints reverse.
-    pub(crate) fn poses(&self, prepared: &Prepared, candidate: usize, why: &str) -> Vec<NextPose> {
+    pub(crate) fn poses(&self, prepared: &Prepared, candidate: usize, why: &Text) -> Vec<NextPose> {
         let candidate = &self.candidates[candidate];
         let session = prepared.problem.session;
         let writing = Writing {
@@ -246,8 +247,8 @@ impl Offer {
             temperatures: false,
         };
         let why = match self.ways.get(candidate.way) {
-            Some(way) => format!("{why}; measure {}", way.says(session)),
-            None => why.to_owned(),
+            Some(way) => text!("{why}; measure {how}", why = why, how = way.says(session)),
+            None => why.clone(),
         };
         let pose = writing.pose(candidate, why);
         let Arrival::Short(share) = candidate.arrival else {
@@ -262,7 +263,7 @@ impl Offer {
         let turning = NextPose {
             q: candidate.q.iter().enumerate().map(from).collect(),
             dir: candidate.dir.iter().map(|d| -d).collect(),
-            why: "reverse here, for a short approach to the next pose".to_owned(),
+            why: text!("reverse here, for a short approach to the next pose"),
             ..pose.clone()
         };
         vec![turning, pose]

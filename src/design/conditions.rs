@@ -82,8 +82,11 @@ pub(crate) fn conditioned(
             here.clone_from(&last.q);
         }
     }
-    let (writing, why) = (arm.writing(Some(varied)), "joint values that tell most");
-    let poses = all.into_iter().map(|c| writing.pose(c, why.to_owned()));
+    let (writing, why) = (
+        arm.writing(Some(varied)),
+        text!("joint values that tell most"),
+    );
+    let poses = all.into_iter().map(|c| writing.pose(c, why.clone()));
     poses.collect()
 }
 

@@ -10,9 +10,10 @@ use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
 use crate::diagnosis::search::compatible;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::{Effect, Term, find};
+use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;
 use crate::sessions::Samples;
+use crate::text::{Template, Text};
 
 use super::candidates::{Candidate, Conditions, Offer, with_another};
 use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
@@ -247,7 +248,7 @@ fn is_said(need: Need, samples: &Samples) -> bool {
 /// At most so many effects are named in the reason for a pose.
 const MOST_NAMED: usize = 3;
 
-fn words(shown: &[&Untestable], choice: &Candidate) -> String {
+fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     let matters = |need: &Need| match need {
         Need::Speeds => choice.moves(),
         Need::Loads => choice.load_kg != 0.0,
@@ -255,20 +256,29 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> String {
         Need::Reflector => choice.target > 0,
         _ => true,
     };
-    let needs: Vec<&str> = needs_of(shown, matters).iter().map(|n| n.says()).collect();
+    let needs: Vec<Template> = needs_of(shown, matters).iter().map(|n| n.says()).collect();
     let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
     names.dedup();
     let more = names.len().saturating_sub(MOST_NAMED);
     names.truncate(MOST_NAMED);
-    let others = if more > 0 {
-        format!(" and {more} more")
-    } else {
-        String::new()
-    };
     let how = if needs.is_empty() {
-        "what the others are compared with".to_owned()
+        text!("what the others are compared with")
     } else {
-        needs.join("; ")
+        Text::listed(needs, "; ")
     };
-    format!("makes {}{others} testable: {how}", names.join(", "))
+    let effects = Text::listed(names.into_iter().map(called), ", ");
+    if more > 0 {
+        text!(
+            "makes {effects} and {more} more testable: {how}",
+            effects = effects,
+            more = more,
+            how = how
+        )
+    } else {
+        text!(
+            "makes {effects} testable: {how}",
+            effects = effects,
+            how = how
+        )
+    }
 }

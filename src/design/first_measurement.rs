@@ -17,6 +17,7 @@ use crate::diagnosis::NextPose;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
+use crate::text::Text;
 
 use super::candidates::{Arrival, Candidate, Writing, anywhere, typed, usual_speed, with_another};
 use super::comparison::Prediction;
@@ -246,15 +247,18 @@ impl Slots<'_> {
     }
 }
 
-fn why(candidate: &Candidate) -> String {
+fn why(candidate: &Candidate) -> Text {
     match candidate.arrival {
-        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
+        Arrival::Return(to) => text!(
+            "return to pose {pose} of this list: repeatability",
+            pose = to + 1
+        ),
         Arrival::Short(_) => {
-            "a short approach after a reversal: lost motion against backlash".to_owned()
+            text!("a short approach after a reversal: lost motion against backlash")
         }
         Arrival::Long if candidate.moves() => {
-            "measure while moving: tracking lag against backlash".to_owned()
+            text!("measure while moving: tracking lag against backlash")
         }
-        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
+        Arrival::Long => text!("a place that tells most, unequal steps"),
     }
 }

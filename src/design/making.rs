@@ -18,8 +18,8 @@ use crate::diagnosis::regression::Fit;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
-use crate::effects::Inputs;
 use crate::effects::find;
+use crate::effects::{Inputs, called};
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
@@ -308,8 +308,12 @@ fn two(prepared: &Prepared, fit: &Fit, between: [Named; 2], most: usize) -> Sepa
     for named in between {
         let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
         if let Some(because) = obstacle {
-            let because = format!("{} cannot be seen: {because}", named.id);
-            return pair_separation::nothing(between, &because);
+            let because = text!(
+                "{effect} cannot be seen: {because}",
+                effect = called(named.id),
+                because = because
+            );
+            return pair_separation::nothing(between, because);
         }
     }
     pair_separation::separate_two(prepared, fit, between, most)

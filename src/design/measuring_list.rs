@@ -117,7 +117,7 @@ pub fn measuring_list(poses: &[NextPose], robot: &Robot) -> String {
     optional("target_x_mm", |p| p.target_mm.map(|t| number(t[0])));
     optional("target_y_mm", |p| p.target_mm.map(|t| number(t[1])));
     optional("target_z_mm", |p| p.target_mm.map(|t| number(t[2])));
-    optional("why", |p| Some(quoted(&p.why)));
+    optional("why", |p| Some(quoted(&p.why.to_string())));
     let headings: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = headings.join(",");
     text.push('\n');
@@ -155,7 +155,7 @@ mod tests {
             speed: None,
             load_kg: None,
             temperature_c: None,
-            why: "separates a, b".to_owned(),
+            why: crate::text::Text::verbatim("separates a, b"),
         }
     }
 

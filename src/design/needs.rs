@@ -3,6 +3,7 @@
 
 use super::candidates::usual_speed;
 use crate::effects::{Effect, Survey};
+use crate::text::{Template, Text};
 
 /// Load for a test where the session says nothing about loads, kg.
 pub(crate) const TEST_LOAD_KG: f64 = 3.0;
@@ -55,19 +56,21 @@ const NEEDS: [Need; 9] = [
 
 impl Need {
     /// What the technician does.
-    pub fn says(self) -> &'static str {
+    pub fn says(self) -> Template {
         match self {
-            Self::BothSides => "approach the same places from both sides",
-            Self::Speeds => "measure in motion at two speeds as well",
-            Self::Loads => "measure without and with a load",
+            Self::BothSides => phrase!("approach the same places from both sides"),
+            Self::Speeds => phrase!("measure in motion at two speeds as well"),
+            Self::Loads => phrase!("measure without and with a load"),
             Self::Temperatures => {
-                "measure with the machine cold and warm, and again while it cools down"
+                phrase!("measure with the machine cold and warm, and again while it cools down")
             }
-            Self::Travel => "spread the poses over the whole travel",
-            Self::Reflector => "mount a second reflector at another radius",
-            Self::Times => "write down the time of every sample (time_s)",
-            Self::Height => "measure z as well",
-            Self::Gravity => "give the direction of gravity in the robot's file (gravity_m_s2)",
+            Self::Travel => phrase!("spread the poses over the whole travel"),
+            Self::Reflector => phrase!("mount a second reflector at another radius"),
+            Self::Times => phrase!("write down the time of every sample (time_s)"),
+            Self::Height => phrase!("measure z as well"),
+            Self::Gravity => {
+                phrase!("give the direction of gravity in the robot's file (gravity_m_s2)")
+            }
         }
     }
 
@@ -120,7 +123,7 @@ pub struct Untestable {
     /// Joint, counted from 0; `None` where it belongs to none.
     pub joint: Option<usize>,
     /// Why it cannot be seen.
-    pub because: String,
+    pub because: Text,
     /// What is needed; empty where nothing helps.
     pub needs: Vec<Need>,
 }

@@ -11,7 +11,8 @@ use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::conclude::{Proposal, Undecided};
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
-use crate::effects::{Condition, Over, Term};
+use crate::effects::{Condition, Over, Term, called};
+use crate::text::Text;
 
 use super::candidates::{Arrival, Conditions, Offer};
 use super::comparison::{Apart, Field, enough_for};
@@ -57,7 +58,11 @@ pub(crate) fn separate(
     for k in 0..poses.len() {
         let (before, rest) = poses.split_at_mut(k);
         if before.iter().any(|earlier| rest[0].repeats(earlier)) {
-            rest[0].why += "; measured a second time, as once is not enough over the noise";
+            let once = std::mem::take(&mut rest[0].why);
+            rest[0].why = text!(
+                "{why}; measured a second time, as once is not enough over the noise",
+                why = once
+            );
         }
     }
     poses
@@ -187,52 +192,65 @@ fn attempt(prepared: &Prepared, offer: Offer, all: &[Explanation], most: usize) 
 }
 
 /// What would tell a rival from the model, in words.
-pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> String {
-    let words: Vec<&str> = rival
+pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
+    let mut words = rival
         .removed
         .iter()
         .chain(&rival.instead)
-        .map(|t| t.effect.about().confused_with)
-        .collect();
-    let hint = words.first().copied().unwrap_or("");
+        .map(|t| t.effect.about().confused_with);
     if poses.is_empty() {
-        return format!("no pose within the limits tells them apart; {hint}");
+        let hint = words.next().map_or_else(Text::default, Text::from);
+        return text!(
+            "no pose within the limits tells them apart; {hint}",
+            hint = hint
+        );
     }
     let mut conditions = Vec::new();
     if poses.iter().any(|p| p.target_mm.is_some()) {
-        conditions.push("a reflector at another radius");
+        conditions.push(phrase!("a reflector at another radius"));
     }
     if poses.iter().any(|p| p.speed.is_some()) {
-        conditions.push("other speeds");
+        conditions.push(phrase!("other speeds"));
     }
     if poses.iter().any(|p| p.load_kg.is_some()) {
-        conditions.push("other loads");
+        conditions.push(phrase!("other loads"));
     }
     if poses.iter().any(|p| p.temperature_c.is_some()) {
-        conditions.push("another temperature");
+        conditions.push(phrase!("another temperature"));
     }
-    let with = if conditions.is_empty() {
-        String::new()
-    } else {
-        format!(" with {}", conditions.join(", "))
-    };
-    match poses.len() {
-        1 => format!("measure the proposed pose{with}"),
-        many => format!("measure the {many} proposed poses{with}"),
+    let conditions = (!conditions.is_empty()).then(|| Text::listed(conditions, ", "));
+    match (poses.len(), conditions) {
+        (1, None) => text!("measure the proposed pose"),
+        (1, Some(conditions)) => text!(
+            "measure the proposed pose with {conditions}",
+            conditions = conditions
+        ),
+        (many, None) => text!("measure the {many} proposed poses", many = many),
+        (many, Some(conditions)) => text!(
+            "measure the {many} proposed poses with {conditions}",
+            many = many,
+            conditions = conditions
+        ),
     }
 }
 
-fn why(rivals: &[&Rival]) -> String {
-    let ids = |terms: &[Term]| -> String {
-        let ids: Vec<&str> = terms.iter().map(|t| t.effect.about().id).collect();
-        ids.join(" + ")
+fn why(rivals: &[&Rival]) -> Text {
+    let names = |terms: &[Term]| {
+        let names = terms.iter().map(|t| called(t.effect.about().id));
+        Text::listed(names, " + ")
     };
-    let mut pairs: Vec<String> = Vec::new();
+    let mut pairs: Vec<Text> = Vec::new();
     for rival in rivals {
-        let pair = format!("{} from {}", ids(&rival.removed), ids(&rival.instead));
+        let pair = text!(
+            "{one} from {other}",
+            one = names(&rival.removed),
+            other = names(&rival.instead)
+        );
         if !pairs.contains(&pair) && pairs.len() < 3 {
             pairs.push(pair);
         }
     }
-    format!("tells {}", pairs.join(", and "))
+    let pairs = pairs.into_iter();
+    let pairs = pairs.reduce(|all, next| text!("{first}, and {next}", first = all, next = next));
+    text!("tells {pairs}", pairs = pairs.unwrap_or_default())
 }

@@ -12,8 +12,9 @@ use crate::diagnosis::NextPose;
 use crate::diagnosis::aliases::UNDECIDED;
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
-use crate::effects::{Term, find};
+use crate::effects::{Term, called, find};
 use crate::model::Model;
+use crate::text::Text;
 
 use super::candidates::{Offer, ranges};
 use super::comparison::{Apart, Comparison, Field, Prediction, enough_for, inverse};
@@ -58,7 +59,7 @@ pub struct Separation {
     /// Whether both are told apart at the size at which they would just be seen.
     pub decided: bool,
     /// Why no pose does it; `None` where poses do.
-    pub impossible: Option<String>,
+    pub impossible: Option<Text>,
     /// The poses.
     pub poses: Vec<NextPose>,
 }
@@ -80,14 +81,19 @@ pub(crate) fn separate_two(
     });
     let left_before = shares.left[0];
     if shares.possible < NOTHING_LEFT {
-        let because = "wherever they are measured, with a second reflector too, each looks like \
-                       the other";
+        let because = text!(
+            "wherever they are measured, with a second reflector too, each looks like the other"
+        );
         return Separation {
             left_before,
             ..nothing(between, because)
         };
     }
-    let why = format!("tells {} from {}", between[0].id, between[1].id);
+    let why = text!(
+        "tells {one} from {other}",
+        one = called(between[0].id),
+        other = called(between[1].id)
+    );
     Separation {
         between,
         left_before,
@@ -98,13 +104,13 @@ pub(crate) fn separate_two(
     }
 }
 
-pub(crate) fn nothing(between: [Named; 2], because: &str) -> Separation {
+pub(crate) fn nothing(between: [Named; 2], because: Text) -> Separation {
     Separation {
         between,
         left_before: [0.0; 2],
         left_after: [0.0; 2],
         decided: false,
-        impossible: Some(because.to_owned()),
+        impossible: Some(because),
         poses: Vec::new(),
     }
 }

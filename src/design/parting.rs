@@ -6,6 +6,7 @@ use crate::diagnosis::prepare::Prepared;
 use crate::effects::survey::JointSurvey;
 use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
+use crate::text::Text;
 
 use super::candidates::{Offer, other_reflectors};
 use super::comparison::{Apart, Comparison};
@@ -100,7 +101,7 @@ pub(crate) struct Attempt {
 
 impl Attempt {
     /// The poses that were chosen, at most `most`.
-    pub(crate) fn poses(&self, prepared: &Prepared, why: &str, most: usize) -> Vec<NextPose> {
+    pub(crate) fn poses(&self, prepared: &Prepared, why: &Text, most: usize) -> Vec<NextPose> {
         let joints = &prepared.problem.session.robot.joints;
         let place = |(q, joint): (&f64, &Joint)| match joint.kind {
             JointKind::Revolute => format!("{:.1}°", joint.kind.outer(*q)),
@@ -109,7 +110,11 @@ impl Attempt {
         let poses = self.order.iter().flat_map(|k| {
             let places = self.offer.candidates[*k].q.iter().zip(joints).map(place);
             let places = places.collect::<Vec<String>>().join(", ");
-            let why = format!("{why}: they differ most at {places}");
+            let why = text!(
+                "{why}: they differ most at {places}",
+                why = why,
+                places = places
+            );
             self.offer.poses(prepared, *k, &why)
         });
         poses.take(most).collect()

@@ -2,6 +2,7 @@
 //! what it cannot show, and that sharpen the rest; for a robot alone a first measurement. This is what
 //! is asked and what is answered; `making` makes it.
 
+use crate::text::Text;
 use nalgebra::Point3;
 
 use super::expected_information::ExpectedInformation;
@@ -87,28 +88,19 @@ pub struct Plan {
 }
 
 /// Why there is no plan.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum PlanError {
     /// A number of poses that makes no sense.
-    #[error("--poses is {0}; expected a whole number from 1 to {MOST_POSES}")]
     Poses(usize),
     /// A noise that makes no sense.
-    #[error("--sigma is {0}; expected a length above 0 in mm, such as 0.03")]
     Sigma(f64),
     /// A load that makes no sense.
-    #[error("--load is {0}; expected a mass above 0 in kg, such as 3")]
     Load(f64),
     /// A robot with more joints than poses are planned for.
-    #[error("a robot with {0} joints; poses are planned for at most {MOST_JOINTS}")]
     Joints(usize),
     /// An accuracy that makes no sense.
-    #[error("--accuracy is {0}; expected a length above 0 in mm, such as 0.1")]
     Accuracy(f64),
     /// An accuracy that no number of poses reaches.
-    #[error(
-        "--accuracy {wanted}: {MOST} poses are expected to leave {reached:.4} mm (95th percentile over the \
-         joint ranges); expected a larger value, or a smaller --sigma"
-    )]
     OutOfReach {
         /// What was asked for, mm.
         wanted: f64,
@@ -116,26 +108,14 @@ pub enum PlanError {
         reached: f64,
     },
     /// Something that only plans for several joints know.
-    #[error(
-        "{0} is for robots with several joints, measured without --separate; this plan has neither"
-    )]
     OnlyArms(&'static str),
     /// A cone that makes no sense.
-    #[error("--cone is {0}; expected an angle above 0 and up to 180 degrees, such as 60")]
     Cone(f64),
     /// No pose can be measured.
-    #[error(
-        "no pose within the joint limits can be measured: none is seen from where the instrument stands, or \
-         brings the target to where it is held; expected limits, a place or a cone that leave some"
-    )]
     Unseen,
     /// Every pose has a wrong number of poses asked for with an accuracy.
-    #[error("--poses and --accuracy both say how many poses there are; expected one of them")]
     TwoNumbers,
     /// A joint that is not there, or not a number.
-    #[error(
-        "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1"
-    )]
     Joint {
         /// What was given.
         given: String,
@@ -143,11 +123,84 @@ pub enum PlanError {
         joints: usize,
     },
     /// Twice the same effect.
-    #[error("--separate {0},{0}: expected two different effects")]
     Same(String),
     /// The diagnosis failed.
-    #[error(transparent)]
-    Diagnose(#[from] DiagnoseError),
+    Diagnose(DiagnoseError),
+}
+
+impl PlanError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Poses(poses) => text!(
+                "--poses is {poses}; expected a whole number from 1 to {most}",
+                poses = poses,
+                most = MOST_POSES
+            ),
+            Self::Sigma(sigma) => text!(
+                "--sigma is {sigma}; expected a length above 0 in mm, such as 0.03",
+                sigma = sigma
+            ),
+            Self::Load(load) => text!(
+                "--load is {load}; expected a mass above 0 in kg, such as 3",
+                load = load
+            ),
+            Self::Joints(joints) => text!(
+                "a robot with {joints} joints; poses are planned for at most {most}",
+                joints = joints,
+                most = MOST_JOINTS
+            ),
+            Self::Accuracy(accuracy) => text!(
+                "--accuracy is {accuracy}; expected a length above 0 in mm, such as 0.1",
+                accuracy = accuracy
+            ),
+            Self::OutOfReach { wanted, reached } => text!(
+                "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
+                wanted = wanted,
+                most = MOST,
+                reached = format!("{:.4}", reached)
+            ),
+            Self::OnlyArms(option) => text!(
+                "{option} is for robots with several joints, measured without --separate; this plan has neither",
+                option = option
+            ),
+            Self::Cone(given) => text!(
+                "--cone is {cone}; expected an angle above 0 and up to 180 degrees, such as 60",
+                cone = given
+            ),
+            Self::Unseen => text!(
+                "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
+            ),
+            Self::TwoNumbers => text!(
+                "--poses and --accuracy both say how many poses there are; expected one of them"
+            ),
+            Self::Joint { given, joints } => text!(
+                "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
+                given = given,
+                joints = joints
+            ),
+            Self::Same(given) => text!(
+                "--separate {one},{other}: expected two different effects",
+                one = given,
+                other = given
+            ),
+            Self::Diagnose(inner) => inner.says(),
+        }
+    }
+}
+
+impl std::fmt::Display for PlanError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for PlanError {}
+
+impl From<DiagnoseError> for PlanError {
+    fn from(error: DiagnoseError) -> Self {
+        Self::Diagnose(error)
+    }
 }
 
 impl PlanOptions {

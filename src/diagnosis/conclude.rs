@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::effects::{JointValues, Term};
+use crate::effects::{JointValues, Term, called};
 use crate::fit::base_model;
 use crate::fit::expected::expected_error;
 use crate::fit::gap::suspects;
@@ -14,6 +14,7 @@ use crate::model::{GapStep, SetUp};
 use crate::observations::KINDS;
 use crate::observations::figures::{KindFigures, apart_beside};
 use crate::sessions::{Mend, Session};
+use crate::text::Text;
 
 use super::aliases;
 use super::candidates::NotTestable;
@@ -53,7 +54,7 @@ pub(crate) struct Undecided<'u, 'a> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Proposal {
     pub(crate) poses: Vec<NextPose>,
-    pub(crate) separate_by: Vec<String>,
+    pub(crate) separate_by: Vec<Text>,
 }
 
 impl Proposal {
@@ -61,7 +62,7 @@ impl Proposal {
     fn not_looked_for(rivals: usize) -> Self {
         Self {
             poses: Vec::new(),
-            separate_by: vec!["not looked for: the search was stopped".to_owned(); rivals],
+            separate_by: vec![text!("not looked for: the search was stopped"); rivals],
         }
     }
 }
@@ -257,8 +258,7 @@ fn tell_what_is_open(prepared: &Prepared, dropped: &[Term], unexplained: &mut Un
     if let Some(why) = &ended {
         unexplained.present = true;
         let before = std::mem::take(&mut unexplained.says);
-        let apart = if before.is_empty() { "" } else { "; " };
-        unexplained.says = format!("{}{apart}{before}", why.says());
+        unexplained.says = behind(why.says().into(), before);
     }
     !dropped.is_empty() || ended.is_some()
 }
@@ -376,19 +376,23 @@ fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Sessi
         .iter()
         .map(|term| term.name_on(&session.robot))
         .collect();
-    let says = format!(
-        "the RMS error of the samples, or that of unseen ones, is no smaller with {}, or what it does runs away \
-         over the joint ranges: not handed out",
-        names.join(", ")
+    let says = text!(
+        "the RMS error of the samples, or that of unseen ones, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
+        effects = Text::listed(names.iter().map(|name| called(name)), ", ")
     );
-    unexplained.says = [says, std::mem::take(&mut unexplained.says)]
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join("; ");
+    unexplained.says = behind(says, std::mem::take(&mut unexplained.says));
     unexplained.present = true;
     unexplained.p = unexplained.p.min(CHANCE);
     unexplained.resembles.extend(names);
+}
+
+/// A clause, and what was said before it behind it.
+fn behind(clause: Text, before: Text) -> Text {
+    if before.is_empty() {
+        clause
+    } else {
+        text!("{first}; {next}", first = clause, next = before)
+    }
 }
 
 fn equivalents(
@@ -427,9 +431,10 @@ fn equivalents(
     for one in all.iter_mut().filter(|e| !e.orders.is_empty()) {
         let orders = one.orders.iter().map(|o| other_settings::shown(*o));
         let orders = orders.collect::<Vec<_>>().join(", ");
-        one.separate_by = format!(
-            "orders (or leads) {orders}, the same at these steps: {}",
-            one.separate_by
+        one.separate_by = text!(
+            "orders (or leads) {orders}, the same at these steps: {separate_by}",
+            orders = orders,
+            separate_by = &one.separate_by
         );
     }
     all

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Term;
 use crate::fit::regression::Rows;
 use crate::model::Model;
+use crate::text::Text;
 
 use super::left_out::LeftOut;
 use super::regression::{Fit, Regression};
@@ -22,7 +23,7 @@ pub(crate) struct Folds {
     fold: Vec<usize>,
     count: usize,
     /// In words.
-    pub(crate) how: String,
+    pub(crate) how: Text,
 }
 
 /// What a fit leaves of samples that it has not seen.
@@ -77,12 +78,15 @@ impl Folds {
         }
         let joint = widest.map_or(1, |j| j + 1);
         let how = if n < FEW {
-            format!(
-                "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it"
+            text!(
+                "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it",
+                sectors = sectors,
+                joint = joint
             )
         } else {
-            format!(
-                "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it"
+            text!(
+                "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it",
+                joint = joint
             )
         };
         Self { fold, count, how }
@@ -107,7 +111,7 @@ impl Folds {
         Some(Self {
             fold,
             count: FOLDS,
-            how: String::new(),
+            how: Text::default(),
         })
     }
 
@@ -119,9 +123,9 @@ impl Folds {
             return Self {
                 fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
                 count: FOLDS,
-                how: "each fifth of the measurements, of every reference its own, predicted by a fit \
-                      that has not seen it"
-                    .to_owned(),
+                how: text!(
+                    "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
+                ),
             };
         }
         let few = n < FEW;
@@ -133,12 +137,14 @@ impl Folds {
             fold: cell.into_iter().map(|c| c % count).collect(),
             count,
             how: if few {
-                format!(
-                    "each of {made} cells of the workspace predicted by a fit that has not seen it"
+                text!(
+                    "each of {count} cells of the workspace predicted by a fit that has not seen it",
+                    count = made
                 )
             } else {
-                "each fifth of the cells of the workspace predicted by a fit that has not seen it"
-                    .to_owned()
+                text!(
+                    "each fifth of the cells of the workspace predicted by a fit that has not seen it"
+                )
             },
         }
     }

@@ -90,6 +90,7 @@ pub use crate::sessions::Mend;
 pub use candidates::Allowed;
 pub(crate) use conclude::Planner;
 
+use crate::text::Text;
 use std::cell::Cell;
 
 use crate::effects::Owner;
@@ -154,25 +155,53 @@ pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
 pub struct Cancelled;
 
 /// Why there is no diagnosis.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DiagnoseError {
     /// No effect of this name.
-    #[error("no effect is called '{0}'; `truepose effects` lists them")]
     UnknownEffect(String),
     /// The share to lock away makes no sense.
-    #[error("--held-out is {0}; expected a share above 0 and below 1, such as 0.25")]
     HeldOutShare(String),
     /// Every sample is held out or cannot be used.
-    #[error(
-        "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
-    )]
     NothingToFit,
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
-    #[error(transparent)]
-    Rejected(#[from] crate::diagnostic::Rejected),
+    Rejected(crate::diagnostic::Rejected),
     /// The watcher asked to stop.
-    #[error("stopped")]
     Cancelled,
+}
+
+impl DiagnoseError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::UnknownEffect(effect) => text!(
+                "no effect is called '{effect}'; `truepose effects` lists them",
+                effect = effect
+            ),
+            Self::HeldOutShare(share) => text!(
+                "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
+                share = share
+            ),
+            Self::NothingToFit => text!(
+                "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
+            ),
+            Self::Rejected(inner) => inner.says(),
+            Self::Cancelled => text!("stopped"),
+        }
+    }
+}
+
+impl std::fmt::Display for DiagnoseError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for DiagnoseError {}
+
+impl From<crate::diagnostic::Rejected> for DiagnoseError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
 }
 
 impl From<Cancelled> for DiagnoseError {

@@ -5,7 +5,7 @@
 //! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
 //! steps, half of a turn or several grids at once count as what they are.
 
-use crate::effects::{Setting, Term};
+use crate::effects::{Setting, Term, called};
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
@@ -92,10 +92,9 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
     let joint = term.joint;
     let kind = prepared.problem.session.robot.joints[joint].kind;
     let steps = step_of(&prepared.regression.rows.inputs.q[joint]).map(|step| match kind {
-        JointKind::Prismatic => format!("equal steps of {step:.3} mm"),
-        JointKind::Revolute => format!("equal steps of {:.3}°", deg_from_rad(step)),
+        JointKind::Prismatic => format!("{step:.3} mm"),
+        JointKind::Revolute => format!("{:.3}°", deg_from_rad(step)),
     });
-    let steps = steps.unwrap_or_else(|| "steps that do not part them".to_owned());
     let settings = rivals
         .iter()
         .flat_map(super::aliases::Rival::other_settings)
@@ -103,27 +102,45 @@ pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataP
     let settings: Vec<String> = settings.collect();
     Some(DataProblem {
         what: text!("equal steps"),
-        evidence: Text::verbatim(format!(
-            "the values of joint {} are {steps}: {} {} of {} looks the same as {}, and the \
-             cross-validated error holds for these values alone",
-            joint + 1,
-            quantity(term),
-            shown(value(term)),
-            term.effect.about().id,
-            settings.join(", "),
-        )),
+        evidence: match steps {
+            Some(step) => text!(
+                "the values of joint {joint} are equal steps of {step}: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
+                joint = joint + 1,
+                step = step,
+                setting = setting(term),
+                others = settings.join(", ")
+            ),
+            None => text!(
+                "the values of joint {joint} are steps that do not part them: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
+                joint = joint + 1,
+                setting = setting(term),
+                others = settings.join(", ")
+            ),
+        },
         proposal: text!("measure the proposed poses, which are uneven steps"),
         mend: None,
         samples: Vec::new(),
     })
 }
 
-/// Name of a setting, in words.
-fn quantity(term: &Term) -> &'static str {
+/// A setting and whose it is, in words.
+fn setting(term: &Term) -> Text {
+    let (value, effect) = (shown(value(term)), called(term.effect.about().id));
     match term.effect.about().setting {
-        Setting::Order { .. } => "order",
-        Setting::Listed(listed) => listed.quantity.name.split('_').next().unwrap_or("setting"),
-        _ => "setting",
+        Setting::Order { .. } => {
+            text!("order {value} of {effect}", value = value, effect = effect)
+        }
+        Setting::Listed(listed) => text!(
+            "{quantity} {value} of {effect}",
+            quantity = listed.quantity.name.split('_').next().unwrap_or("setting"),
+            value = value,
+            effect = effect
+        ),
+        _ => text!(
+            "setting {value} of {effect}",
+            value = value,
+            effect = effect
+        ),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
+use crate::text::Text;
 
 use super::base_misfit::left_mm;
 use super::candidates::What;
@@ -52,7 +53,10 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         rms_mm: of_the_shapes_mm(regression, fit),
         place: Some(place_of(&shape, range, prepared)),
         resembles,
-        says: format!("{}; no effect of the catalogue explains it", shape.says()),
+        says: text!(
+            "{what}; no effect of the catalogue explains it",
+            what = shape.says()
+        ),
         shapes: order
             .iter()
             .map(|(i, _)| {
@@ -110,9 +114,9 @@ fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
         present: true,
         rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),
         resembles: names.iter().map(|t| t.name_on(robot)).collect(),
-        says: format!(
-            "the base model does not fit: axes, tool or masses; {}",
-            left.says
+        says: text!(
+            "the base model does not fit: axes, tool or masses; {rest}",
+            rest = &left.says
         ),
         ..left
     }
@@ -140,8 +144,8 @@ pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
             place_of(shape, range, prepared)
         }),
         resembles: Vec::new(),
-        says: likeliest.map_or_else(String::new, |(_, shape)| {
-            format!("what is left looks most like {}", shape.says())
+        says: likeliest.map_or_else(Text::default, |(_, shape)| {
+            text!("what is left looks most like {what}", what = shape.says())
         }),
         shapes: Vec::new(),
         noise: None,

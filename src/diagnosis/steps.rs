@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Term, stated};
+use crate::effects::{Term, called, stated};
+use crate::text::Text;
 
 use super::columns::Among;
 use super::familywise::FamilyP;
@@ -180,17 +181,23 @@ pub(crate) fn found(
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
-        let robot = &regression.base.robot;
-        let says = says(step, &p_family, odds, next.as_deref(), floor)
-            + &stated(robot, term).map_or_else(String::new, |of| {
-                format!(
-                    "; {} for a turn of the motor, by the stated gear ratio of {}",
-                    of.per_motor_turn, of.ratio
-                )
-            })
-            + &within_s.map_or_else(String::new, |[from, to]| {
-                format!("; the step lies between {from:.0} and {to:.0} s (95 %)")
-            });
+        let mut says = says(step, &p_family, odds, next.as_deref(), floor);
+        if let Some(of) = stated(&regression.base.robot, term) {
+            says = text!(
+                "{evidence}; {cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
+                evidence = says,
+                cycles = of.per_motor_turn,
+                ratio = of.ratio
+            );
+        }
+        if let Some([from, to]) = within_s {
+            says = text!(
+                "{evidence}; the step lies between {from} and {to} s (95 %)",
+                evidence = says,
+                from = format!("{from:.0}"),
+                to = format!("{to:.0}")
+            );
+        }
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
@@ -208,27 +215,40 @@ pub(crate) fn found(
             within_s,
             next,
             says,
-            check: about.check.english(),
+            check: about.check,
         }
     };
     steps.iter().map(one).collect()
 }
 
-fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> String {
+fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> Text {
     let sign = if p.bound { '<' } else { '=' };
-    let chance = format!("p {sign} {} (chance that noise alone looks like this)", p.p);
-    let over = match next {
-        Some(next) if odds > 1000.0 => {
-            format!("more than 1000 times likelier than the next candidate ({next})")
-        }
-        Some(next) => format!("{odds:.1} times likelier than the next candidate ({next})"),
-        None => "no other effect was a candidate".to_owned(),
+    let p = format!("{sign} {}", p.p);
+    let evidence = match next {
+        Some(next) if odds > 1000.0 => text!(
+            "p {p} (chance that noise alone looks like this); more than 1000 times likelier than the next candidate ({next})",
+            p = p,
+            next = called(next)
+        ),
+        Some(next) => text!(
+            "p {p} (chance that noise alone looks like this); {times} times likelier than the next candidate ({next})",
+            p = p,
+            times = format!("{odds:.1}"),
+            next = called(next)
+        ),
+        None => text!(
+            "p {p} (chance that noise alone looks like this); no other effect was a candidate",
+            p = p
+        ),
     };
-    let unseen = step.held_out_mm.map_or_else(String::new, |h| {
-        format!(
-            "; cross-validated RMS error {:.4} → {:.4} mm, floor {:.4}",
-            h[0], h[1], floor.mm
-        )
-    });
-    format!("{chance}; {over}{unseen}")
+    match step.held_out_mm {
+        Some([without, with]) => text!(
+            "{evidence}; cross-validated RMS error {without} → {with} mm, floor {floor}",
+            evidence = evidence,
+            without = format!("{without:.4}"),
+            with = format!("{with:.4}"),
+            floor = format!("{:.4}", floor.mm)
+        ),
+        None => evidence,
+    }
 }

@@ -29,12 +29,9 @@ pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestab
                 effect,
                 joint: per_joint.then_some(joint),
                 because: if base.model.robot.joints.len() > 1 {
-                    "in these samples it cannot be told from the geometry: frame, zero offsets, \
-                     links and tool"
-                        .to_owned()
+                    text!("in these samples it cannot be told from the geometry: frame, zero offsets, links and tool")
                 } else {
-                    "in these samples it cannot be told from joint-zero-offset and link-length"
-                        .to_owned()
+                    text!("in these samples it cannot be told from joint-zero-offset and link-length")
                 },
             });
         }

@@ -90,21 +90,21 @@ pub(crate) fn held_out(
     let count = apart(prepared).into_iter().filter(|apart| *apart).count();
     if count > 0 {
         let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
-            "cells of the workspace that were locked away from everything"
+            text!("cells of the workspace that were locked away from everything")
         } else if prepared.locked.contains(&true) {
-            "sectors of joint 1 that were locked away from everything"
+            text!("sectors of joint 1 that were locked away from everything")
         } else {
-            "the samples that the session marks as held out; no fit touched them"
+            text!("the samples that the session marks as held out; no fit touched them")
         };
         return HeldOut {
-            how: how.to_owned(),
+            how,
             samples: count,
             gaps: gaps(rms_apart_mm(prepared, nominal_mm)),
         };
     }
     if !prepared.folds.say_something() {
         return HeldOut {
-            how: "too few samples to hold any out".to_owned(),
+            how: text!("too few samples to hold any out"),
             samples: 0,
             gaps: None,
         };

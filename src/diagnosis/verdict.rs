@@ -13,7 +13,9 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use crate::distributions::f_tail;
+use crate::effects::called;
 use crate::sessions::Sigma;
+use crate::text::Text;
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
@@ -79,10 +81,10 @@ pub(crate) fn judge(
         if unexplained.p <= structure {
             unexplained.present = true;
             if prepared.is_full(found) {
-                unexplained.says = format!(
-                    "the search stopped at its limit of {} effects; {}",
-                    prepared.cap(),
-                    unexplained.says
+                unexplained.says = text!(
+                    "the search stopped at its limit of {limit} effects; {rest}",
+                    limit = prepared.cap(),
+                    rest = &unexplained.says
                 );
             }
         } else if let Some(excess) = excess.filter(Excess::is_more_than_noise) {
@@ -95,9 +97,10 @@ pub(crate) fn judge(
         } else if let Some(other) = stand_in(prepared, &found.fit) {
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.says = format!(
-                "{}, which this run leaves out, explains as much as {}",
-                other.withheld, other.said
+            unexplained.says = text!(
+                "{withheld}, which this run leaves out, explains as much as {named}",
+                withheld = called(other.withheld),
+                named = called(&other.said)
             );
             unexplained.resembles.push(other.said);
         } else if let Some(curve) = smooth_rival::as_likely(prepared, &found.fit) {
@@ -105,10 +108,10 @@ pub(crate) fn judge(
             let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.says = format!(
-                "a smooth curve over joint {} explains as much as {} together",
-                curve.joint + 1,
-                names.join(", ")
+            unexplained.says = text!(
+                "a smooth curve over joint {joint} explains as much as {effects} together",
+                joint = curve.joint + 1,
+                effects = Text::listed(names.iter().map(|name| called(name)), ", ")
             );
             unexplained.resembles.extend(names);
         } else if let Some(wander) = wanders(values, names, floor) {
@@ -122,7 +125,7 @@ pub(crate) fn judge(
         } else if !unexplained.present {
             // What the search saw last is noise: there is nothing to say of it.
             unexplained.place = None;
-            unexplained.says.clear();
+            unexplained.says = Text::default();
         }
     }
     if unexplained.noise.is_none() {
@@ -133,14 +136,14 @@ pub(crate) fn judge(
 
 /// What is said of names beside a frame that wanders: an error above the floor is not explained by them.
 /// Without any name the wander is the whole answer.
-fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<String> {
+fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
     let over = values.rms_mm() / floor.mm.max(f64::MIN_POSITIVE);
     let stated = floor.from != FloorFrom::Estimated;
     (names > 0 && stated && values.noise_is_slow() && over > MOST_OVER_THE_FLOOR).then(|| {
-        format!(
-            "the remaining error is {over:.2} times the floor ({:.4} mm): the measuring frame wanders, or \
-             something changes as slowly",
-            floor.mm
+        text!(
+            "the remaining error is {times} times the floor ({floor} mm): the measuring frame wanders, or something changes as slowly",
+            times = format!("{over:.2}"),
+            floor = format!("{:.4}", floor.mm)
         )
     })
 }
@@ -170,22 +173,31 @@ fn flag(
     unexplained.p = excess.p.max(f64::MIN_POSITIVE);
     let session = values.problem.session;
     unexplained.place = of_group::place(session, &lengths_mm(&values.problem, &values.model));
-    let against = match floor.from {
-        FloorFrom::Repeats => "returns to the same pose show",
-        _ => "is stated for the instrument",
+    let times = format!("{:.2}", excess.ratio);
+    let returns = floor.from == FloorFrom::Repeats;
+    unexplained.says = if let Some(kind) = excess.kind {
+        text!(
+            "the remaining error of {kind} is {times} times what {against}, without a structure that the search knows",
+            kind = kind,
+            times = times,
+            against = if returns {
+                text!("returns to the same pose show")
+            } else {
+                text!("is stated for the instrument")
+            }
+        )
+    } else {
+        let size = format!("{:.4}", floor.mm);
+        text!(
+            "the remaining error is {times} times what {against}, without a structure that the search knows",
+            times = times,
+            against = if returns {
+                text!("returns to the same pose show ({size} mm)", size = size)
+            } else {
+                text!("is stated for the instrument ({size} mm)", size = size)
+            }
+        )
     };
-    let of_kind = excess
-        .kind
-        .map_or(String::new(), |kind| format!(" of {kind}"));
-    let size = match excess.kind {
-        Some(_) => String::new(),
-        None => format!(" ({:.4} mm)", floor.mm),
-    };
-    unexplained.says = format!(
-        "the remaining error{of_kind} is {:.2} times what {against}{size}, without a structure that \
-         the search knows",
-        excess.ratio
-    );
     if floor.from == FloorFrom::Instrument {
         unexplained.noise = against_stated(prepared, values);
     }

@@ -1,6 +1,7 @@
 //! Values on their way out: what a document says becomes the same tree that reading makes, and serde
 //! writes that.
 
+use crate::text::{Template, Text};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::{Member, Node, Value};
@@ -68,6 +69,9 @@ values! {
     &str: text => Self::Text(text.to_owned()),
     String: text => Self::Text(text),
     &String: text => Self::Text(text.clone()),
+    Text: text => Self::Text(text.to_string()),
+    &Text: text => Self::Text(text.to_string()),
+    Template: text => Self::Text(text.english().to_owned()),
     &[f64]: values => Self::Numbers(values.to_vec()),
 }
 

@@ -129,7 +129,7 @@ pub struct Listed {
     /// The values that a search tries in a session for a joint (counted from 0), inner units.
     pub tried: fn(&Survey, usize) -> Vec<f64>,
     /// What an input may be, in words …
-    pub expected: &'static str,
+    pub expected: Template,
     /// … and whether a value, in the parameter's unit, is one of those for a joint counted from 0
     /// on a robot with so many.
     pub takes: fn(f64, usize, usize) -> bool,
@@ -368,7 +368,7 @@ pub struct About {
     /// Sizes that are usual; for reading, never a prior.
     pub usual_size: Template,
     /// What it is confused with, and what tells them apart.
-    pub confused_with: &'static str,
+    pub confused_with: Template,
     /// Conditions that poses have to vary to tell it from what it is confused with.
     pub told_by: &'static [Condition],
     /// The effect that it becomes where its setting goes to a limit: left out with that one, and
@@ -404,7 +404,7 @@ impl About {
         never_negative: false,
         implausible_above: None,
         usual_size: phrase!(""),
-        confused_with: "",
+        confused_with: phrase!(""),
         told_by: &[],
         becomes: None,
         of_other_joints: false,

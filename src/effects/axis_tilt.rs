@@ -12,6 +12,7 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "axis-tilt",
@@ -26,12 +27,12 @@ const ABOUT: About = About {
     cause: phrase!("the column does not stand upright on the base"),
     implausible_above: Some(20.0),
     usual_size: phrase!("0.05 to 2 mrad"),
-    confused_with: "axial runout of first order at one radius: a second radius parts them",
+    confused_with: phrase!("axial runout of first order at one radius: a second radius parts them"),
     check: phrase!("shim the column's foot; level it along x and y"),
     needs: &[
         Need::SINGLE_AXIS,
         Need::REVOLUTE,
-        Need::values::<3>("three values of the joint"),
+        Need::values::<3>(phrase!("three values of the joint")),
         Need::AXIAL,
     ],
     ..About::PLAIN
@@ -42,13 +43,13 @@ pub(super) static AXIS_TILT: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> String {
+fn remedy(_: &Robot, term: &Term) -> Text {
     let by_mrad = |k: usize| term.coefficients[k] / MILLIRADIAN;
-    format!(
-        "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
+    text!(
+        "turn the base in the controller by {about_x} mrad about x and {about_y} mrad about y, or \
          shim the column's foot",
-        by_mrad(0),
-        by_mrad(1)
+        about_x = format!("{:+.4}", by_mrad(0)),
+        about_y = format!("{:+.4}", by_mrad(1))
     )
 }
 

@@ -21,11 +21,11 @@ const ABOUT: About = About {
     cause: phrase!("the bearing's raceways are wavy, so that the axis tilts as it turns"),
     implausible_above: Some(2.0),
     usual_size: phrase!("0.004 to 0.2 mrad"),
-    confused_with: "the form of a measured surface: a second radius parts them",
+    confused_with: phrase!("the form of a measured surface: a second radius parts them"),
     check: phrase!("the bearing's axial seat and preload"),
     needs: &[
         Need::REVOLUTE,
-        Need::values::<6>("six values of the joint"),
+        Need::values::<6>(phrase!("six values of the joint")),
         Need::AXIAL,
     ],
     ..About::PLAIN

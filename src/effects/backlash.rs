@@ -19,7 +19,9 @@ const ABOUT: About = About {
     never_negative: true,
     implausible_above: Some(0.5),
     usual_size: phrase!("0.1′ to 3′"),
-    confused_with: "tracking lag at one speed, drift in a single out-and-back: shuffled approaches at standstill and at two speeds part them",
+    confused_with: phrase!(
+        "tracking lag at one speed, drift in a single out-and-back: shuffled approaches at standstill and at two speeds part them"
+    ),
     check: phrase!("preload and wear of the reducer; rock the output by hand with the drive held"),
     needs: &[Need::BOTH_SIDES],
     told_by: &[Condition::Speed],

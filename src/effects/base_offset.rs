@@ -5,6 +5,7 @@ use super::block::Block;
 use super::needs::Need;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "base-offset",
@@ -17,16 +18,18 @@ const ABOUT: About = About {
     cause: phrase!("the measuring frame was surveyed to a point beside the axis"),
     implausible_above: Some(50.0),
     usual_size: phrase!("0.1 to 5 mm"),
-    confused_with: "encoder eccentricity where only the angle is seen: the radius, or a second radius, parts them",
+    confused_with: phrase!(
+        "encoder eccentricity where only the angle is seen: the radius, or a second radius, parts them"
+    ),
     check: phrase!("survey the base again"),
     needs: &[MOVED],
     ..About::PLAIN
 };
 
 /// A robot that moved.
-const MOVED: Need = Need::of_samples("a joint that moved", |survey, _| {
+const MOVED: Need = Need::of_samples(phrase!("a joint that moved"), |survey, _| {
     let at_rest = survey.joints.iter().all(|j| j.values < 2);
-    at_rest.then(|| "the robot never moved: the offset cannot be told from the tool".to_owned())
+    at_rest.then(|| text!("the robot never moved: the offset cannot be told from the tool"))
 });
 
 pub(super) static BASE_OFFSET: Effect = Effect {
@@ -34,11 +37,11 @@ pub(super) static BASE_OFFSET: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> String {
+fn remedy(_: &Robot, term: &Term) -> Text {
     let by = &term.coefficients;
-    format!(
-        "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
-        by[0], by[1], by[2]
+    text!(
+        "move the base in the controller by {shift}, or survey it again",
+        shift = format!("({:+.4}, {:+.4}, {:+.4}) mm", by[0], by[1], by[2])
     )
 }
 

@@ -22,9 +22,14 @@ const ABOUT: About = About {
     cause: phrase!("raceways or seats of the bearing are not round"),
     implausible_above: Some(0.5),
     usual_size: phrase!("1 to 50 µm"),
-    confused_with: "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them",
+    confused_with: phrase!(
+        "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them"
+    ),
     check: phrase!("the bearing's seat and preload"),
-    needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
+    needs: &[
+        Need::REVOLUTE,
+        Need::values::<6>(phrase!("six values of the joint")),
+    ],
     ..About::PLAIN
 };
 

@@ -21,11 +21,13 @@ const ABOUT: About = About {
     cause: phrase!("the encoder's ring or the gear that drives it is mounted off centre"),
     implausible_above: Some(0.5),
     usual_size: phrase!("10 µm of eccentricity on a ring of 50 mm radius is 0.011°"),
-    confused_with: "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them",
+    confused_with: phrase!(
+        "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them"
+    ),
     check: phrase!("centre the encoder ring, or average a second reading head at 180°"),
     needs: &[
         Need::REVOLUTE,
-        Need::values::<4>("four values of the joint"),
+        Need::values::<4>(phrase!("four values of the joint")),
     ],
     ..About::PLAIN
 };

@@ -19,9 +19,12 @@ const ABOUT: About = About {
     ),
     implausible_above: Some(0.056),
     usual_size: phrase!("1″ to 20″"),
-    confused_with: "a coupling error of the same order: only the part can tell",
+    confused_with: phrase!("a coupling error of the same order: only the part can tell"),
     check: phrase!("check the ring's mounting face for tilt and the ring for roundness"),
-    needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
+    needs: &[
+        Need::REVOLUTE,
+        Need::values::<6>(phrase!("six values of the joint")),
+    ],
     ..About::PLAIN
 };
 

@@ -19,6 +19,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "foundation-compliance",
@@ -39,7 +40,9 @@ const ABOUT: About = About {
     needs: &[Need::GRAVITY, MOMENT],
     implausible_above: Some(100.0),
     usual_size: phrase!("0.1 to 10 µrad/(N·m)"),
-    confused_with: "link droop where all reflectors are at one height and one radius: another height parts them",
+    confused_with: phrase!(
+        "link droop where all reflectors are at one height and one radius: another height parts them"
+    ),
     check: phrase!(
         "the bolts and the pedestal; a dial gauge at the base while the loaded arm swings round"
     ),
@@ -48,18 +51,19 @@ const ABOUT: About = About {
 
 /// An overturning moment that changes in other ways than the frame of a single axis.
 const MOMENT: Need = Need {
-    what: "different loads, or several joints that carry a load or link masses around",
+    what: phrase!("different loads, or several joints that carry a load or link masses around"),
     unmet: |survey, _| {
         let weight = survey.largest_load_kg > 0.0 || survey.link_masses;
         let carried =
             survey.joints.len() > 1 && weight && survey.joints.iter().any(|j| j.values > 2);
         (survey.loads < 2 && !carried).then(|| {
-            let reason = if weight {
-                "the load never changed, and a single axis only carries it round"
+            if weight {
+                text!("the load never changed, and a single axis only carries it round")
             } else {
-                "neither a load nor a link mass is given: there is no known overturning moment"
-            };
-            reason.to_owned()
+                text!(
+                    "neither a load nor a link mass is given: there is no known overturning moment"
+                )
+            }
         })
     },
     idle: |offered| {
@@ -73,8 +77,8 @@ pub(super) static FOUNDATION_COMPLIANCE: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> String {
-    "stiffen the foundation, or give the controller a payload model".to_owned()
+fn remedy(_: &Robot, _: &Term) -> Text {
+    text!("stiffen the foundation, or give the controller a payload model")
 }
 
 fn act(me: &Placed, block: &mut Block) {

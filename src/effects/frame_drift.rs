@@ -23,7 +23,9 @@ const ABOUT: About = About {
     cause: phrase!("the tripod settles, or the base creeps"),
     over: Over::Time,
     usual_size: phrase!("any"),
-    confused_with: "thermal growth while the machine warms up: a temperature channel and a cool-down run part them",
+    confused_with: phrase!(
+        "thermal growth while the machine warms up: a temperature channel and a cool-down run part them"
+    ),
     check: phrase!("tripod, clamps and the sun on the tripod's legs"),
     needs: &[Need::TIME],
     owner: Owner::Session,

@@ -21,7 +21,7 @@ const ABOUT: About = About {
     cause: phrase!("somebody touched the tripod, or the base slipped"),
     over: Over::Time,
     usual_size: phrase!("any"),
-    confused_with: "two sessions that were joined: the notes of the day tell",
+    confused_with: phrase!("two sessions that were joined: the notes of the day tell"),
     check: phrase!("return to the datum points after the step; clamps and tripod"),
     needs: &[Need::TIME],
     owner: Owner::Session,

@@ -21,11 +21,16 @@ const ABOUT: About = About {
     cause: phrase!("tooth or wave-generator errors in the reducer; the order tells which wheel"),
     implausible_above: Some(0.33),
     usual_size: phrase!("0.5′ to 2′"),
-    confused_with: "the order M − k where the poses are M equal steps of a turn: unequal steps part them",
+    confused_with: phrase!(
+        "the order M − k where the poses are M equal steps of a turn: unequal steps part them"
+    ),
     check: phrase!(
         "compare the order with the reducer's tooth counts, then its preload and lubrication"
     ),
-    needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
+    needs: &[
+        Need::REVOLUTE,
+        Need::values::<6>(phrase!("six values of the joint")),
+    ],
     ..About::PLAIN
 };
 

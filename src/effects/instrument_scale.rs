@@ -17,7 +17,7 @@ const ABOUT: About = About {
     cause: phrase!("the instrument's distance scale, or its air temperature and pressure, is off"),
     implausible_above: Some(5000.0),
     usual_size: phrase!("10 to 500 ppm"),
-    confused_with: "the link's length: a scale bar parts them",
+    confused_with: phrase!("the link's length: a scale bar parts them"),
     check: phrase!("measure a scale bar; the instrument's weather station"),
     owner: Owner::Instrument,
     ..About::PLAIN

@@ -37,7 +37,7 @@ const ABOUT: About = About {
     never_negative: true,
     implausible_above: Some(1000.0),
     usual_size: phrase!("1 to 100 µrad/(N·m)"),
-    confused_with: "encoder eccentricity under a single load: a second load parts them",
+    confused_with: phrase!("encoder eccentricity under a single load: a second load parts them"),
     check: phrase!(
         "the payload entered in the controller; stiffness of the reducer in its data sheet"
     ),
@@ -48,7 +48,9 @@ const ABOUT: About = About {
 
 /// A torque about the joint: measured, or gravity's on what is known to hang there.
 const TORQUE: Need = Need {
-    what: "a measured torque of the joint, or gravity across its axis with a load or link masses",
+    what: phrase!(
+        "a measured torque of the joint, or gravity across its axis with a load or link masses"
+    ),
     unmet: |survey, joint| {
         let own = &survey.joints[joint];
         // Of several joints the sag can be fitted whatever weighs on them.
@@ -56,13 +58,15 @@ const TORQUE: Need = Need {
         let weightless = !several && survey.largest_load_kg <= 0.0 && !survey.link_masses;
         let reason = match own.torque_range_nm {
             Some(range) if range > 0.0 => return None,
-            Some(_) => "the measured torque never changed",
-            None if !survey.gravity => "the direction of gravity is not given",
-            None if !own.gravity_lever => "gravity is along the axis and has no torque about it",
-            None if weightless => "neither a load nor a link mass is given",
+            Some(_) => text!("the measured torque never changed"),
+            None if !survey.gravity => text!("the direction of gravity is not given"),
+            None if !own.gravity_lever => {
+                text!("gravity is along the axis and has no torque about it")
+            }
+            None if weightless => text!("neither a load nor a link mass is given"),
             None => return None,
         };
-        Some(reason.to_owned())
+        Some(reason)
     },
     idle: |offered| {
         let weight = offered.load || offered.link_masses;

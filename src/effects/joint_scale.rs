@@ -18,11 +18,13 @@ const ABOUT: About = About {
     cause: phrase!("the gear ratio or the encoder's counts per turn are entered slightly wrong"),
     implausible_above: Some(5000.0),
     usual_size: phrase!("10 to 500 ppm"),
-    confused_with: "encoder eccentricity over less than a full turn: over a full turn they part",
+    confused_with: phrase!(
+        "encoder eccentricity over less than a full turn: over a full turn they part"
+    ),
     check: phrase!(
         "compare the gear ratio and the counts per turn in the controller with the data sheets"
     ),
-    needs: &[Need::values::<2>("two values of the joint")],
+    needs: &[Need::values::<2>(phrase!("two values of the joint"))],
     ..About::PLAIN
 };
 

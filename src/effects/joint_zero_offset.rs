@@ -8,6 +8,7 @@ use super::block::{Block, Turned};
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
+use crate::text::Text;
 
 pub(super) const ABOUT: About = About {
     id: "joint-zero-offset",
@@ -19,7 +20,9 @@ pub(super) const ABOUT: About = About {
         "the reference mark or the homing position is not where the controller assumes it"
     ),
     usual_size: phrase!("0.01° to 0.5°"),
-    confused_with: "a turned measuring frame or a lateral tool offset: a datum target or a second reflector at another radius tells",
+    confused_with: phrase!(
+        "a turned measuring frame or a lateral tool offset: a datum target or a second reflector at another radius tells"
+    ),
     check: phrase!("home the joint again and repeat three poses"),
     role: Role::JointZero,
     priors: &[Prior {
@@ -35,15 +38,17 @@ pub(super) static JOINT_ZERO_OFFSET: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(robot: &Robot, term: &Term) -> String {
+fn remedy(robot: &Robot, term: &Term) -> Text {
     let kind = robot.joints[term.joint].kind;
     let beyond = kind.outer(term.coefficients[0]);
     let unit = match kind {
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",
     };
-    format!(
-        "the joint stands {beyond:+.4}{unit} beyond its command: correct its zero in the controller, or home it again"
+    text!(
+        "the joint stands {beyond}{unit} beyond its command: correct its zero in the controller, or home it again",
+        beyond = format!("{:+.4}", beyond),
+        unit = unit
     )
 }
 

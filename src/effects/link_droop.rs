@@ -7,6 +7,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "link-droop",
@@ -20,7 +21,7 @@ const ABOUT: About = About {
     over: Over::Load,
     implausible_above: Some(0.02),
     usual_size: phrase!("0.0001 to 0.002 mm/kg"),
-    confused_with: "the structure tilting as a whole: another lever arm parts them",
+    confused_with: phrase!("the structure tilting as a whole: another lever arm parts them"),
     check: phrase!("the bolts between base, column and link"),
     needs: &[Need::GRAVITY, Need::LOADS],
     ..About::PLAIN
@@ -31,8 +32,8 @@ pub(super) static LINK_DROOP: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> String {
-    "stiffen the link, or give the controller a payload model".to_owned()
+fn remedy(_: &Robot, _: &Term) -> Text {
+    text!("stiffen the link, or give the controller a payload model")
 }
 
 fn act(me: &Placed, block: &mut Block) {

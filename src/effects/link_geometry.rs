@@ -22,6 +22,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, dot, scaled, times};
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "link-geometry",
@@ -37,7 +38,7 @@ const ABOUT: About = About {
     source: "Okamura & Park, Kinematic calibration using the product of exponentials formula, 1996",
     cause: phrase!("links are longer or shorter than drawn, axes are not square or not parallel"),
     usual_size: phrase!("0.05 to 1 mm, 0.05 to 2 mrad"),
-    confused_with: "the zero of the joint before, where the axes are square to each other",
+    confused_with: phrase!("the zero of the joint before, where the axes are square to each other"),
     check: phrase!("the kinematic data in the controller"),
     needs: &[SEVERAL_JOINTS],
     role: Role::JointAxis,
@@ -50,9 +51,9 @@ const ABOUT: About = About {
     ..About::PLAIN
 };
 
-const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
+const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| {
     (survey.joints.len() == 1)
-        .then(|| "the robot has a single axis: axis tilt and base offset take its place".to_owned())
+        .then(|| text!("the robot has a single axis: axis tilt and base offset take its place"))
 });
 
 /// The effect `link-geometry`: position in mm and direction in rad of a joint's axis.
@@ -61,8 +62,8 @@ pub static LINK_GEOMETRY: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> String {
-    "enter the identified geometry as the controller's kinematic data".to_owned()
+fn remedy(_: &Robot, _: &Term) -> Text {
+    text!("enter the identified geometry as the controller's kinematic data")
 }
 
 fn act(me: &Placed, block: &mut Block) {

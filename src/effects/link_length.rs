@@ -11,6 +11,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
+use crate::text::Text;
 
 pub(super) const ABOUT: About = About {
     id: "link-length",
@@ -21,7 +22,9 @@ pub(super) const ABOUT: About = About {
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: phrase!("the tool or the link is longer or shorter than the controller's data"),
     usual_size: phrase!("0.01 to 1 mm"),
-    confused_with: "the instrument's scale: a scale bar, or a second reflector at another radius, tells",
+    confused_with: phrase!(
+        "the instrument's scale: a scale bar, or a second reflector at another radius, tells"
+    ),
     check: phrase!("the tool data in the controller"),
     needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS],
     role: Role::ToolRadius,
@@ -33,12 +36,13 @@ pub(super) static LINK_LENGTH: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(robot: &Robot, term: &Term) -> String {
+fn remedy(robot: &Robot, term: &Term) -> Text {
     let radius = JointFrame::new(robot, term.joint).radius_mm;
-    format!(
-        "along the radius; set the tool's radius (l1) in the controller from {radius:.4} to \
-         {:.4} mm",
-        radius + term.coefficients[0]
+    text!(
+        "along the radius; set the tool's radius (l1) in the controller from {radius} to \
+         {length} mm",
+        radius = format!("{:.4}", radius),
+        length = format!("{:.4}", radius + term.coefficients[0])
     )
 }
 

@@ -22,7 +22,7 @@ const ABOUT: About = About {
     never_negative: true,
     implausible_above: Some(0.33),
     usual_size: phrase!("0.5′ to 2′"),
-    confused_with: "backlash: approaches of three different lengths part them",
+    confused_with: phrase!("backlash: approaches of three different lengths part them"),
     check: phrase!("lubrication and preload of the reducer"),
     needs: &[Need::BOTH_SIDES],
     told_by: &[Condition::Speed, Condition::Approach],

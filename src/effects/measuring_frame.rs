@@ -33,7 +33,7 @@ const ABOUT: About = About {
     source: "a rigid motion of the instrument",
     cause: phrase!("the instrument stands where it was put"),
     usual_size: phrase!("any"),
-    confused_with: "the base frame: only reference points on the base tell",
+    confused_with: phrase!("the base frame: only reference points on the base tell"),
     check: phrase!("measure reference points on the base in every setup"),
     role: Role::FreeFrame,
     owner: Owner::Session,

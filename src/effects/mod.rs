@@ -23,6 +23,7 @@ pub(crate) mod places;
 pub(crate) mod survey;
 pub(crate) mod term;
 pub(crate) mod units;
+pub(crate) mod words;
 
 mod axis_tilt;
 mod axis_wobble;
@@ -84,6 +85,7 @@ pub use unknown_station::UNKNOWN_STATION;
 pub use unnamed::{Along, REST, Rest, RestError, UNNAMED, Wave};
 
 use crate::kinematics::{JointKind, Robot};
+use crate::text::Text;
 
 /// One physical effect: the words about it, and what it does.
 pub struct Effect {
@@ -97,7 +99,7 @@ pub struct Effect {
     pub takes_form: fn(&Survey, usize) -> Option<&'static Effect>,
     /// What in the controller's data would remove the effect where commands of the joints cannot;
     /// `None` where only work on the machine does.
-    pub remedy: Option<fn(&Robot, &Term) -> String>,
+    pub remedy: Option<fn(&Robot, &Term) -> Text>,
     /// Figures of the effect in a session that are no parameters of it.
     pub figures: fn(&Placed, &Robot, &Inputs) -> Vec<Figure>,
     /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
@@ -128,7 +130,7 @@ impl Effect {
 
     /// Why this session cannot show the effect on this joint; `None` where it can: the first of
     /// its needs that is not met.
-    pub fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+    pub fn obstacle(&self, survey: &Survey, joint: usize) -> Option<Text> {
         if joint >= survey.joints.len() {
             return Some(survey::no_joint(joint));
         }
@@ -137,6 +139,25 @@ impl Effect {
             .map(|need| (need.unmet)(survey, joint))
             .find_map(|reason| reason)
     }
+}
+
+/// What people call an effect, or, with its joint counted from 1 behind it, that on a joint (`backlash`,
+/// `backlash 2`): English has it as files and commands do.
+pub fn called(name: &str) -> Text {
+    let (id, joint) = match name.split_once(' ') {
+        Some((id, joint)) => (id, Some(joint)),
+        None => (name, None),
+    };
+    let Some(title) = find(id).map(|effect| effect.about().title) else {
+        return Text::verbatim(name);
+    };
+    Text::named(
+        name,
+        match joint {
+            Some(joint) => text!("{effect}, joint {joint}", effect = title, joint = joint),
+            None => title.into(),
+        },
+    )
 }
 
 /// Every effect, in the order in which they act.

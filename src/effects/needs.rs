@@ -6,6 +6,7 @@
 //! effect has is in its file.
 
 use crate::kinematics::JointKind;
+use crate::text::{Template, Text};
 
 use super::survey::{Survey, no_joint};
 
@@ -13,9 +14,9 @@ use super::survey::{Survey, no_joint};
 #[derive(Debug, Clone, Copy)]
 pub struct Need {
     /// What it is: "approaches from both sides".
-    pub what: &'static str,
+    pub what: Template,
     /// Why a session does not have it for a joint (counted from 0); `None` where it has.
-    pub unmet: fn(&Survey, usize) -> Option<String>,
+    pub unmet: fn(&Survey, usize) -> Option<Text>,
     /// Why a scenario does not offer it; `None` where it does, or where only samples can tell.
     pub idle: fn(&Offered) -> Option<&'static str>,
 }
@@ -45,10 +46,7 @@ pub struct Offered {
 
 impl Need {
     /// A need that only the samples can tell of.
-    pub const fn of_samples(
-        what: &'static str,
-        unmet: fn(&Survey, usize) -> Option<String>,
-    ) -> Self {
+    pub const fn of_samples(what: Template, unmet: fn(&Survey, usize) -> Option<Text>) -> Self {
         Self {
             what,
             unmet,
@@ -74,36 +72,36 @@ impl Need {
     }
 
     /// What a robot with several joints is called as a need.
-    pub const SEVERAL_JOINTS: &'static str = "several joints";
+    pub const SEVERAL_JOINTS: Template = phrase!("several joints");
 
     /// So many different values of the joint; `what` says so in words.
-    pub const fn values<const N: usize>(what: &'static str) -> Self {
+    pub const fn values<const N: usize>(what: Template) -> Self {
         Self::of_samples(what, |survey, joint| survey.too_few_angles(joint, N))
     }
 
     /// A joint that turns.
-    pub const REVOLUTE: Self = Self::of_samples("a joint that turns", Survey::not_revolute);
+    pub const REVOLUTE: Self =
+        Self::of_samples(phrase!("a joint that turns"), Survey::not_revolute);
 
     /// A joint that slides.
-    pub const PRISMATIC: Self = Self::of_samples("a joint that slides", |survey, joint| {
-        let Some(own) = survey.joints.get(joint) else {
-            return Some(no_joint(joint));
-        };
-        (own.kind == JointKind::Revolute)
-            .then(|| "the joint turns, the effect needs one that slides".to_owned())
-    });
+    pub const PRISMATIC: Self =
+        Self::of_samples(phrase!("a joint that slides"), |survey, joint| {
+            let Some(own) = survey.joints.get(joint) else {
+                return Some(no_joint(joint));
+            };
+            (own.kind == JointKind::Revolute)
+                .then(|| text!("the joint turns, the effect needs one that slides"))
+        });
 
     /// Poses from either side.
     pub const BOTH_SIDES: Self = Self {
-        what: "approaches from both sides",
+        what: phrase!("approaches from both sides"),
         unmet: |survey, joint| match survey.joints.get(joint).map(|own| own.from_sides) {
             None => Some(no_joint(joint)),
-            Some([0, 0]) => Some(
-                "the session does not say from which side the poses were approached".to_owned(),
-            ),
-            Some([0, _] | [_, 0]) => {
-                Some("every pose was approached from the same side".to_owned())
-            }
+            Some([0, 0]) => Some(text!(
+                "the session does not say from which side the poses were approached"
+            )),
+            Some([0, _] | [_, 0]) => Some(text!("every pose was approached from the same side")),
             Some(_) => None,
         },
         idle: |offered| {
@@ -114,28 +112,30 @@ impl Need {
 
     /// Different signed speeds.
     pub const SPEEDS: Self = Self {
-        what: "measurements at different speeds",
+        what: phrase!("measurements at different speeds"),
         unmet: |survey, joint| {
             let Some(joint) = survey.joints.get(joint) else {
                 return Some(no_joint(joint));
             };
             let reason = match (joint.speeds, joint.largest_speed) {
-                (0, _) => "the session does not say how fast the joint moved while it was measured",
-                (_, 0.0) => "every pose was measured at standstill",
-                (1, _) => "every pose was measured at the same signed speed",
+                (0, _) => {
+                    text!("the session does not say how fast the joint moved while it was measured")
+                }
+                (_, 0.0) => text!("every pose was measured at standstill"),
+                (1, _) => text!("every pose was measured at the same signed speed"),
                 _ => return None,
             };
-            Some(reason.to_owned())
+            Some(reason)
         },
         idle: |offered| (!offered.speed).then_some("every pose is measured at standstill"),
     };
 
     /// A temperature that changes, of the joint or of the room.
     pub const TEMPERATURE: Self = Self {
-        what: "a temperature that changes",
+        what: phrase!("a temperature that changes"),
         unmet: |survey, joint| match survey.warming_of(joint) {
-            None => Some("the session has no temperature".to_owned()),
-            Some(range) if range <= 0.0 => Some("the temperature never changed".to_owned()),
+            None => Some(text!("the session has no temperature")),
+            Some(range) if range <= 0.0 => Some(text!("the temperature never changed")),
             Some(_) => None,
         },
         idle: |offered| (!offered.temperature).then_some("the scenario has no temperature"),
@@ -143,10 +143,10 @@ impl Need {
 
     /// Times that differ.
     pub const TIME: Self = Self {
-        what: "the time of each sample",
+        what: phrase!("the time of each sample"),
         unmet: |survey, _| match survey.duration_s {
-            None => Some("the session has no time".to_owned()),
-            Some(duration) if duration <= 0.0 => Some("every sample has the same time".to_owned()),
+            None => Some(text!("the session has no time")),
+            Some(duration) if duration <= 0.0 => Some(text!("every sample has the same time")),
             Some(_) => None,
         },
         idle: |offered| (!offered.time).then_some("the scenario has no seconds_per_pose"),
@@ -154,9 +154,9 @@ impl Need {
 
     /// The direction of gravity.
     pub const GRAVITY: Self = Self {
-        what: "the direction of gravity",
+        what: phrase!("the direction of gravity"),
         unmet: |survey, _| {
-            (!survey.gravity).then(|| "the direction of gravity is not given".to_owned())
+            (!survey.gravity).then(|| text!("the direction of gravity is not given"))
         },
         idle: |offered| {
             (!offered.gravity).then_some("the scenario has no load, or the robot no gravity")
@@ -165,10 +165,10 @@ impl Need {
 
     /// Loads that differ.
     pub const LOADS: Self = Self {
-        what: "different loads",
+        what: phrase!("different loads"),
         unmet: |survey, _| match survey.loads {
-            0 => Some("the session has no load".to_owned()),
-            1 => Some("the load never changed".to_owned()),
+            0 => Some(text!("the session has no load")),
+            1 => Some(text!("the load never changed")),
             _ => None,
         },
         idle: |offered| {
@@ -177,21 +177,24 @@ impl Need {
     };
 
     /// A robot with a single axis.
-    pub const SINGLE_AXIS: Self = Self::of_samples("a robot with a single axis", |survey, _| {
-        (survey.joints.len() > 1)
-            .then(|| "the robot has several joints: link geometry takes its place".to_owned())
-    });
+    pub const SINGLE_AXIS: Self =
+        Self::of_samples(phrase!("a robot with a single axis"), |survey, _| {
+            (survey.joints.len() > 1)
+                .then(|| text!("the robot has several joints: link geometry takes its place"))
+        });
 
     /// A tool off the axis.
-    pub const RADIUS: Self = Self::of_samples("a tool that is off the axis", |survey, joint| {
-        (survey.joints[joint].frame.radius_mm == 0.0)
-            .then(|| "the tool lies on the axis and has no radius".to_owned())
-    });
+    pub const RADIUS: Self =
+        Self::of_samples(phrase!("a tool that is off the axis"), |survey, joint| {
+            (survey.joints[joint].frame.radius_mm == 0.0)
+                .then(|| text!("the tool lies on the axis and has no radius"))
+        });
 
     /// The coordinate along the axis.
-    pub const AXIAL: Self = Self::of_samples("the coordinate along the axis", |survey, joint| {
-        let along_z = survey.joints[joint].frame.along[2].abs() > 1.0 - 1e-6;
-        (!survey.spatial && survey.joints.len() == 1 && along_z)
-            .then(|| "z was not measured, and the effect is along the axis".to_owned())
-    });
+    pub const AXIAL: Self =
+        Self::of_samples(phrase!("the coordinate along the axis"), |survey, joint| {
+            let along_z = survey.joints[joint].frame.along[2].abs() > 1.0 - 1e-6;
+            (!survey.spatial && survey.joints.len() == 1 && along_z)
+                .then(|| text!("z was not measured, and the effect is along the axis"))
+        });
 }

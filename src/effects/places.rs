@@ -48,7 +48,7 @@ pub(super) const ABOUT: About = About {
     source: "what the measurements refer to",
     cause: phrase!("the session does not say where it is"),
     usual_size: phrase!("any"),
-    confused_with: "the base of the robot, where nothing else says where that stands",
+    confused_with: phrase!("the base of the robot, where nothing else says where that stands"),
     check: phrase!("measure it with another instrument"),
     role: Role::Place,
     owner: Owner::Session,

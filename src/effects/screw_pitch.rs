@@ -24,12 +24,14 @@ const ABOUT: About = About {
     ),
     needs: &[
         Need::PRISMATIC,
-        Need::values::<6>("six values of the joint"),
+        Need::values::<6>(phrase!("six values of the joint")),
         TURNS,
     ],
     implausible_above: Some(0.2),
     usual_size: phrase!("1 to 20 µm"),
-    confused_with: "another lead, where the poses are equal steps of the travel: unequal steps part them",
+    confused_with: phrase!(
+        "another lead, where the poses are equal steps of the travel: unequal steps part them"
+    ),
     check: phrase!(
         "the screw's runout and its thrust bearing; the coupling and the encoder on the screw"
     ),
@@ -43,7 +45,7 @@ const LEAD: Listed = Listed {
         let most = survey.joints[joint].span / LEAST_TURNS;
         leads().filter(|lead| *lead <= most).collect()
     },
-    expected: "a lead from 0.5 to 200 mm",
+    expected: phrase!("a lead from 0.5 to 200 mm"),
     takes: |lead, _, _| (0.5..=200.0).contains(&lead),
     usual: |_| None,
 };
@@ -60,10 +62,13 @@ fn leads() -> impl Iterator<Item = f64> {
 }
 
 /// Some turns of the screw.
-const TURNS: Need = Need::of_samples("a travel of several turns of the screw", |survey, joint| {
-    let none = (LEAD.tried)(survey, joint).is_empty();
-    none.then(|| "the joint moved by less than one and a half turns of any screw".to_owned())
-});
+const TURNS: Need = Need::of_samples(
+    phrase!("a travel of several turns of the screw"),
+    |survey, joint| {
+        let none = (LEAD.tried)(survey, joint).is_empty();
+        none.then(|| text!("the joint moved by less than one and a half turns of any screw"))
+    },
+);
 
 pub(super) static SCREW_PITCH: Effect = Effect {
     exists_on,

@@ -2,6 +2,7 @@
 //! tested at all.
 
 use crate::numeric::extent;
+use crate::text::Text;
 use nalgebra::Vector3;
 
 use crate::kinematics::{JointKind, Robot};
@@ -94,31 +95,36 @@ impl Survey {
     }
 
     /// The reason that stands against every effect that needs an angle of rotation.
-    pub fn not_revolute(&self, joint: usize) -> Option<String> {
+    pub fn not_revolute(&self, joint: usize) -> Option<Text> {
         let Some(own) = self.joints.get(joint) else {
             return Some(no_joint(joint));
         };
         (own.kind == JointKind::Prismatic)
-            .then(|| "the joint slides, the effect needs one that turns".to_owned())
+            .then(|| text!("the joint slides, the effect needs one that turns"))
     }
 
     /// The reason that stands against every effect of the joint angle in a session at one angle.
-    pub fn too_few_angles(&self, joint: usize, needed: usize) -> Option<String> {
+    pub fn too_few_angles(&self, joint: usize, needed: usize) -> Option<Text> {
         let Some(own) = self.joints.get(joint) else {
             return Some(no_joint(joint));
         };
         let values = own.values;
         (values < needed).then(|| {
-            format!(
-                "the joint was measured at {values} different values, at least {needed} are needed"
+            text!(
+                "the joint was measured at {values} different values, at least {needed} are needed",
+                values = values,
+                needed = needed
             )
         })
     }
 }
 
 /// That a robot has fewer joints.
-pub(super) fn no_joint(joint: usize) -> String {
-    format!("the robot has no joint {}", joint.saturating_add(1))
+pub(super) fn no_joint(joint: usize) -> Text {
+    text!(
+        "the robot has no joint {joint}",
+        joint = joint.saturating_add(1)
+    )
 }
 
 fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {

@@ -1,6 +1,7 @@
 //! An effect in a model: which joint, which setting, how large.
 
 use crate::numeric::extent;
+use crate::text::Text;
 use std::sync::Arc;
 
 use crate::kinematics::{Axis, JointKind, Range, Robot};
@@ -72,13 +73,11 @@ pub struct Parameter {
 }
 
 /// Why a term could not be made from names and values.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum TermError {
     /// No effect of this name.
-    #[error("no effect is called '{0}'; `truepose effects` lists them")]
     UnknownEffect(String),
     /// A joint that the robot does not have.
-    #[error("joint {joint}: the robot has {joints}")]
     NoSuchJoint {
         /// The joint, counted from 1.
         joint: usize,
@@ -86,7 +85,6 @@ pub enum TermError {
         joints: usize,
     },
     /// A parameter that the effect does not have.
-    #[error("'{effect}' has no parameter '{name}'; it has {known}")]
     UnknownParameter {
         /// The effect.
         effect: &'static str,
@@ -96,7 +94,6 @@ pub enum TermError {
         known: String,
     },
     /// A parameter without which the effect has no meaning.
-    #[error("'{effect}' needs '{name}'")]
     Missing {
         /// The effect.
         effect: &'static str,
@@ -104,7 +101,6 @@ pub enum TermError {
         name: &'static str,
     },
     /// A value outside what the effect takes.
-    #[error("'{effect}': {name} is {value}; expected {expected}")]
     OutOfRange {
         /// The effect.
         effect: &'static str,
@@ -113,9 +109,59 @@ pub enum TermError {
         /// What was given.
         value: f64,
         /// What it takes.
-        expected: String,
+        expected: Text,
     },
 }
+
+impl TermError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::UnknownEffect(effect) => text!(
+                "no effect is called '{effect}'; `truepose effects` lists them",
+                effect = effect
+            ),
+            Self::NoSuchJoint { joint, joints } => text!(
+                "joint {joint}: the robot has {joints}",
+                joint = joint,
+                joints = joints
+            ),
+            Self::UnknownParameter {
+                effect,
+                name,
+                known,
+            } => text!(
+                "'{effect}' has no parameter '{name}'; it has {known}",
+                effect = effect,
+                name = name,
+                known = known
+            ),
+            Self::Missing { effect, name } => {
+                text!("'{effect}' needs '{name}'", effect = effect, name = name)
+            }
+            Self::OutOfRange {
+                effect,
+                name,
+                value,
+                expected,
+            } => text!(
+                "'{effect}': {name} is {value}; expected {expected}",
+                effect = effect,
+                name = name,
+                value = value,
+                expected = expected
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for TermError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for TermError {}
 
 impl Term {
     /// An effect that is absent so far: all coefficients zero.
@@ -449,14 +495,19 @@ fn check_setting(
         Setting::Order { from, to } => {
             let fraction = about.setting.takes_fractions();
             let whole = fraction || given.fract() == 0.0;
-            let kind = if fraction { "number" } else { "whole number" };
             let inside = given >= f64::from(from) && given <= f64::from(to);
-            (!(whole && inside)).then(|| format!("a {kind} from {from} to {to}"))
+            (!(whole && inside)).then(|| {
+                if fraction {
+                    text!("a number from {from} to {to}", from = from, to = to)
+                } else {
+                    text!("a whole number from {from} to {to}", from = from, to = to)
+                }
+            })
         }
-        Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
-        Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
+        Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| text!("zero or more")),
+        Setting::Time => (!given.is_finite()).then(|| text!("a time")),
         Setting::Listed(listed) => {
-            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.to_owned())
+            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.into())
         }
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
     };

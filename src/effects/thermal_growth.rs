@@ -7,6 +7,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus, scaled};
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "thermal-growth",
@@ -19,7 +20,9 @@ const ABOUT: About = About {
     over: Over::Temperature,
     implausible_above: Some(230.0),
     usual_size: phrase!("0.12 to 0.23 mm per metre and 10 K"),
-    confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
+    confused_with: phrase!(
+        "a drift in time while the machine warms up: a cool-down run parts them"
+    ),
     check: phrase!(
         "let the machine warm up before measuring, or enter the arm's expansion in the controller"
     ),
@@ -33,8 +36,8 @@ pub(super) static THERMAL_GROWTH: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, _: &Term) -> String {
-    "let the machine warm up, or enter the arm's expansion in the controller".to_owned()
+fn remedy(_: &Robot, _: &Term) -> Text {
+    text!("let the machine warm up, or enter the arm's expansion in the controller")
 }
 
 fn act(me: &Placed, block: &mut Block) {

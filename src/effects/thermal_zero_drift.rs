@@ -17,7 +17,9 @@ const ABOUT: About = About {
     over: Over::Temperature,
     implausible_above: Some(0.1),
     usual_size: phrase!("0.0005 to 0.01 °/K"),
-    confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
+    confused_with: phrase!(
+        "a drift in time while the machine warms up: a cool-down run parts them"
+    ),
     check: phrase!(
         "let the machine warm up before homing; look for a heat source beside the encoder"
     ),

@@ -7,6 +7,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "tool-lateral-offset",
@@ -18,16 +19,18 @@ const ABOUT: About = About {
     cause: phrase!("the tool is mounted beside the radius that the controller assumes"),
     implausible_above: Some(10.0),
     usual_size: phrase!("0.01 to 1 mm"),
-    confused_with: "the joint's zero offset: only a second reflector at another radius tells",
+    confused_with: phrase!(
+        "the joint's zero offset: only a second reflector at another radius tells"
+    ),
     check: phrase!("the tool flange and the tool data in the controller"),
     needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS, TWO_TARGETS],
     ..About::PLAIN
 };
 
 /// A second reflector.
-const TWO_TARGETS: Need = Need::of_samples("two reflectors", |survey, _| {
+const TWO_TARGETS: Need = Need::of_samples(phrase!("two reflectors"), |survey, _| {
     (survey.targets < 2)
-        .then(|| "with one reflector it cannot be told from the joint's zero offset".to_owned())
+        .then(|| text!("with one reflector it cannot be told from the joint's zero offset"))
 });
 
 pub(super) static TOOL_LATERAL_OFFSET: Effect = Effect {
@@ -35,10 +38,10 @@ pub(super) static TOOL_LATERAL_OFFSET: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> String {
-    format!(
-        "move the tool in the controller's tool data by {:+.4} mm across the radius",
-        term.coefficients[0]
+fn remedy(_: &Robot, term: &Term) -> Text {
+    text!(
+        "move the tool in the controller's tool data by {shift} mm across the radius",
+        shift = format!("{:+.4}", term.coefficients[0])
     )
 }
 

@@ -27,7 +27,7 @@ const ABOUT: About = About {
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: phrase!("the tool is mounted turned, or its data in the controller are"),
     usual_size: phrase!("0.1 to 50 mrad"),
-    confused_with: "the zero of the last joint, which turns the tool as well",
+    confused_with: phrase!("the zero of the last joint, which turns the tool as well"),
     check: phrase!("the tool data in the controller"),
     needs: &[SEVERAL_JOINTS, THREE_TARGETS],
     role: Role::ToolTurn,
@@ -37,18 +37,19 @@ const ABOUT: About = About {
 
 const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| {
     (survey.joints.len() == 1)
-        .then(|| "the robot has a single axis: its zero offset takes its place".to_owned())
+        .then(|| text!("the robot has a single axis: its zero offset takes its place"))
 });
 
 /// Enough targets to tell how the tool is turned.
-const THREE_TARGETS: Need = Need::of_samples("three targets, or orientation", |survey, _| {
-    (survey.targets < 3).then(|| {
-        format!(
-            "orientation is not measured, and {} of three targets on the tool",
-            survey.targets
-        )
-    })
-});
+const THREE_TARGETS: Need =
+    Need::of_samples(phrase!("three targets, or orientation"), |survey, _| {
+        (survey.targets < 3).then(|| {
+            text!(
+                "orientation is not measured, and {targets} of three targets on the tool",
+                targets = survey.targets
+            )
+        })
+    });
 
 /// The effect `tool-orientation`: three turns of the tool about its own axes.
 pub static TOOL_ORIENTATION: Effect = Effect::new(ABOUT, act);

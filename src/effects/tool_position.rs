@@ -12,6 +12,7 @@ use super::needs::Need;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{scaled, times};
+use crate::text::Text;
 
 const ABOUT: About = About {
     id: "tool-position",
@@ -24,7 +25,9 @@ const ABOUT: About = About {
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: phrase!("the tool data in the controller, or the place of the target on the tool"),
     usual_size: phrase!("0.1 to 50 mm"),
-    confused_with: "the zero of the last joint, where all targets sit at one distance from its axis",
+    confused_with: phrase!(
+        "the zero of the last joint, where all targets sit at one distance from its axis"
+    ),
     check: phrase!("measure the targets on the tool"),
     needs: &[SEVERAL_JOINTS],
     role: Role::ToolPlace,
@@ -34,7 +37,7 @@ const ABOUT: About = About {
 
 const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| {
     (survey.joints.len() == 1)
-        .then(|| "the robot has a single axis: link length takes its place".to_owned())
+        .then(|| text!("the robot has a single axis: link length takes its place"))
 });
 
 /// The effect `tool-position`: three shifts of the targets in the tool's frame.
@@ -43,14 +46,14 @@ pub static TOOL_POSITION: Effect = Effect {
     ..Effect::new(ABOUT, act)
 };
 
-fn remedy(_: &Robot, term: &Term) -> String {
+fn remedy(_: &Robot, term: &Term) -> Text {
     if term.setting > 0.0 {
-        return "is the target's, not the robot's: measure the targets on the tool".to_owned();
+        return text!("is the target's, not the robot's: measure the targets on the tool");
     }
     let by = &term.coefficients;
-    format!(
-        "move the tool's point in the controller by ({:+.4}, {:+.4}, {:+.4}) mm in the tool frame",
-        by[0], by[1], by[2]
+    text!(
+        "move the tool's point in the controller by {shift} in the tool frame",
+        shift = format!("({:+.4}, {:+.4}, {:+.4}) mm", by[0], by[1], by[2])
     )
 }
 

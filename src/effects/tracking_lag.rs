@@ -20,7 +20,9 @@ const ABOUT: About = About {
     over: Over::Speed,
     implausible_above: Some(1.0),
     usual_size: phrase!("1 to 100 ms"),
-    confused_with: "backlash where every move has the same speed: two speeds or a standstill part them",
+    confused_with: phrase!(
+        "backlash where every move has the same speed: two speeds or a standstill part them"
+    ),
     check: phrase!("synchronise the clocks, then the loop's velocity gain and feed-forward"),
     needs: &[Need::SPEEDS],
     told_by: &[Condition::Speed],

@@ -33,7 +33,9 @@ const ABOUT: About = About {
     source: "penalised regression: Wood, Generalized Additive Models, 2017; cubic weights: Catmull & Rom 1974",
     cause: phrase!("unknown: no effect of the catalogue explains it"),
     usual_size: phrase!("any"),
-    confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
+    confused_with: phrase!(
+        "whatever was not measured: it holds for the measured range and the conditions of the session"
+    ),
     check: phrase!(
         "look at the machine where the joint stands in that range: scale, bearing, cables, cover"
     ),
@@ -43,12 +45,11 @@ const ABOUT: About = About {
 };
 
 /// It has no name by which it could be fitted.
-const NO_NAME: Need = Need::of_samples("a smooth correction", |_, _| {
-    Some(
+const NO_NAME: Need = Need::of_samples(phrase!("a smooth correction"), |_, _| {
+    Some(text!(
         "it is no effect that can be fitted by its name: `truepose diagnose \
          --correct-unexplained` makes the correction"
-            .to_owned(),
-    )
+    ))
 });
 
 /// The effect `unexplained`: a smooth curve over one joint, asked for with `--correct-unexplained`.

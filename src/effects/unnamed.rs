@@ -35,7 +35,7 @@ const ABOUT: About = About {
     source: "restricted likelihood: Harville 1977; Wood, Generalized Additive Models, 2017",
     cause: phrase!("unknown: it predicts, and no name is proven for it"),
     usual_size: phrase!("any"),
-    confused_with: "whatever was not measured: it holds for the measured range",
+    confused_with: phrase!("whatever was not measured: it holds for the measured range"),
     check: phrase!("gravity, gears and bearings of the joint"),
     needs: &[NO_NAME],
     role: Role::Unexplained,
@@ -43,12 +43,11 @@ const ABOUT: About = About {
 };
 
 /// It has no name by which it could be fitted.
-const NO_NAME: Need = Need::of_samples("a diagnosis", |_, _| {
-    Some(
+const NO_NAME: Need = Need::of_samples(phrase!("a diagnosis"), |_, _| {
+    Some(text!(
         "it is no effect that can be fitted by its name: `truepose diagnose` adds it where it \
          predicts unseen poses"
-            .to_owned(),
-    )
+    ))
 });
 
 /// The effect `unnamed`: what predicts unseen poses and has no proven name.

@@ -25,7 +25,9 @@ const ABOUT: About = About {
     ),
     implausible_above: Some(0.02),
     usual_size: phrase!("0.0001 to 0.01"),
-    confused_with: "the joint's scale where both always move together: poses that move one alone part them",
+    confused_with: phrase!(
+        "the joint's scale where both always move together: poses that move one alone part them"
+    ),
     check: phrase!("the coupling ratio in the controller's data"),
     needs: &[Need::REVOLUTE, ANOTHER],
     of_other_joints: true,
@@ -40,7 +42,7 @@ const FROM_JOINT: Listed = Listed {
             .map(|from| (from + 1) as f64)
             .collect()
     },
-    expected: "the number of another joint",
+    expected: phrase!("the number of another joint"),
     takes: |from, joint, joints| {
         from.fract() == 0.0 && from >= 1.0 && from <= joints as f64 && from != (joint + 1) as f64
     },
@@ -48,10 +50,11 @@ const FROM_JOINT: Listed = Listed {
 };
 
 /// Another joint that turned while the poses were measured.
-const ANOTHER: Need = Need::of_samples("another joint that turns", |survey, joint| {
-    others(survey, joint).next().is_none().then(|| {
-        "no other joint that turns was measured at three different values or more".to_owned()
-    })
+const ANOTHER: Need = Need::of_samples(phrase!("another joint that turns"), |survey, joint| {
+    others(survey, joint)
+        .next()
+        .is_none()
+        .then(|| text!("no other joint that turns was measured at three different values or more"))
 });
 
 /// The joints that may turn this one as well, the one before it first.

@@ -1,6 +1,6 @@
 //! Texts of users, so that they cannot make an answer read differently than it is.
 
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 use crate::text::Text;
 
 /// Longest name of a user that a report repeats, characters.
@@ -50,13 +50,8 @@ fn with_short_hashes(line: &str) -> String {
 }
 
 /// A sentence with a user's names in it, in the language of this thread.
-pub(crate) fn cleaned(text: &Text) -> String {
+pub(crate) fn cleaned(text: impl Into<Text>) -> String {
     clean_to(&spoken(text), LONGEST_NOTE)
-}
-
-/// What the core says with a user's names in it, in the language of this thread.
-pub(crate) fn translated(english: &str) -> String {
-    of_core(&clean_to(english, LONGEST_NOTE)).into_owned()
 }
 
 fn clean_to(text: &str, longest: usize) -> String {

@@ -1,9 +1,9 @@
 //! A diagnosis: the verdict with its figures, what was found, what is open, what could not be seen.
 
-use super::{Block, Detail, Fact, Section, Topic, fact, found, open, sight, translated};
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, found, open, sight};
 use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
 use crate::fit::Identification;
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
 
@@ -61,7 +61,7 @@ pub(crate) fn remarks(d: &Diagnosis) -> Vec<String> {
     if !d.identification.quality.converged {
         remarks.push(say!(
             "the fit did not converge: {stopped}",
-            stopped = of_core(d.identification.quality.stopped)
+            stopped = spoken(d.identification.quality.stopped)
         ));
     }
     remarks
@@ -121,7 +121,7 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
     facts.push(fact(say!("Noise floor"), floor));
     facts.extend(noise(d));
     let cross_validated = match held_out {
-        Some(_) => translated(&d.held_out.how),
+        Some(_) => cleaned(&d.held_out.how),
         None => say!("none, there are too few samples").to_owned(),
     };
     facts.push(fact(say!("Cross-validation"), cross_validated));
@@ -131,9 +131,9 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
 /// What there is to say of the noise.
 pub(crate) fn noise(d: &Diagnosis) -> Vec<Fact> {
     let stated = d.unexplained.noise.as_ref();
-    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(&noise.says())));
+    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(noise.says())));
     let slow = d.noise.slow.as_ref();
-    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(&slow.says())));
+    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(slow.says())));
     stated.into_iter().chain(slow).collect()
 }
 

@@ -5,7 +5,7 @@ use crate::diagnosis::{Diagnosis, Found};
 use crate::effects;
 use crate::fit::Estimate;
 use crate::language::names::{figure, parameter, title_of, title_on, usual_size};
-use crate::language::{of_core, spoken as spoken_text};
+use crate::language::spoken as spoken_text;
 use crate::present::numbers::significant;
 use crate::text::{spoken, within};
 
@@ -44,7 +44,7 @@ fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &Found) -> Section
             facts.push(fact(say!("Usual cause"), spoken(effect.about().cause)));
         }
     }
-    facts.push(fact(say!("Check on the machine"), of_core(found.check)));
+    facts.push(fact(say!("Check on the machine"), spoken(found.check)));
     let mut blocks = vec![Block::Facts(facts)];
     if detail.sizes {
         blocks.extend(found.figures.iter().map(|one| Block::Text(figure(*one))));
@@ -58,7 +58,7 @@ fn size(detail: Detail, one: &Estimate) -> Fact {
     let (name, unit) = parameter(one.name);
     let units = detail.units.unwrap_or_default();
     let (value, half, unit) = units.estimate(one, unit);
-    let size = format!("{value} {}", of_core(&half));
+    let size = format!("{value} {half}");
     let size = format!("{} {unit}", size.trim_end());
     (name, size.trim_end().replace(" °", "°"))
 }

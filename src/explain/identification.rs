@@ -1,9 +1,9 @@
 //! An identification: what belongs to it beside its figures and parameters, which every place shows in its own way.
 
-use super::{Block, Detail, Fact, Section, Topic, fact, open, translated};
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, Unusable};
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 use crate::sessions::Session;
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.
@@ -29,7 +29,7 @@ fn notes(answer: &Identification, session: &Session, detail: Detail) -> Option<S
     if !quality.converged {
         blocks.push(Block::Warning(say!(
             "the fit did not converge: {stopped}",
-            stopped = of_core(quality.stopped)
+            stopped = spoken(quality.stopped)
         )));
     }
     let mut facts = noise(answer, session);
@@ -38,7 +38,7 @@ fn notes(answer: &Identification, session: &Session, detail: Detail) -> Option<S
             say!("Solver"),
             say!(
                 "{stopped}; {rank} of {coefficients} coefficients determined, condition {condition}",
-                stopped = of_core(quality.stopped),
+                stopped = spoken(quality.stopped),
                 rank = quality.rank,
                 coefficients = quality.coefficients,
                 condition = format!("{:.1}", quality.condition)
@@ -49,7 +49,7 @@ fn notes(answer: &Identification, session: &Session, detail: Detail) -> Option<S
         blocks.push(Block::Facts(facts));
     }
     if !answer.notes.is_empty() {
-        let notes = answer.notes.iter().map(|note| translated(note));
+        let notes = answer.notes.iter().map(cleaned);
         blocks.push(Block::List(notes.collect()));
     }
     (!blocks.is_empty()).then(|| Section::new(say!("Notes"), blocks))
@@ -61,7 +61,7 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
         return Vec::new();
     };
     let stated = noise.against_stated(session).filter(StatedNoise::differs);
-    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(&stated.says())));
+    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.says())));
     let slow = noise.slow.as_ref().map(|slow| {
         let says = slow.says_of_remaining_error();
         fact(say!("Slow noise"), spoken(&says))
@@ -76,7 +76,7 @@ fn unusable(answer: &Identification, detail: Detail) -> Option<Section> {
     let facts: Vec<Fact> = lost
         .map(|one| {
             let sample = say!("sample {sample}", sample = one.sample + 1);
-            (sample, of_core(one.because.says()).into_owned())
+            (sample, spoken(one.because.says()))
         })
         .collect();
     (!facts.is_empty()).then(|| {

@@ -16,8 +16,8 @@ use crate::present::numbers::{mm, plain};
 use crate::present::table::Table;
 use crate::present::units::Units;
 
+pub(crate) use clean::cleaned;
 pub use clean::{clean, clean_note};
-pub(crate) use clean::{cleaned, translated};
 pub(crate) use diagnosis::{answer, diagnosis, expected, floor_from, noise, remarks};
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use identification::remarks_on_fit;

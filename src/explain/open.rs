@@ -1,11 +1,10 @@
 //! What a diagnosis leaves open: problems of the data, rivals, what has no name, poses that would decide, samples that
 //! do not count, what the samples do not determine.
 
-use super::{Block, Detail, Section, Topic, clean, cleaned, fact, translated};
+use super::{Block, Detail, Section, Topic, clean, cleaned, fact};
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::fit::{Identification, NotIdentifiable};
-use crate::language::names::{combination, title_of};
-use crate::language::of_core;
+use crate::language::names::title_of;
 use crate::present::numbers::grouped;
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;
@@ -39,7 +38,7 @@ pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
             instead = says(&rival.instead),
             explanation = within(&says(&rival.explanation)),
             odds = format!("{:.1}", rival.odds),
-            separate_by = translated(&rival.separate_by)
+            separate_by = cleaned(&rival.separate_by)
         )
     });
     let rivals: Vec<String> = rivals.collect();
@@ -58,9 +57,9 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let mut facts = Vec::new();
     if left.present {
         facts.push(fact(say!("Size"), detail.length(left.rms_mm)));
-        facts.push(fact(say!("Evidence"), translated(&left.says)));
+        facts.push(fact(say!("Evidence"), cleaned(&left.says)));
         if let Some(place) = &left.place {
-            facts.push(fact(say!("Where"), cleaned(&place.says())));
+            facts.push(fact(say!("Where"), cleaned(place.says())));
         }
         if !left.resembles.is_empty() {
             let names = left.resembles.iter().map(|name| title_of(name));
@@ -75,7 +74,7 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
         Ok(correction) => fact(say!("Smooth correction"), corrected(detail, correction)),
         Err(because) => fact(
             say!("Smooth correction"),
-            say!("none: {because}", because = translated(because)),
+            say!("none: {because}", because = cleaned(because)),
         ),
     }));
     (!facts.is_empty()).then(|| {
@@ -87,16 +86,16 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
 fn corrected(detail: Detail, correction: &Correction) -> String {
     say!(
         "{says}; RMS error {fit}, cross-validated {unseen} ({how})",
-        says = translated(&correction.says),
+        says = cleaned(&correction.says),
         fit = detail.lengths(correction.gap_mm),
         unseen = detail.lengths(correction.held_out_mm),
-        how = translated(&correction.how)
+        how = cleaned(&correction.how)
     )
 }
 
 pub(super) fn unnamed(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let unnamed = d.unnamed.as_ref()?;
-    let over: Vec<_> = unnamed.over.iter().map(|over| translated(over)).collect();
+    let over: Vec<_> = unnamed.over.iter().map(cleaned).collect();
     let facts = vec![
         fact(say!("Size"), detail.length(unnamed.rms_mm)),
         fact(
@@ -135,10 +134,6 @@ pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
         for row in &mut table.rows {
             for cell in row.iter_mut() {
                 cell.shown = clean(&cell.shown);
-            }
-            // Why, as the core says it.
-            if let Some(why) = row.last_mut() {
-                why.shown = of_core(&why.shown).into_owned();
             }
         }
         let mut blocks = vec![Block::Table(table)];
@@ -204,10 +199,10 @@ pub(super) fn not_identifiable(
             combinations = open.len()
         ))]
     } else {
-        let facts = open.iter().take(4 * detail.most).map(|open| {
-            let combination = combination(&clean(&open.combination));
-            (combination, translated(&open.because))
-        });
+        let facts = open
+            .iter()
+            .take(4 * detail.most)
+            .map(|open| (cleaned(&open.combination), cleaned(&open.because)));
         vec![Block::Facts(facts.collect())]
     };
     let title = say!("Not identifiable");

@@ -1,6 +1,6 @@
 //! What would have been seen, and what these samples could not show.
 
-use super::{Block, Detail, Fact, Section, Topic, translated};
+use super::{Block, Detail, Fact, Section, Topic};
 use crate::diagnosis::Diagnosis;
 use crate::language::names::{detection_limit, title};
 use crate::present::limits;
@@ -23,9 +23,7 @@ pub(super) fn limits(d: &Diagnosis, detail: Detail) -> Option<Section> {
 /// What these samples cannot show, a line for each reason.
 pub(super) fn not_testable(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let lines = limits::not_testable(d, name).into_iter();
-    let facts = lines
-        .map(|line| (line.names, translated(&line.says)))
-        .collect();
+    let facts = lines.map(|line| (line.names, line.says)).collect();
     let heading = say!("Not testable with these samples");
     listed(Topic::NotTestable, heading, facts, detail)
 }

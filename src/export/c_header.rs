@@ -3,6 +3,7 @@
 //! One multiplication finds the interval; the arithmetic is that of
 //! [`UniformTable`](crate::compensation::interpolation::UniformTable), so that both give the same number.
 
+use crate::text::Text;
 use std::fmt::Write;
 
 use super::csv;
@@ -21,7 +22,7 @@ const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "C99 header with a lookup function",
+    phrase!("C99 header with a lookup function"),
     "h",
     &TableFile {
         rules: &RULES,
@@ -51,7 +52,7 @@ fn prefix(table: &Sheet) -> String {
     }
 }
 
-fn write(job: &Job, table: &Sheet, notes: &[String]) -> String {
+fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
     let (name, unit) = (prefix(table), table.unit());
     let guard = format!("{}_H", name.to_ascii_uppercase());
     let last = table.places.len() - 1;
@@ -72,7 +73,7 @@ fn write(job: &Job, table: &Sheet, notes: &[String]) -> String {
     )));
     text.push_str(" *\n");
     for note in notes {
-        text.push_str(&comment(note));
+        text.push_str(&comment(&note.to_string()));
     }
     text.push_str(" *\n");
     text.push_str(&comment(&format!(

@@ -70,11 +70,9 @@ impl Chain {
             return Err(TableError::AlreadyCompensated(hash.clone()).into());
         }
         if !calibration.regions.is_empty() {
-            return Err(ExportError::Refused(
-                "a correction by regions is no geometry; identify with the exact method for a \
-                 description of the robot"
-                    .to_owned(),
-            ));
+            return Err(ExportError::Refused(text!(
+                "a correction by regions is no geometry; identify with the exact method for a description of the robot"
+            )));
         }
         let corrected = Corrected::new(job);
         let offsets = zero_offsets(job, &corrected);

@@ -3,6 +3,7 @@
 //! there is to know stands in `FILE.meta.json` beside it. A sliding joint has mm in place of
 //! degrees.
 
+use crate::text::Text;
 use std::fmt::Write;
 
 use super::rules::{Directions, Rules, Says, Spacing};
@@ -19,7 +20,7 @@ pub(super) const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 1.0,
     most_entries: usize::MAX,
-    limit_because: "it has no limit",
+    limit_because: phrase!("it has no limit"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two rows",
@@ -31,7 +32,7 @@ pub(super) const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "CSV table with JSON metadata",
+    phrase!("CSV table with JSON metadata"),
     "csv",
     &TableFile {
         rules: &RULES,
@@ -41,7 +42,7 @@ pub(super) const FORMAT: Format = TableFile::format(
     },
 );
 
-fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     let unit = sheet.unit();
     let mut text =
         format!("commanded_{unit},correction_forward_{unit},correction_reverse_{unit}\n");

@@ -15,6 +15,7 @@ use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
 use crate::model::format_v1::model_hash;
+use crate::text::{Template, Text};
 
 /// Less than this is nothing, mm.
 const WORTH_A_NUMBER_MM: f64 = 5e-5;
@@ -25,11 +26,11 @@ named! {
     #[serde(rename_all = "kebab-case")]
     pub(super) enum Level {
         /// The zero offsets of the joints, and the frames of base and tool.
-        ZerosAndFrames = "zero offsets, base and tool frame",
+        ZerosAndFrames = phrase!("zero offsets, base and tool frame"),
         /// These, and the geometry of the links.
-        Links = "zero offsets, base and tool frame, and the geometry of the links",
+        Links = phrase!("zero offsets, base and tool frame, and the geometry of the links"),
     }
-    fn says;
+    fn says -> Template;
 }
 
 /// A description as its format wrote it.
@@ -45,17 +46,17 @@ pub(super) struct Written {
     pub(super) level: Level,
     pub(super) units: &'static str,
     /// What its numbers are.
-    pub(super) sign: &'static str,
+    pub(super) sign: Template,
     /// First and last frame by their names in the file, where it names them.
     pub(super) ends: Option<[String; 2]>,
     /// Base and tool as they have to be entered where the file does not hold them.
     pub(super) frames: Option<Frames>,
-    pub(super) in_the_controller: Vec<String>,
+    pub(super) in_the_controller: Vec<Text>,
     /// Where the zero offsets are, in words, where the file itself is what the controller takes.
-    pub(super) zeros: Option<String>,
+    pub(super) zeros: Option<Text>,
     /// What the format cannot say.
-    pub(super) cannot_say: Vec<String>,
-    pub(super) notes: Vec<String>,
+    pub(super) cannot_say: Vec<Text>,
+    pub(super) notes: Vec<Text>,
 }
 
 impl Written {
@@ -68,8 +69,9 @@ impl Written {
             robot,
             level: Level::Links,
             units: "metres and radians",
-            sign: "the numbers are the corrected geometry itself: where joints and tool really are; \
-                   nothing is added to a command",
+            sign: phrase!(
+                "the numbers are the corrected geometry itself: where joints and tool really are; nothing is added to a command"
+            ),
             ends: None,
             frames: None,
             in_the_controller: Vec::new(),
@@ -103,9 +105,9 @@ struct DescriptionSidecar<'a> {
     model_hash: String,
     joint_name: &'static str,
     units: &'static str,
-    sign: &'static str,
+    sign: Template,
     level: Level,
-    level_in_words: &'static str,
+    level_in_words: Template,
     zeros: ZerosTwin,
     example: DescriptionExample,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -114,17 +116,17 @@ struct DescriptionSidecar<'a> {
     tip_link: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     frames: Option<Frames>,
-    in_the_controller: Vec<String>,
+    in_the_controller: Vec<Text>,
     carried: Vec<String>,
-    left_out: Vec<String>,
-    cannot_say: Vec<String>,
+    left_out: Vec<Text>,
+    cannot_say: Vec<Text>,
     leaves: Leaves,
-    notes: Vec<String>,
+    notes: Vec<Text>,
 }
 
 #[derive(Serialize)]
 struct DescriptionExample {
-    says: String,
+    says: Text,
 }
 
 /// Where the zero offsets are: in the file's geometry or in the controller, never in both.
@@ -132,7 +134,7 @@ struct DescriptionExample {
 struct ZerosTwin {
     /// Who takes them.
     taken_by: &'static str,
-    says: String,
+    says: Text,
     joints: Vec<ZeroTwin>,
 }
 
@@ -182,6 +184,10 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
     notes.extend(sidecar.notes.iter().cloned());
     notes.extend(sidecar.cannot_say.iter().cloned());
     notes.extend(sidecar.left_out.iter().cloned());
+    let mut meaning = vec![sidecar.sign.into(), sidecar.example.says.clone()];
+    meaning.extend(sidecar.in_the_controller.iter().cloned());
+    meaning.extend(sidecar.left_out.iter().cloned());
+    meaning.extend(sidecar.notes.iter().cloned());
     let json = text_of(&sidecar).into_bytes();
     let mut documents = Document::with_sidecar(job.file_name, written.text.into_bytes(), json);
     documents.extend(written.beside.into_iter().map(|(ending, text)| Document {
@@ -193,6 +199,7 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
         reads_as: None,
         robot: Some(driven),
         left: None,
+        meaning,
         notes,
     })
 }
@@ -207,13 +214,12 @@ fn sidecar<'a>(
     let calibration = job.calibration;
     let nominal = &calibration.model.robot;
     let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
-    let mut notes = vec![format!(
-        "this robot carries {}; it is {:.4} mm from the model over the measured range (largest \
-         {:.4}), the nominal one {:.4} mm (root mean square)",
-        written.level.says(),
-        leaves.rms_mm,
-        leaves.max_mm,
-        leaves.nominal_rms_mm
+    let mut notes = vec![text!(
+        "this robot carries {level}; it is {rms} mm from the model over the measured range (largest {largest}), the nominal one {nominal} mm (root mean square)",
+        level = written.level.says(),
+        rms = format!("{:.4}", leaves.rms_mm),
+        largest = format!("{:.4}", leaves.max_mm),
+        nominal = format!("{:.4}", leaves.nominal_rms_mm)
     )];
     notes.extend(written.notes.iter().cloned());
     let [base_link, tip_link] = match &written.ends {
@@ -236,17 +242,22 @@ fn sidecar<'a>(
         level_in_words: written.level.says(),
         zeros: zeros(nominal, chain, written.zeros.clone()),
         example: DescriptionExample {
-            says: format!(
-                "at home the nominal tool is at {}, and this robot has it at {}",
-                place(nominal.base_from_tool.translation.vector),
-                place(driven.base_from_tool.translation.vector)
+            says: text!(
+                "at home the nominal tool is at {nominal}, and this robot has it at {driven}",
+                nominal = place(nominal.base_from_tool.translation.vector),
+                driven = place(driven.base_from_tool.translation.vector)
             ),
         },
         base_link,
         tip_link,
         frames: written.frames.clone(),
         in_the_controller: written.in_the_controller.clone(),
-        carried: chain.corrected.carried.iter().map(name).collect(),
+        carried: chain
+            .corrected
+            .carried
+            .iter()
+            .map(|term| name(term).to_string())
+            .collect(),
         left_out: left_out(job, chain, written.format),
         cannot_say: written.cannot_say.clone(),
         leaves,
@@ -254,38 +265,53 @@ fn sidecar<'a>(
     }
 }
 
-fn name(term: &Term) -> String {
+fn name(term: &Term) -> Text {
     let about = term.effect.about();
-    let joint = if about.per_joint {
-        format!(" of joint {}", term.joint + 1)
+    if about.per_joint {
+        let joint = term.joint + 1;
+        Text::named(
+            format!("{} of joint {joint}", about.id),
+            text!(
+                "{effect}, joint {joint}",
+                effect = about.title,
+                joint = joint
+            ),
+        )
     } else {
-        String::new()
-    };
-    format!("{}{joint}", about.id)
+        Text::named(about.id, about.title)
+    }
 }
 
 /// What has no place in a chain of joints, each with what it leaves by itself.
-fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<String> {
+fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
     let nominal = &job.calibration.model.robot;
     let title = match format {
-        "urdf" => "a URDF",
-        "mjcf" => "an MJCF file",
-        _ => "a chain of joints",
+        "urdf" => phrase!("a URDF"),
+        "mjcf" => phrase!("an MJCF file"),
+        _ => phrase!("a chain of joints"),
     };
     let leaves = |term: &Term| {
         let alone = Model::new(nominal.clone(), vec![term.clone()]);
         let mm = rms(&apart(job, &alone, nominal));
-        let leaves = if mm < WORTH_A_NUMBER_MM {
-            "at standstill, without load and at 20 °C it leaves nothing".to_owned()
+        if mm < WORTH_A_NUMBER_MM {
+            text!(
+                "{effect} has no place in {file}: at standstill, without load and at 20 °C it leaves nothing",
+                effect = name(term),
+                file = title
+            )
         } else {
-            format!("it leaves {mm:.4} mm")
-        };
-        format!("{} has no place in {title}: {leaves}", name(term))
+            text!(
+                "{effect} has no place in {file}: it leaves {left} mm",
+                effect = name(term),
+                file = title,
+                left = format!("{mm:.4}")
+            )
+        }
     };
     chain.corrected.left_out.iter().map(leaves).collect()
 }
 
-fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<String>) -> ZerosTwin {
+fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosTwin {
     let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
         let outer = |inner: f64| joint.kind.outer(inner) + 0.0;
         let offset = outer(chain.offsets[k]);
@@ -300,24 +326,28 @@ fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<String>) -> ZerosTwin 
     });
     let taken = nominal.joints.iter().zip(&chain.taken).enumerate();
     let taken = taken.filter(|(_, (_, value))| **value != 0.0);
-    let taken: Vec<String> = taken
+    let taken: Vec<Text> = taken
         .map(|(k, (joint, value))| {
             let outer = joint.kind.outer(*value);
-            format!("joint {} by {:+.6}{}", k + 1, outer, joint.kind.sign())
+            text!(
+                "joint {joint} by {offset}",
+                joint = k + 1,
+                offset = format!("{outer:+.6}{}", joint.kind.sign())
+            )
         })
         .collect();
     let says = match chain.zeros {
         super::Zeros::Origins => {
-            "the zero offsets are in this file: leave the zeros of the controller as they are"
-                .to_owned()
+            text!(
+                "the zero offsets are in this file: leave the zeros of the controller as they are"
+            )
         }
         super::Zeros::Controller if taken.is_empty() => {
-            "no joint has a zero offset for the controller to take".to_owned()
+            text!("no joint has a zero offset for the controller to take")
         }
-        super::Zeros::Controller => format!(
-            "the zero offsets are left to the controller and are not in this file: its joints stand \
-             beyond what it shows, {}; move its zeros so that it shows as much more",
-            taken.join(", ")
+        super::Zeros::Controller => text!(
+            "the zero offsets are left to the controller and are not in this file: its joints stand beyond what it shows, {joints}; move its zeros so that it shows as much more",
+            joints = Text::listed(taken, ", ")
         ),
     };
     ZerosTwin {

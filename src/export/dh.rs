@@ -31,7 +31,7 @@ use crate::units::rad_from_deg;
 
 pub(super) const FORMAT: Format = Format {
     id: "dh",
-    title: "Denavit–Hartenberg rows",
+    title: phrase!("Denavit–Hartenberg rows"),
     extension: "json",
     rules: None,
     suits: several_joints,
@@ -63,25 +63,25 @@ impl Exporter for Dh {
         let mut cannot_say = Vec::new();
         let far_mm = chain.farthest(job, &robot);
         if far_mm > FOUND_MM {
-            let what = if parallels.is_empty() {
-                "no rows were found that say all of this robot".to_owned()
-            } else {
-                let joints = parallels.join(", ");
-                format!(
-                    "rows cannot say how parallel axes are turned against each other about y \
-                     (joints {joints})"
+            let far = format!("{far_mm:.4}");
+            cannot_say.push(if parallels.is_empty() {
+                text!(
+                    "no rows were found that say all of this robot: {far} mm remain at most over the measured range",
+                    far = far
                 )
-            };
-            cannot_say.push(format!(
-                "{what}: {far_mm:.4} mm remain at most over the measured range"
-            ));
+            } else {
+                text!(
+                    "rows cannot say how parallel axes are turned against each other about y (joints {joints}): {far} mm remain at most over the measured range",
+                    joints = parallels.join(", "),
+                    far = far
+                )
+            });
         }
         let off_base = found.base.inverse() * nominal_rows(nominal, convention).0;
         if off_base.translation.vector.norm() > 1e-9 || off_base.rotation.angle() > 1e-12 {
-            cannot_say.push(
+            cannot_say.push(text!(
                 "rows cannot say where the first axis stands in the base: enter base as well"
-                    .to_owned(),
-            );
+            ));
         }
         let are = "base: the frame before the first row in the base frame; tool: the tool in the \
                    frame behind the last row";
@@ -89,9 +89,9 @@ impl Exporter for Dh {
             units: "mm and degrees",
             frames: Some(frames(&found.base, &found.tool, are)),
             cannot_say,
-            notes: vec![format!(
-                "rows in the {} convention",
-                match convention {
+            notes: vec![text!(
+                "rows in the {convention} convention",
+                convention = match convention {
                     DhConvention::Standard => "standard",
                     DhConvention::Modified => "modified",
                 }

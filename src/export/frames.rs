@@ -19,7 +19,7 @@ use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 
 pub(super) const FORMAT: Format = Format {
     id: "frames",
-    title: "Zeros, base and tool frame",
+    title: phrase!("Zeros, base and tool frame"),
     extension: "csv",
     rules: None,
     suits: several_joints,
@@ -65,24 +65,21 @@ impl Exporter for FramesExport {
         let written = Written {
             level: Level::ZerosAndFrames,
             units: "mm; degrees or radians as each row says",
-            sign: "base: where the robot really stands, in the base frame; tool: the real tool in \
-                   the frame of the nominal one (new tool data = present tool data times this); \
-                   zeros: how far each joint stands beyond its command",
+            sign: phrase!(
+                "base: where the robot really stands, in the base frame; tool: the real tool in the frame of the nominal one (new tool data = present tool data times this); zeros: how far each joint stands beyond its command"
+            ),
             frames: Some(super::description::frames(
                 &found.base,
                 &found.tool,
                 "base: the robot's base in the base frame; tool: the real tool in the frame of the \
                  nominal one",
             )),
-            zeros: Some(
-                "the zero offsets in this file are the controller's to take: it has to show as much \
-                 more as each joint stands beyond its command"
-                    .to_owned(),
-            ),
-            cannot_say: vec![
+            zeros: Some(text!(
+                "the zero offsets in this file are the controller's to take: it has to show as much more as each joint stands beyond its command"
+            )),
+            cannot_say: vec![text!(
                 "the geometry of the links is not in these numbers; dh, urdf or mjcf carry it"
-                    .to_owned(),
-            ],
+            )],
             ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)

@@ -11,6 +11,7 @@ use super::rules::{Directions, Rules, Spacing};
 use super::sheet::Sheet;
 use super::{ExportError, Job, knots};
 use crate::compensation::JointTable;
+use crate::text::Text;
 
 /// Round steps, degrees or mm.
 const ROUND: [f64; 13] = [
@@ -37,12 +38,11 @@ pub(super) fn choose(
     };
     let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);
     if !ascends {
-        return Err(ExportError::Refused(format!(
-            "a step of {}{unit} is finer than the positions of {}, which are whole multiples of {}{unit}",
-            sheet.step.unwrap_or(0.0),
-            rules.title(),
-            rules.resolution.unwrap_or(0.0),
-            unit = sheet.kind.sign(),
+        return Err(ExportError::Refused(text!(
+            "a step of {step} is finer than the positions of {format}, which are whole multiples of {finest}",
+            step = format!("{}{}", sheet.step.unwrap_or(0.0), sheet.kind.sign()),
+            format = rules.title(),
+            finest = format!("{}{}", rules.resolution.unwrap_or(0.0), sheet.kind.sign())
         )));
     }
     if let Some(wrong) = sheet
@@ -51,8 +51,9 @@ pub(super) fn choose(
         .chain(&sheet.reverse)
         .find(|v| !v.is_finite())
     {
-        return Err(ExportError::Refused(format!(
-            "the model gives a correction of {wrong}: it cannot be inverted over this travel"
+        return Err(ExportError::Refused(text!(
+            "the model gives a correction of {wrong}: it cannot be inverted over this travel",
+            wrong = wrong
         )));
     }
     Ok(sheet)
@@ -63,15 +64,17 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
     let entries = table.commanded_outer.len();
     if entries > rules.most_entries {
         let [from, to] = [table.commanded_outer[0], table.commanded_outer[entries - 1]];
-        return Err(ExportError::Refused(format!(
-            "a step of {step}{unit} makes {entries} entries, and {} takes at most {} ({}); a step \
-             of {}{unit} or more fits, or none: then the entries are chosen",
-            rules.title(),
-            rules.most_entries,
-            rules.limit_because,
+        let wide = (to - from) / (rules.most_entries - 1) as f64;
+        let unit = table.kind.sign();
+        return Err(ExportError::Refused(text!(
+            "a step of {step} makes {entries} entries, and {format} takes at most {most} ({because}); a step of {wide} or more fits, or none: then the entries are chosen",
+            step = format!("{step}{unit}"),
+            entries = entries,
+            format = rules.title(),
+            most = rules.most_entries,
+            because = rules.limit_because,
             // Rounded up, so that it does fit.
-            ((to - from) / (rules.most_entries - 1) as f64 * 1e3).ceil() / 1e3,
-            unit = table.kind.sign(),
+            wide = format!("{}{unit}", (wide * 1e3).ceil() / 1e3)
         )));
     }
     Ok(Sheet::new(&table, rules))
@@ -106,7 +109,7 @@ pub(super) fn directions(
     rules: &Rules,
     exact: &Exact,
     allowance: &Allowance,
-) -> Result<Option<String>, ExportError> {
+) -> Result<Option<Text>, ExportError> {
     let Directions::One { instead } = rules.directions else {
         return Ok(None);
     };
@@ -116,16 +119,20 @@ pub(super) fn directions(
         return Ok(None);
     }
     let unit = exact.table.kind.sign();
-    let says = format!(
-        "the corrections of the two directions differ by up to {apart:.5}{unit} (backlash), and \
-         {} holds one for both: their mean leaves {leaves:.4} mm",
-        rules.title()
+    let says = text!(
+        "the corrections of the two directions differ by up to {apart} (backlash), and {format} holds one for both: their mean leaves {leaves} mm",
+        apart = format!("{apart:.5}{unit}"),
+        format = rules.title(),
+        leaves = format!("{leaves:.4}")
     );
     if leaves <= allowance.mm {
         return Ok(Some(says));
     }
-    Err(ExportError::Refused(format!(
-        "{says}, more than {} ({:.4} mm); {instead}",
-        allowance.is, allowance.mm
+    Err(ExportError::Refused(text!(
+        "{says}, more than {allowed} ({limit} mm); {instead}",
+        says = says,
+        allowed = allowance.is,
+        limit = format!("{:.4}", allowance.mm),
+        instead = instead
     )))
 }

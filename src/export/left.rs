@@ -22,6 +22,7 @@ use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::Calibration;
+use crate::text::{Template, Text};
 
 /// What a table may add.
 const SHARE: f64 = 0.01;
@@ -39,7 +40,7 @@ pub struct Allowance {
     /// In mm.
     pub mm: f64,
     /// Of what it is a share.
-    pub is: &'static str,
+    pub is: Template,
 }
 
 impl Allowance {
@@ -47,7 +48,7 @@ impl Allowance {
         if let Some(tolerance) = calibration.tolerance_mm {
             return Self {
                 mm: SHARE * tolerance,
-                is: "1 % of the tolerance",
+                is: phrase!("1 % of the tolerance"),
             };
         }
         let gap = calibration.history.last().map_or(0.0, |step| step.gap_mm);
@@ -55,9 +56,9 @@ impl Allowance {
         Self {
             mm: SHARE * if known { gap } else { LEAST_STAND_IN_MM },
             is: if known {
-                "1 % of the model's RMS error, as there is no tolerance"
+                phrase!("1 % of the model's RMS error, as there is no tolerance")
             } else {
-                "1 % of 0.01 mm, as there is no tolerance"
+                phrase!("1 % of 0.01 mm, as there is no tolerance")
             },
         }
     }
@@ -231,32 +232,47 @@ impl Left {
     }
 
     /// In words.
-    pub fn says(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> String {
-        let gap = self.gap_mm.map_or(String::new(), |[with, exact]| {
-            format!(
-                "with this table the controller leaves {with:.4} mm over the measured range, where \
-                 an exact correction leaves {exact:.4} mm; "
+    pub fn says(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> Text {
+        let (entries, allowed) = (sheet.places.len(), self.allowance.is);
+        let added = format!("{:.5}", self.added_rms_mm);
+        let limit = format!("{:.5}", self.allowance.mm);
+        let adds = if self.met() {
+            text!(
+                "its {entries} entries add {added} mm, less than {allowed} ({limit} mm)",
+                entries = entries,
+                added = added,
+                allowed = allowed,
+                limit = limit
             )
-        });
-        let (entries, may) = (sheet.places.len(), self.allowance);
-        let added = format!("{gap}its {entries} entries add {:.5} mm", self.added_rms_mm);
-        if self.met() {
-            format!("{added}, less than {} ({:.5} mm)", may.is, may.mm)
         } else if asked {
-            format!(
-                "{added}, more than {} ({:.5} mm): the step is wide",
-                may.is, may.mm
+            text!(
+                "its {entries} entries add {added} mm, more than {allowed} ({limit} mm): the step is wide",
+                entries = entries,
+                added = added,
+                allowed = allowed,
+                limit = limit
             )
         } else {
-            format!(
-                "{added}, more than {} ({:.5} mm): {} takes at most {} entries in steps of {}{}",
-                may.is,
-                may.mm,
-                rules.title(),
-                rules.most_entries,
-                rules.resolution.unwrap_or(0.0),
-                sheet.kind.sign(),
+            let step = rules.resolution.unwrap_or(0.0);
+            text!(
+                "its {entries} entries add {added} mm, more than {allowed} ({limit} mm): {format} takes at most {most} entries in steps of {step}",
+                entries = entries,
+                added = added,
+                allowed = allowed,
+                limit = limit,
+                format = rules.title(),
+                most = rules.most_entries,
+                step = format!("{step}{}", sheet.kind.sign())
             )
+        };
+        match self.gap_mm {
+            Some([with, exact]) => text!(
+                "with this table the controller leaves {with} mm over the measured range, where an exact correction leaves {exact} mm; {adds}",
+                with = format!("{with:.4}"),
+                exact = format!("{exact:.4}"),
+                adds = adds
+            ),
+            None => adds,
         }
     }
 }

@@ -27,12 +27,13 @@ use super::urdf;
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::compensation::Compensation;
 use crate::kinematics::{Joint, JointKind, Robot};
+use crate::text::Text;
 
 pub use calibration::lerobot_calibration;
 
 pub(super) const FORMAT: Format = Format {
     id: "lerobot",
-    title: "LeRobot motor calibration and URDF",
+    title: phrase!("LeRobot motor calibration and URDF"),
     extension: "json",
     rules: None,
     suits: all_turn,
@@ -54,9 +55,9 @@ impl Exporter for LeRobot {
         let nominal = &job.calibration.model.robot;
         let slides = |joint: &&Joint| joint.kind == JointKind::Prismatic;
         if let Some(joint) = nominal.joints.iter().find(slides) {
-            return Err(ExportError::Refused(format!(
-                "joint '{}' slides, and the servos of LeRobot turn; take urdf",
-                joint.name
+            return Err(ExportError::Refused(text!(
+                "joint '{joint}' slides, and the servos of LeRobot turn; take urdf",
+                joint = &joint.name
             )));
         }
         let (mut motors, mut notes) = present(job)?;
@@ -85,17 +86,16 @@ impl Exporter for LeRobot {
             }
         }
         if !moved.is_empty() {
-            notes.push(format!(
-                "the motors show more than before, in ticks: {}; their ranges move by as much with \
-                 it: keep away from the stops until you have tried it",
-                moved.join(", ")
+            notes.push(text!(
+                "the motors show more than before, in ticks: {motors}; their ranges move by as much with it: keep away from the stops until you have tried it",
+                motors = moved.join(", ")
             ));
         }
         let all = Compensation::new(job.calibration).robot;
         let alone = rms(&apart(job, &all, &nominal.rehomed(&chain.taken)));
-        notes.push(format!(
-            "the calibration by itself, with the nominal URDF, leaves {alone:.4} mm over the measured \
-             range (level: zeros)"
+        notes.push(text!(
+            "the calibration by itself, with the nominal URDF, leaves {left} mm over the measured range (level: zeros)",
+            left = format!("{alone:.4}")
         ));
         let names = Names::new(&chain.robot);
         let text = urdf::write(job, &chain, &names);
@@ -114,29 +114,30 @@ impl Exporter for LeRobot {
             units: "ticks, 4096 a turn; the URDF in metres and radians",
             sign: match job.options.motors {
                 Motors::Feetech => {
-                    "Feetech: present = actual − homing_offset; a joint that stands beyond its \
-                     command gets a smaller homing_offset"
+                    phrase!(
+                        "Feetech: present = actual − homing_offset; a joint that stands beyond its command gets a smaller homing_offset"
+                    )
                 }
                 Motors::Dynamixel => {
-                    "Dynamixel: present = actual + homing_offset; a joint that stands beyond its \
-                     command gets a larger homing_offset"
+                    phrase!(
+                        "Dynamixel: present = actual + homing_offset; a joint that stands beyond its command gets a larger homing_offset"
+                    )
                 }
             },
             ends: Some(names.ends()),
-            in_the_controller: vec![
-                "the calibration by itself carries the zeros; the URDF beside it carries the rest and \
-                 agrees with this motor calibration only"
-                    .to_owned(),
-            ],
+            in_the_controller: vec![text!(
+                "the calibration by itself carries the zeros; the URDF beside it carries the rest and agrees with this motor calibration only"
+            )],
             zeros: Some(match zeros {
                 Zeros::Controller => {
-                    "the zero offsets are in homing_offset of this calibration, in whole ticks, and \
-                     the rest of them in the URDF beside it: nothing else is to take them"
-                        .to_owned()
+                    text!(
+                        "the zero offsets are in homing_offset of this calibration, in whole ticks, and the rest of them in the URDF beside it: nothing else is to take them"
+                    )
                 }
                 Zeros::Origins => {
-                    "the zero offsets are in the URDF beside this calibration, which is as it was"
-                        .to_owned()
+                    text!(
+                        "the zero offsets are in the URDF beside this calibration, which is as it was"
+                    )
                 }
             }),
             notes,
@@ -147,10 +148,10 @@ impl Exporter for LeRobot {
 }
 
 /// The calibration that was active while measuring.
-fn present(job: &Job) -> Result<(Vec<Motor>, Vec<String>), ExportError> {
+fn present(job: &Job) -> Result<(Vec<Motor>, Vec<Text>), ExportError> {
     if let Some(reference) = job.options.reference {
         let motors = read_calibration(reference.bytes, reference.name)
-            .map_err(|rejected| ExportError::Refused(rejected.to_string()))?;
+            .map_err(|rejected| ExportError::Refused(rejected.says()))?;
         return Ok((motors, Vec::new()));
     }
     let joints = job.calibration.model.robot.joints.iter().enumerate();
@@ -162,9 +163,10 @@ fn present(job: &Job) -> Result<(Vec<Motor>, Vec<String>), ExportError> {
         range_min: 0,
         range_max: TICKS_PER_TURN - 1,
     };
-    let says = "no calibration was given: the homing offsets count from 0, and ids and ranges are \
-                placeholders; give the one that was active while measuring with --reference";
-    Ok((joints.map(motor).collect(), vec![says.to_owned()]))
+    let says = text!(
+        "no calibration was given: the homing offsets count from 0, and ids and ranges are placeholders; give the one that was active while measuring with --reference"
+    );
+    Ok((joints.map(motor).collect(), vec![says]))
 }
 
 /// Which motor drives which joint: by name, else by id.
@@ -177,11 +179,10 @@ fn motors_of_joints(motors: &[Motor], robot: &Robot) -> Result<Vec<usize>, Expor
     let places = robot.joints.iter().map(|joint| {
         of(joint).ok_or_else(|| {
             let known: Vec<&str> = motors.iter().map(|motor| motor.name.as_str()).collect();
-            ExportError::Refused(format!(
-                "no motor is called '{}' in the calibration, which has {}; name the joints of the \
-                 robot as its motors",
-                joint.name,
-                known.join(", ")
+            ExportError::Refused(text!(
+                "no motor is called '{joint}' in the calibration, which has {motors}; name the joints of the robot as its motors",
+                joint = &joint.name,
+                motors = known.join(", ")
             ))
         })
     });
@@ -197,10 +198,10 @@ fn move_zero(motor: &mut Motor, ticks: i64, motors: Motors) -> Result<(), Export
     if motor.homing_offset.abs() <= MOST_TICKS {
         return Ok(());
     }
-    Err(ExportError::Refused(format!(
-        "{}: a homing_offset of {} does not fit into the servo, which takes ±{MOST_TICKS}; remount \
-         its horn so that the joint's zero is nearer the middle of the encoder, calibrate the motors \
-         again, and measure again",
-        motor.name, motor.homing_offset
+    Err(ExportError::Refused(text!(
+        "{motor}: a homing_offset of {offset} does not fit into the servo, which takes ±{most}; remount its horn so that the joint's zero is nearer the middle of the encoder, calibrate the motors again, and measure again",
+        motor = &motor.name,
+        offset = motor.homing_offset,
+        most = MOST_TICKS
     )))
 }

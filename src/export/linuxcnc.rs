@@ -20,6 +20,7 @@ use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 use crate::kinematics::JointKind;
+use crate::text::Text;
 
 const RULES: Rules = Rules {
     format: "linuxcnc",
@@ -30,7 +31,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Free,
     widest_step: 10.0,
     most_entries: 256,
-    limit_because: "the size of its table",
+    limit_because: phrase!("the size of its table"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two lines",
@@ -43,7 +44,7 @@ const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "LinuxCNC COMP_FILE",
+    phrase!("LinuxCNC COMP_FILE"),
     "comp",
     &TableFile {
         rules: &RULES,
@@ -53,7 +54,7 @@ pub(super) const FORMAT: Format = TableFile::format(
     },
 );
 
-fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     let mut text = String::new();
     let columns = sheet.forward.iter().zip(&sheet.reverse);
     for (place, (forward, reverse)) in sheet.places.iter().zip(columns) {
@@ -84,16 +85,20 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     Ok(columns)
 }
 
-fn enter(job: &Job, sheet: &Sheet) -> Vec<String> {
+fn enter(job: &Job, sheet: &Sheet) -> Vec<Text> {
     let unit = match sheet.kind {
         JointKind::Revolute => "TYPE = ANGULAR and [TRAJ] ANGULAR_UNITS = degree",
         JointKind::Prismatic => "TYPE = LINEAR and [TRAJ] LINEAR_UNITS = mm",
     };
     vec![
-        format!(
-            "in the INI file: [JOINT_{}] COMP_FILE = {}, COMP_FILE_TYPE = 1; the joint has {unit}",
-            sheet.joint, job.file_name
+        text!(
+            "in the INI file: {lines}; the joint has {unit}",
+            lines = format!(
+                "[JOINT_{}] COMP_FILE = {}, COMP_FILE_TYPE = 1",
+                sheet.joint, job.file_name
+            ),
+            unit = unit
         ),
-        "BACKLASH is ignored while COMP_FILE is set: the two columns carry it".to_owned(),
+        text!("BACKLASH is ignored while COMP_FILE is set: the two columns carry it"),
     ]
 }

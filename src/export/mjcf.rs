@@ -20,7 +20,7 @@ use crate::kinematics::{JointKind, Pose, Robot, robot_from_mjcf};
 
 pub(super) const FORMAT: Format = Format {
     id: "mjcf",
-    title: "MJCF with corrected bodies",
+    title: phrase!("MJCF with corrected bodies"),
     extension: "xml",
     rules: None,
     suits: several_joints,
@@ -42,9 +42,9 @@ impl Exporter for Mjcf {
             .map_err(|error| ExportError::ReadBack(error.to_string()))?;
         chain.check(job, &robot)?;
         let mut notes = names.notes();
-        notes.push(
-            "masses are not written: a calibration does not know the inertia of a link".to_owned(),
-        );
+        notes.push(text!(
+            "masses are not written: a calibration does not know the inertia of a link"
+        ));
         let written = Written {
             ends: Some([base, tip]),
             notes,

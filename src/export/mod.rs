@@ -45,6 +45,7 @@ use crate::fit::gap::Spread;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::sessions::Session;
+use crate::text::{Template, Text};
 
 /// A format that models are exported to.
 pub trait Exporter: Sync {
@@ -61,7 +62,7 @@ pub struct Format {
     /// Name for `--to`.
     pub id: &'static str,
     /// Name in words.
-    pub title: &'static str,
+    pub title: Template,
     /// The usual ending of its files.
     pub extension: &'static str,
     /// What it is, where it is a table.
@@ -189,8 +190,10 @@ pub struct Export {
     pub robot: Option<Robot>,
     /// What the controller leaves over the measured range; `None` for formats without a table.
     pub left: Option<Left>,
+    /// What the numbers of the first document mean: their sign, an example, what to enter.
+    pub meaning: Vec<Text>,
     /// What the user should know.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// The RMS errors of a session as it stands and under an export, mm, where both can be said.
@@ -208,31 +211,65 @@ pub fn gaps_of_export(
 }
 
 /// Why there is no export.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum ExportError {
     /// There is no table.
-    #[error("{0}")]
-    Table(#[from] TableError),
+    Table(TableError),
     /// The format cannot say it.
-    #[error("{0}")]
-    Refused(String),
+    Refused(Text),
     /// The session is better without it.
-    #[error(
-        "with this {what} the RMS error of '{session}' would rise from {before_mm:.6} to {after_mm:.6} mm: nothing is written"
-    )]
     MakesWorse {
         /// Name of the session.
         session: String,
         /// Table, or description of the robot.
-        what: &'static str,
+        what: Template,
         /// As it stands, mm.
         before_mm: f64,
         /// With the export, mm.
         after_mm: f64,
     },
     /// What was written does not read as what was meant: a bug, and nothing is written.
-    #[error("the file does not read back as it should: {0}")]
     ReadBack(String),
+}
+
+impl ExportError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Table(given) => given.says(),
+            Self::Refused(says) => says.clone(),
+            Self::MakesWorse {
+                session,
+                what,
+                before_mm,
+                after_mm,
+            } => text!(
+                "with this {what} the RMS error of '{session}' would rise from {before_mm} to {after_mm} mm: nothing is written",
+                what = what,
+                session = session,
+                before_mm = format!("{:.6}", before_mm),
+                after_mm = format!("{:.6}", after_mm)
+            ),
+            Self::ReadBack(what) => text!(
+                "the file does not read back as it should: {what}",
+                what = what
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for ExportError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for ExportError {}
+
+impl From<TableError> for ExportError {
+    fn from(error: TableError) -> Self {
+        Self::Table(error)
+    }
 }
 
 /// The gap of a session under an export: with its table (see [`gap_left`]), or to its robot.

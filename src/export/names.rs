@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::kinematics::Robot;
+use crate::text::Text;
 
 /// Unique names for links and joints.
 pub(super) struct Names {
@@ -60,9 +61,10 @@ impl Names {
     }
 
     /// What the user should know of them.
-    pub(super) fn notes(&self) -> Vec<String> {
-        let says = "names that are empty or not unique were changed: the file needs one for each";
-        self.changed.then(|| says.to_owned()).into_iter().collect()
+    pub(super) fn notes(&self) -> Vec<Text> {
+        let says =
+            text!("names that are empty or not unique were changed: the file needs one for each");
+        self.changed.then_some(says).into_iter().collect()
     }
 }
 

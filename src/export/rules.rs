@@ -8,6 +8,7 @@
 //! Half of all controllers want c and half of them want e; [`Says`] is the one place that knows.
 
 use crate::kinematics::JointKind;
+use crate::text::{Template, Text};
 
 /// What the numbers of a table are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,15 +29,17 @@ impl Says {
     }
 
     /// In words, for whoever uses the table.
-    pub fn sentence(self) -> &'static str {
+    pub fn sentence(self) -> Template {
         match self {
             Self::Correction => {
-                "the numbers are corrections: add them to the command, so that the robot ends up \
-                 where it was commanded (the deviation measured − commanded has the other sign)"
+                phrase!(
+                    "the numbers are corrections: add them to the command, so that the robot ends up where it was commanded (the deviation measured − commanded has the other sign)"
+                )
             }
             Self::Deviation => {
-                "the numbers are deviations, actual − commanded: the controller takes them away \
-                 from the command (the correction, what is added to it, has the other sign)"
+                phrase!(
+                    "the numbers are deviations, actual − commanded: the controller takes them away from the command (the correction, what is added to it, has the other sign)"
+                )
             }
         }
     }
@@ -59,7 +62,7 @@ pub enum Directions {
     /// One column for both. Where they differ noticeably the export is refused.
     One {
         /// What to do then.
-        instead: &'static str,
+        instead: Template,
     },
 }
 
@@ -83,7 +86,7 @@ pub struct Rules {
     /// The most entries that its reader takes.
     pub most_entries: usize,
     /// Where that limit comes from.
-    pub limit_because: &'static str,
+    pub limit_because: Template,
     /// Whether it has a column for each direction.
     pub directions: Directions,
     /// Whether it can say that it repeats after a turn.
@@ -97,13 +100,14 @@ pub struct Rules {
     /// What happens after a full turn.
     pub full_turn: &'static str,
     /// What is not sure about it.
-    pub label: Option<&'static str>,
+    pub label: Option<Template>,
 }
 
 impl Rules {
     /// What the format is called among people.
-    pub fn title(&self) -> &'static str {
-        super::find(self.format).map_or(self.format, |format| format.title)
+    pub fn title(&self) -> Text {
+        let format = super::find(self.format);
+        format.map_or_else(|| Text::verbatim(self.format), |format| format.title.into())
     }
 
     /// Unit of the file's numbers.
@@ -132,7 +136,8 @@ impl Rules {
 pub(super) const DECIMALS: Option<f64> = Some(1e-9);
 
 /// What has only been read about.
-pub(super) const FROM_THE_MANUAL: &str = "syntax from the manual, not tried on a controller";
+pub(super) const FROM_THE_MANUAL: Template =
+    phrase!("syntax from the manual, not tried on a controller");
 
 /// A number with a decimal point and without an exponent, whatever the locale; never −0.
 pub(super) fn decimal(value: f64) -> String {

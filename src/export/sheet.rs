@@ -3,6 +3,7 @@
 use super::rules::{Directions, Rules};
 use crate::compensation::{Conditions, JointTable};
 use crate::kinematics::{JointKind, Range};
+use crate::text::Text;
 
 /// Corrections (what to add), in degrees or mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +29,7 @@ pub struct Sheet {
     /// The conditions that it is made for.
     pub conditions: Conditions,
     /// What else there is to know.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// One turn, degrees.

@@ -14,6 +14,7 @@ use crate::document::{Value, object, text_of};
 use crate::effects::Inputs;
 use crate::kinematics::Range;
 use crate::model::format_v1::model_hash;
+use crate::text::Text;
 
 pub(super) struct Sidecar<'a> {
     pub(super) job: &'a Job<'a>,
@@ -21,7 +22,7 @@ pub(super) struct Sidecar<'a> {
     pub(super) rules: &'a Rules,
     pub(super) left: &'a Left,
     /// What to enter besides the table.
-    pub(super) in_the_controller: Vec<String>,
+    pub(super) in_the_controller: Vec<Text>,
 }
 
 /// Poses over which what stays is stated, per joint.
@@ -46,7 +47,7 @@ impl Sidecar<'_> {
         let [from, to] = sheet.ends();
         let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.outer(end));
         let example = WorkedExample::new(job, sheet, rules);
-        let texts = |texts: &[String]| texts.iter().collect::<Value>();
+        let texts = |texts: &[Text]| texts.iter().collect::<Value>();
         let document = object! {
             "format": "truepose-table/1",
             "table": job.file_name,
@@ -114,17 +115,27 @@ impl Sidecar<'_> {
         text_of(&document).into_bytes()
     }
 
+    /// What the numbers mean: their sign, the example, what to enter, how sure it is, the table's notes.
+    pub(super) fn meaning(&self) -> Vec<Text> {
+        let example = WorkedExample::new(self.job, self.sheet, self.rules).says;
+        let mut meaning = vec![self.rules.says.sentence().into(), example];
+        meaning.extend(self.in_the_controller.iter().cloned());
+        meaning.extend(self.rules.label.map(Text::from));
+        meaning.extend(self.sheet.notes.iter().cloned());
+        meaning
+    }
+
     /// What a user should hear besides the file: the example, what to enter, the table's notes,
     /// what stays.
-    pub(super) fn notes(&self) -> Vec<String> {
+    pub(super) fn notes(&self) -> Vec<Text> {
         let remainder = self.stays();
         let mut notes = vec![WorkedExample::new(self.job, self.sheet, self.rules).says];
         notes.extend(self.in_the_controller.iter().cloned());
-        notes.extend(self.rules.label.map(str::to_owned));
+        notes.extend(self.rules.label.map(Text::from));
         notes.extend(self.sheet.notes.iter().cloned());
-        notes.push(format!(
-            "no joint removes {:.4} mm (root mean square over the measured range)",
-            remainder.rms_mm
+        notes.push(text!(
+            "no joint removes {size} mm (root mean square over the measured range)",
+            size = format!("{:.4}", remainder.rms_mm)
         ));
         notes.extend(remainder.says());
         notes
@@ -136,7 +147,7 @@ struct WorkedExample {
     robot_reaches: f64,
     table_says: f64,
     command_to_send: f64,
-    says: String,
+    says: Text,
 }
 
 impl WorkedExample {
@@ -162,26 +173,41 @@ impl WorkedExample {
         let says = rules.says.sign() * correction * rules.per_outer + 0.0;
         let digits = 6;
         let number = if rules.per_outer == 1.0 {
-            format!("{says:+.digits$}")
+            Text::verbatim(format!("{says:+.digits$}"))
         } else {
-            format!("{says:+.0} (in {})", rules.unit(sheet.kind))
+            text!(
+                "{number} (in {unit})",
+                number = format!("{says:+.0}"),
+                unit = rules.unit(sheet.kind)
+            )
         };
         let sent = commanded + correction;
-        let then = match rules.says {
-            Says::Correction => format!("send {sent:.digits$}{unit}"),
-            Says::Deviation => format!("the controller sends {sent:.digits$}{unit}"),
+        let send = format!("{sent:.digits$}{unit}");
+        // The data's range may end at any digit.
+        let at = format!("{}{unit}", (commanded * 1e6).round() / 1e6);
+        let reached_there = format!("{reached:.digits$}{unit}");
+        let in_words = match rules.says {
+            Says::Correction => text!(
+                "commanded {commanded}, robot reached {reached}, table says {number}: send {sent}",
+                commanded = at,
+                reached = reached_there,
+                number = number,
+                sent = send
+            ),
+            Says::Deviation => text!(
+                "commanded {commanded}, robot reached {reached}, table says {number}: the controller sends {sent}",
+                commanded = at,
+                reached = reached_there,
+                number = number,
+                sent = send
+            ),
         };
         Self {
             commanded,
             robot_reaches: reached,
             table_says: says,
             command_to_send: sent,
-            says: format!(
-                "commanded {}{unit}, robot reached {reached:.digits$}{unit}, table says \
-                 {number}: {then}",
-                // The data's range may end at any digit.
-                (commanded * 1e6).round() / 1e6
-            ),
+            says: in_words,
         }
     }
 }

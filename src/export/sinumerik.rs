@@ -11,6 +11,7 @@
 //!
 //! Source: SINUMERIK 840D sl / 828D, Function Manual Extended Functions, K3 "Compensations".
 
+use crate::text::Text;
 use std::fmt::Write;
 
 use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
@@ -27,10 +28,12 @@ const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 10.0,
     most_entries: 5000,
-    limit_because: "MD38000 MM_ENC_COMP_MAX_POINTS",
+    limit_because: phrase!("MD38000 MM_ENC_COMP_MAX_POINTS"),
     directions: Directions::One {
-        instead: "enter the backlash in MD32450 BACKLASH and export a model without it, or take a \
-                  format with two columns (LinuxCNC, TwinCAT CNC, CSV)",
+        instead: phrase!(
+            "enter the backlash in MD32450 BACKLASH and export a model without it, or take a \
+                  format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
+        ),
     },
     repeats: true,
     interpolation: "linear between two points",
@@ -41,7 +44,7 @@ const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "SINUMERIK ENC_COMP archive",
+    phrase!("SINUMERIK ENC_COMP archive"),
     "arc",
     &TableFile {
         rules: &RULES,
@@ -65,7 +68,7 @@ fn axis(sheet: &Sheet) -> String {
     }
 }
 
-fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     let (axis, sign) = (axis(sheet), RULES.says.sign());
     let [from, to] = sheet.ends();
     let last = sheet.places.len() - 1;
@@ -130,27 +133,29 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
 /// Points of the smallest control of the family.
 const SMALL_CONTROL: usize = 200;
 
-fn enter(_: &Job, sheet: &Sheet) -> Vec<String> {
-    let mut says = vec![format!(
-        "in the machine data: MD38000 MM_ENC_COMP_MAX_POINTS at least {}, and after loading MD32700 \
-         ENC_COMP_ENABLE[{ENCODER}] = 1; the axis has to be called {}",
-        sheet.places.len(),
-        axis(sheet)
+fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
+    let mut says = vec![text!(
+        "in the machine data: MD38000 MM_ENC_COMP_MAX_POINTS at least {points}, and after loading {enable}; the axis has to be called {axis}",
+        points = sheet.places.len(),
+        enable = format!("MD32700 ENC_COMP_ENABLE[{ENCODER}] = 1"),
+        axis = axis(sheet)
     )];
     let read = super::ReadBack::of_sheet(sheet);
     let at_zero = read.map_or(0.0, |read| read.correction_outer(0.0, 0.0));
-    says.push(format!(
-        "switched on after referencing, the axis moves at once by the correction at the reference \
-         point, {at_zero:+.6} {} at 0",
-        sheet.unit()
+    says.push(text!(
+        "switched on after referencing, the axis moves at once by the correction at the reference point, {correction} at 0",
+        correction = format!("{at_zero:+.6} {}", sheet.unit())
     ));
     if sheet.places.len() > SMALL_CONTROL {
-        says.push(format!(
-            "the 808D holds {SMALL_CONTROL} points; for it give a wider step"
+        says.push(text!(
+            "the 808D holds {points} points; for it give a wider step",
+            points = SMALL_CONTROL
         ));
     }
     if sheet.repeats {
-        says.push("IS_MODULO = 1 is for a modulo axis; for one that ends, set it to 0".to_owned());
+        says.push(text!(
+            "IS_MODULO = 1 is for a modulo axis; for one that ends, set it to 0"
+        ));
     }
     says
 }

@@ -10,16 +10,17 @@ use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
 use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, any_robot, grid};
+use crate::text::{Template, Text};
 
 /// What tells one table format from another.
 pub(super) struct TableFile {
     pub(super) rules: &'static Rules,
     /// The file; the lines are what could stand in a comment.
-    pub(super) write: fn(&Job, &Sheet, &[String]) -> String,
+    pub(super) write: fn(&Job, &Sheet, &[Text]) -> String,
     /// The numbers of the file.
     pub(super) read: fn(&Sheet, &str) -> Result<Columns, ExportError>,
     /// What has to be entered in the controller.
-    pub(super) enter: fn(&Job, &Sheet) -> Vec<String>,
+    pub(super) enter: fn(&Job, &Sheet) -> Vec<Text>,
 }
 
 /// Places are counted from the first one in some formats, which costs last bits; degrees or mm.
@@ -64,8 +65,9 @@ impl Exporter for TableFile {
             documents: Document::with_sidecar(job.file_name, text.into_bytes(), beside),
             reads_as: Some(reads_as),
             robot: None,
-            left: Some(left),
+            meaning: sidecar.meaning(),
             notes,
+            left: Some(left),
         })
     }
 }
@@ -73,7 +75,7 @@ impl Exporter for TableFile {
 impl TableFile {
     /// The entry of the list of formats for a table, whose rules hold its name.
     pub(super) const fn format(
-        title: &'static str,
+        title: Template,
         extension: &'static str,
         table: &'static Self,
     ) -> Format {

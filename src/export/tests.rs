@@ -122,7 +122,7 @@ fn outside_the_measured_range_the_end_is_held_and_that_is_said() {
     let session = simulate(&scenario, 3, unwatched).unwrap().0;
     let calibration = calibration(&session, &LAMP);
     let export = export(&calibration, "csv", "t.csv", 10.0);
-    let said = export.notes.join("\n");
+    let said = crate::text::Text::listed(&export.notes, "\n").to_string();
     assert!(
         said.contains("outside, the correction at the end of that range is held"),
         "{said}"

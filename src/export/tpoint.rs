@@ -30,10 +30,11 @@ use crate::document::text_of;
 use crate::effects::PlaceKind;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::format_v1::model_hash;
+use crate::text::{Template, Text};
 
 pub(super) const FORMAT: Format = Format {
     id: "tpoint",
-    title: "TPOINT terms of an altazimuth mount",
+    title: phrase!("TPOINT terms of an altazimuth mount"),
     extension: "mod",
     rules: None,
     suits: |robot| Mount::of(robot).is_some(),
@@ -102,11 +103,11 @@ struct PointingSidecar<'a> {
     samples_hash: &'a str,
     model_hash: String,
     units: &'static str,
-    sign: &'static str,
+    sign: Template,
     terms: Vec<TermTwin>,
     leaves_arcsec: f64,
     nominal_arcsec: f64,
-    notes: Vec<String>,
+    notes: Vec<Text>,
 }
 
 #[derive(Serialize)]
@@ -119,10 +120,9 @@ impl Exporter for Tpoint {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let nominal = &job.calibration.model.robot;
         let mount = Mount::of(nominal).ok_or_else(|| {
-            ExportError::Refused(
+            ExportError::Refused(text!(
                 "no altazimuth mount: two joints that turn are needed, the first about ±z of the base frame, the second across it"
-                    .to_owned(),
-            )
+            ))
         })?;
         let chain = Chain::new(job, Zeros::Origins)?;
         let fitted = fitted(job, &chain, &mount);
@@ -139,17 +139,21 @@ impl Exporter for Tpoint {
         }
         text.push_str("END\n");
         let mut notes = vec![
-            format!(
-                "the terms leave {:.2}″ of the model over the measured range (root mean square on the sky), no correction {:.2}″",
-                fitted.left_arcsec, fitted.nominal_arcsec
+            text!(
+                "the terms leave {left}″ of the model over the measured range (root mean square on the sky), no correction {nominal}″",
+                left = format!("{:.2}", fitted.left_arcsec),
+                nominal = format!("{:.2}", fitted.nominal_arcsec)
             ),
-            "encoder = star + correction, arcseconds: star at the horizon in the east, IE +10 and no other term: the mount is sent to +10″".to_owned(),
+            text!(
+                "encoder = star + correction, arcseconds: star at the horizon in the east, IE +10 and no other term: the mount is sent to +10″"
+            ),
         ];
         let left_out = chain.corrected.left_out.iter();
         notes.extend(left_out.map(|term| {
-            format!(
-                "{} is in none of these terms",
-                term.effect.about().title.english().to_lowercase()
+            let title = term.effect.about().title;
+            text!(
+                "{effect} is in none of these terms",
+                effect = Text::named(title.english().to_lowercase(), title)
             )
         }));
         let sidecar = PointingSidecar {
@@ -162,7 +166,9 @@ impl Exporter for Tpoint {
             samples_hash: &job.calibration.samples_hash,
             model_hash: model_hash(job.calibration),
             units: "arcseconds",
-            sign: "what is added to the place of the star to get the place of the encoder, by the terms' own formulas",
+            sign: phrase!(
+                "what is added to the place of the star to get the place of the encoder, by the terms' own formulas"
+            ),
             terms: TERMS
                 .iter()
                 .zip(&fitted.arcsec)
@@ -175,12 +181,15 @@ impl Exporter for Tpoint {
             nominal_arcsec: fitted.nominal_arcsec,
             notes: notes.clone(),
         };
+        let mut meaning = vec![sidecar.sign.into()];
+        meaning.extend(notes.iter().cloned());
         let json = text_of(&sidecar).into_bytes();
         Ok(Export {
             documents: Document::with_sidecar(job.file_name, text.into_bytes(), json),
             reads_as: None,
             robot: None,
             left: None,
+            meaning,
             notes,
         })
     }

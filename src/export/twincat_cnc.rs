@@ -13,6 +13,7 @@
 //! Source: Beckhoff Information System, TF5200 "Axis compensation", P-COMP-00018 to 00025 and the
 //! example of a bilateral list, where 19856.5 µm measured at 19866.7 µm programmed is entered as −102.
 
+use crate::text::Text;
 use std::fmt::Write;
 
 use super::rules::{Directions, FROM_THE_MANUAL, Rules, Says, Spacing};
@@ -29,7 +30,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Free,
     widest_step: 10.0,
     most_entries: 1500,
-    limit_because: "P-COMP-00059 where it was not raised",
+    limit_because: phrase!("P-COMP-00059 where it was not raised"),
     directions: Directions::Both,
     repeats: true,
     interpolation: "linear between two entries",
@@ -43,7 +44,7 @@ const RULES: Rules = Rules {
 const PER_OUTER: f64 = 1e4;
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "TwinCAT CNC (ISG) list",
+    phrase!("TwinCAT CNC (ISG) list"),
     "lis",
     &TableFile {
         rules: &RULES,
@@ -75,7 +76,7 @@ fn axis_name(sheet: &Sheet) -> String {
     }
 }
 
-fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     let mut text = String::new();
     let mut entry = |key: &str, value: &str| {
         writeln!(text, "{key:<32} {value}").expect("writing to memory does not fail");
@@ -134,21 +135,23 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
 /// More than older builds hold.
 const SIXTEEN_BITS: f64 = 32767.0;
 
-fn enter(_: &Job, sheet: &Sheet) -> Vec<String> {
-    let mut says = vec![format!(
-        "in the axis list: lr_param.ssfk 1; kopf.achs_nr {} and the name {} have to be those of the \
-         axis; no other backlash compensation beside it",
-        sheet.joint + 1,
-        axis_name(sheet)
+fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
+    let mut says = vec![text!(
+        "in the axis list: {number} and the name {name} have to be those of the axis; no other backlash compensation beside it",
+        number = format!("lr_param.ssfk 1; kopf.achs_nr {}", sheet.joint + 1),
+        name = axis_name(sheet)
     )];
     if sheet.repeats {
-        says.push("modulo 1 is for a modulo axis; for one that ends, set it to 0".to_owned());
+        says.push(text!(
+            "modulo 1 is for a modulo axis; for one that ends, set it to 0"
+        ));
     }
     let all = sheet.forward.iter().chain(&sheet.reverse);
     let largest = all.fold(0.0_f64, |a, c| a.max(c.abs())) * PER_OUTER;
     if largest > SIXTEEN_BITS {
-        says.push(format!(
-            "the largest value, {largest:.0}, needs a build with values of 32 bits; older ones hold 16"
+        says.push(text!(
+            "the largest value, {largest}, needs a build with values of 32 bits; older ones hold 16",
+            largest = format!("{largest:.0}")
         ));
     }
     says

@@ -13,6 +13,7 @@
 //! Source: Beckhoff Information System, `Tc2_MC2`, `MC_TableBasedPositionCompensation` and
 //! `ST_PositionCompensationTableParameter`.
 
+use crate::text::Text;
 use std::fmt::Write;
 
 use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
@@ -29,10 +30,12 @@ const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 10.0,
     most_entries: usize::MAX,
-    limit_because: "it has no limit but the memory",
+    limit_because: phrase!("it has no limit but the memory"),
     directions: Directions::One {
-        instead: "let the axis' own backlash compensation take it and export a model without \
-                  backlash, or take a format with two columns (LinuxCNC, TwinCAT CNC, CSV)",
+        instead: phrase!(
+            "let the axis' own backlash compensation take it and export a model without \
+                  backlash, or take a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
+        ),
     },
     repeats: true,
     interpolation: "linear between two elements",
@@ -44,7 +47,7 @@ const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "TwinCAT NC structured text",
+    phrase!("TwinCAT NC structured text"),
     "st",
     &TableFile {
         rules: &RULES,
@@ -54,7 +57,7 @@ pub(super) const FORMAT: Format = TableFile::format(
     },
 );
 
-fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, notes: &[Text]) -> String {
     let mut text = String::new();
     let line = |text: &mut String, line: &str| {
         text.push_str(line);
@@ -71,7 +74,7 @@ fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
     for note in notes {
         line(
             &mut text,
-            &format!("// {}", note.replace(['\n', '\r'], " ")),
+            &format!("// {}", note.to_string().replace(['\n', '\r'], " ")),
         );
     }
     let [from, to] = sheet.ends();
@@ -137,15 +140,22 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     })
 }
 
-fn enter(_: &Job, sheet: &Sheet) -> Vec<String> {
-    let modulo = if sheet.repeats {
-        "; the axis is a modulo axis of 360, else Modulo is FALSE"
+fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
+    let (call, unit) = (
+        "MC_TableBasedPositionCompensation with pTable := ADR(aC), TableSize := SIZEOF(aC), TableParameter := stC",
+        sheet.unit(),
+    );
+    vec![if sheet.repeats {
+        text!(
+            "in the PLC: {call}; the axis counts in {unit}; the axis is a modulo axis of 360, else Modulo is FALSE",
+            call = call,
+            unit = unit
+        )
     } else {
-        ""
-    };
-    vec![format!(
-        "in the PLC: MC_TableBasedPositionCompensation with pTable := ADR(aC), TableSize := \
-         SIZEOF(aC), TableParameter := stC; the axis counts in {}{modulo}",
-        sheet.unit()
-    )]
+        text!(
+            "in the PLC: {call}; the axis counts in {unit}",
+            call = call,
+            unit = unit
+        )
+    }]
 }

@@ -26,7 +26,7 @@ use crate::model::format_v1::model_hash;
 
 pub(super) const FORMAT: Format = Format {
     id: "ur-kinematics",
-    title: "Kinematics of ur_description",
+    title: phrase!("Kinematics of ur_description"),
     extension: "yaml",
     rules: None,
     suits: six_that_turn,
@@ -55,10 +55,9 @@ impl Exporter for UrKinematics {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let nominal = &job.calibration.model.robot;
         if !six_that_turn(nominal) {
-            return Err(ExportError::Refused(format!(
-                "the kinematics of ur_description has six turning joints, and this robot has {}; \
-                 take urdf",
-                nominal.joints.len()
+            return Err(ExportError::Refused(text!(
+                "the kinematics of ur_description has six turning joints, and this robot has {joints}; take urdf",
+                joints = nominal.joints.len()
             )));
         }
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
@@ -76,18 +75,17 @@ impl Exporter for UrKinematics {
         );
         let [x, y, z] = tcp.tool.position_mm;
         let [rx, ry, rz] = tcp.tool.ur_rotation_vector_rad;
-        let enter = format!(
-            "set the TCP to ({x:.4}, {y:.4}, {z:.4}) mm with the rotation vector ({rx:.6}, {ry:.6}, \
-             {rz:.6}) rad: the tool is not part of this file"
+        let enter = text!(
+            "set the TCP to {place} with the rotation vector {turn}: the tool is not part of this file",
+            place = format!("({x:.4}, {y:.4}, {z:.4}) mm"),
+            turn = format!("({rx:.6}, {ry:.6}, {rz:.6}) rad")
         );
         let written = Written {
             frames: Some(tcp),
             in_the_controller: vec![enter],
-            notes: vec![
-                "for the launch argument kinematics_params_file; the driver compares its hash with \
-                 the controller's own calibration and warns that they differ"
-                    .to_owned(),
-            ],
+            notes: vec![text!(
+                "for the launch argument kinematics_params_file; the driver compares its hash with the controller's own calibration and warns that they differ"
+            )],
             ..Written::of(FORMAT.id, text, robot)
         };
         finish(job, &chain, written)

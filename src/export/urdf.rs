@@ -24,10 +24,11 @@ use super::euler::{rpy, three, tidy};
 use super::names::{Names, escaped};
 use super::{Export, ExportError, Exporter, Format, Job, any_robot};
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource, robot_from_urdf};
+use crate::text::Text;
 
 pub(super) const FORMAT: Format = Format {
     id: "urdf",
-    title: "URDF with corrected origins",
+    title: phrase!("URDF with corrected origins"),
     extension: "urdf",
     rules: None,
     suits: any_robot,
@@ -59,11 +60,12 @@ impl Exporter for Urdf {
 }
 
 /// That the file which the robot came from can be changed in place.
-fn came_from_a_file(job: &Job) -> Vec<String> {
+fn came_from_a_file(job: &Job) -> Vec<Text> {
     let from_links = matches!(job.calibration.model.robot.source, RobotSource::Links(_));
-    let says = "links have names of their own here, and no meshes: --reference with the URDF that the robot was read from \
-                changes the origins in that file, and nothing else in it";
-    from_links.then(|| says.to_owned()).into_iter().collect()
+    let says = text!(
+        "links have names of their own here, and no meshes: --reference with the URDF that the robot was read from changes the origins in that file, and nothing else in it"
+    );
+    from_links.then_some(says).into_iter().collect()
 }
 
 /// The file.

@@ -24,6 +24,7 @@ use crate::effects::{
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
+use crate::text::Text;
 
 use super::estimator::fit_without_outliers;
 use super::gauge::with_gauge;
@@ -173,7 +174,7 @@ pub struct Fitted {
     /// What is held at zero.
     pub held: Vec<NotIdentifiable>,
     /// What else there is to say.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// Fits a model with a base model in it: gauge, frame and tool before links, outliers, priors that
@@ -205,11 +206,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
             // A tool that is mounted turned moves every target; only then are their places in doubt.
             let start = if is_turned(&model) || !may_turn(problem, start) {
                 problem.priors.targets_mm = None;
-                notes.push(
-                    "the targets do not sit where the session says within targets_sigma_mm: their \
-                     places are fitted freely"
-                        .to_owned(),
-                );
+                notes.push(text!("the targets do not sit where the session says within targets_sigma_mm: their places are fitted freely"));
                 Cow::Borrowed(start)
             } else {
                 let turned = Term::absent(&TOOL_ORIENTATION, 0, 0.0);
@@ -220,15 +217,15 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
             solution = solve(problem, &links_held(&model));
             solution.model = with_held_of(&solution.model, &model);
         }
-        let names: Vec<String> = others
+        let names: Vec<Text> = others
             .iter()
             .map(|(term, k)| name_of(&start.robot, term, *k))
             .collect();
         if of_targets.is_empty() && !names.is_empty() {
             problem.priors.free(&others);
-            notes.push(format!(
-                "beyond what is usual by more than four times, and fitted without a prior: {}",
-                names.join(", ")
+            notes.push(text!(
+                "beyond what is usual by more than four times, and fitted without a prior: {names}",
+                names = Text::listed(names, ", ")
             ));
         }
         solution = fit_without_outliers(problem, &solution.model);
@@ -242,7 +239,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
 }
 
 /// What is known beforehand.
-fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<String>) -> Priors {
+fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -> Priors {
     let session = problem.session;
     let mut aligned = session.samples.setups.is_none();
     let frame = |t: &&Term| t.effect.about().setting == Setting::Setup;
@@ -252,10 +249,10 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<String>)
         let shift = (c[3] * c[3] + c[4] * c[4] + c[5] * c[5]).sqrt();
         if turn > NEVER_ALIGNED_RAD || shift > NEVER_ALIGNED_MM {
             aligned = false;
-            notes.push(format!(
-                "the measuring frame was never aligned with the robot's base (turned by {:.1}°, \
-                 moved by {shift:.0} mm): it is fitted freely",
-                turn.to_degrees()
+            notes.push(text!(
+                "the measuring frame was never aligned with the robot's base (turned by {turn}°, moved by {shift} mm): it is fitted freely",
+                turn = format!("{:.1}", turn.to_degrees()),
+                shift = format!("{shift:.0}")
             ));
         }
     }
@@ -327,7 +324,7 @@ fn with_held_of(values: &Model, held: &Model) -> Model {
     values.with_each(|index, term| term.held = held.terms()[index].held)
 }
 
-fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
+fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> Text {
     let alone = Model::new(robot.clone(), vec![term.clone()]);
     let names = coefficient_names(&alone);
     names.into_iter().nth(coefficient).unwrap_or_default()

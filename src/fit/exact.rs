@@ -8,10 +8,11 @@ use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
 use crate::effects::{
-    Effect, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, find, form_in, role,
+    Effect, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, called, find, form_in, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
+use crate::text::Text;
 
 use super::IdentifyError;
 use super::estimator::fit_without_outliers;
@@ -76,7 +77,7 @@ pub(super) struct Fresh<'a> {
     /// What was asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// What else there is to say.
-    notes: Vec<String>,
+    notes: Vec<Text>,
     /// Whether it holds the base model of several joints.
     arm: bool,
 }
@@ -174,7 +175,7 @@ pub(super) fn prepare<'a>(
         let is_known = known.iter().any(|t| t.effect.about().id == id);
         if let Some(because) = same_everywhere(&places).filter(|_| !is_known) {
             not_identifiable.push(NotIdentifiable {
-                combination: id.clone(),
+                combination: called(id),
                 because,
             });
             continue;
@@ -273,7 +274,7 @@ pub(crate) fn report(
     }
 }
 
-fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<String>)> {
+fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<Text>)> {
     let joints = if effect.about().per_joint {
         survey.joints.len()
     } else {
@@ -285,7 +286,7 @@ fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<String>)> {
 }
 
 /// The one reason that stands against an effect on every joint, if there is such a reason.
-fn same_everywhere(places: &[(usize, Option<String>)]) -> Option<String> {
+fn same_everywhere(places: &[(usize, Option<Text>)]) -> Option<Text> {
     let first = places.first()?.1.clone()?;
     places
         .iter()

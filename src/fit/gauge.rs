@@ -30,9 +30,10 @@ use crate::answers::identification::NotIdentifiable;
 use crate::effects::{Inputs, LINK_GEOMETRY, Role};
 use crate::linear::Kept;
 use crate::model::Model;
-use crate::model::names::coefficient_names;
+use crate::model::names::{coefficient_names, together};
 use crate::observations::Layer;
 use crate::sessions::Sigma;
+use crate::text::Text;
 
 use super::base_model::{USUAL_NOISE_MM, stated_variance};
 use super::observed;
@@ -108,21 +109,19 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
         }
         parts.retain(|p| p.0 != last && p.1 > NAMED_PART * largest);
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let others: Vec<&str> = parts
-            .iter()
-            .map(|p| names[places[p.0].column].as_str())
-            .collect();
+        let others: Vec<&Text> = parts.iter().map(|p| &names[places[p.0].column]).collect();
         let place = &places[last];
         terms[place.term].held = terms[place.term].held.with(place.coefficient);
         terms[place.term].coefficients[place.coefficient] = 0.0;
-        let own = names[place.column].as_str();
+        let own = &names[place.column];
         held.push(NotIdentifiable {
-            combination: [&[own], &others[..]].concat().join(" with "),
+            combination: together([&[own], &others[..]].concat().into_iter().cloned()),
             because: if others.is_empty() {
-                "the samples do not depend on it: it is held at zero".to_owned()
+                text!("the samples do not depend on it: it is held at zero")
             } else {
-                format!(
-                    "the samples show only their sum: {own} is held at zero, the others carry it"
+                text!(
+                    "the samples show only their sum: {own} is held at zero, the others carry it",
+                    own = own
                 )
             },
         });

@@ -12,6 +12,7 @@
 pub(crate) use crate::answers::errors::{Errors, Level};
 use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
+use crate::text::Template;
 
 use super::base_model;
 use super::gap::lengths_mm;
@@ -81,7 +82,7 @@ fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
 }
 
 /// The model that each level starts from.
-fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
+fn models(problem: &Problem, identified: &Model) -> Vec<(Template, Model)> {
     let (links, frame) = (LINK_GEOMETRY.about().id, MEASURING_FRAME.about().id);
     let session = problem.session;
     let unknown_frame = !problem.priors.aligned;
@@ -98,23 +99,23 @@ fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
     let beyond = |m: &Model| m.without(|t| !base_model::belongs(t.effect.about().id));
     let base = beyond(identified);
     let nominal = if unknown_frame {
-        "nominal robot, with the frame of the instrument"
+        phrase!("nominal robot, with the frame of the instrument")
     } else {
-        "nominal robot"
+        phrase!("nominal robot")
     };
     let mut all = vec![
         (nominal, frames_only(&with_frame)),
-        ("zero offsets", zeros),
-        ("with tool and frame", with_frame),
-        ("with links", base.clone()),
+        (phrase!("zero offsets"), zeros),
+        (phrase!("with tool and frame"), with_frame),
+        (phrase!("with links"), base.clone()),
     ];
     if identified.terms().len() > base.terms().len() {
-        all.push(("with effects", identified.clone()));
+        all.push((phrase!("with effects"), identified.clone()));
     }
     all
 }
 
-fn level(problem: &Problem, fold: &[usize], what: &'static str, start: &Model) -> Level {
+fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Level {
     let solution = solve(problem, start);
     let left = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];

@@ -1,5 +1,6 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
+use crate::text::Text;
 
 pub(crate) mod base_model;
 pub(crate) mod expected;
@@ -38,26 +39,60 @@ pub(crate) use exact::{covariance_of, outliers, parameters_of, report};
 pub use regional::identify_regional;
 
 /// Why an identification could not be made.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum IdentifyError {
     /// No effect of this name.
-    #[error("no effect is called '{0}'; `truepose effects` lists them")]
     UnknownEffect(String),
     /// Every sample is held out or cannot be used.
-    #[error(
-        "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
-    )]
     NothingToFit,
     /// The paper's method is for one revolute joint.
-    #[error("regional identification is for a single revolute joint; {0}")]
-    NotASingleRevoluteJoint(String),
+    NotASingleRevoluteJoint(Text),
     /// The regions make no sense.
-    #[error("{0}")]
-    Regions(#[from] crate::sessions::division::RegionError),
+    Regions(crate::sessions::division::RegionError),
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
-    #[error(transparent)]
-    Rejected(#[from] crate::diagnostic::Rejected),
+    Rejected(crate::diagnostic::Rejected),
     /// Whoever asked does not want the answer any more.
-    #[error("the identification was cancelled")]
     Cancelled,
+}
+
+impl IdentifyError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::UnknownEffect(effect) => text!(
+                "no effect is called '{effect}'; `truepose effects` lists them",
+                effect = effect
+            ),
+            Self::NothingToFit => text!(
+                "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
+            ),
+            Self::NotASingleRevoluteJoint(because) => text!(
+                "regional identification is for a single revolute joint; {because}",
+                because = because
+            ),
+            Self::Regions(given) => given.says(),
+            Self::Rejected(inner) => inner.says(),
+            Self::Cancelled => text!("the identification was cancelled"),
+        }
+    }
+}
+
+impl std::fmt::Display for IdentifyError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for IdentifyError {}
+
+impl From<crate::sessions::division::RegionError> for IdentifyError {
+    fn from(error: crate::sessions::division::RegionError) -> Self {
+        Self::Regions(error)
+    }
+}
+
+impl From<crate::diagnostic::Rejected> for IdentifyError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
 }

@@ -91,16 +91,15 @@ pub(super) fn hold_size(
     };
     let usual = problem.priors.usual(&model, !open(problem).base);
     let size = gauge::size(layer, &model, &usual);
-    let of = size.as_ref().map_or(String::new(), |size| {
-        let percent = 100.0 * size.sigma;
-        format!(" (known to about {percent:.2} % from what is usual for links)")
-    });
     said.push(NotIdentifiable {
-        combination: "overall size: all lengths of the robot and of the places together".to_owned(),
-        because: format!(
-            "directions, touches and sockets show no length: the nominal size is kept{of}; one known \
-             length sets it, a distance between two sockets or a second known station"
-        ),
+        combination: text!("overall size: all lengths of the robot and of the places together"),
+        because: match &size {
+            Some(size) => text!(
+                "directions, touches and sockets show no length: the nominal size is kept (known to about {percent} % from what is usual for links); one known length sets it, a distance between two sockets or a second known station",
+                percent = format!("{:.2}", 100.0 * size.sigma)
+            ),
+            None => text!("directions, touches and sockets show no length: the nominal size is kept; one known length sets it, a distance between two sockets or a second known station"),
+        },
     });
     problem.priors.size = size.map_or(Vec::new(), |size| {
         let coefficients = model.columns().map(|(term, k)| key(term, k));
@@ -136,10 +135,7 @@ pub(super) fn with_base_held(
             term.held = term.held.with(k);
             said.push(NotIdentifiable {
                 combination: name.clone(),
-                because: "the base is open: what was measured refers to places that are not known, and \
-                          does not say where the robot stands; it is held where it is, and the places \
-                          carry it"
-                    .to_owned(),
+                because: text!("the base is open: what was measured refers to places that are not known, and does not say where the robot stands; it is held where it is, and the places carry it"),
             });
         }
     }

@@ -17,6 +17,7 @@ use crate::kinematics::JointKind;
 use crate::lanes::dot;
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
+use crate::text::Text;
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
@@ -115,7 +116,7 @@ pub fn identify_regional(
         noise: None,
         kinds: Vec::new(),
         quality: Quality {
-            stopped: "solved directly",
+            stopped: phrase!("solved directly"),
             converged: true,
             passes: 1,
             coefficients: 2 * results.len(),
@@ -128,17 +129,22 @@ pub fn identify_regional(
 }
 
 fn single_revolute_joint(session: &Session) -> Result<(), IdentifyError> {
-    let refuse = |why: String| Err(IdentifyError::NotASingleRevoluteJoint(why));
+    let refuse = |why: Text| Err(IdentifyError::NotASingleRevoluteJoint(why));
     let joints = &session.robot.joints;
     if joints.len() != 1 {
-        return refuse(format!("this robot has {} joints", joints.len()));
+        return refuse(text!(
+            "this robot has {joints} joints",
+            joints = joints.len()
+        ));
     }
     if joints[0].kind != JointKind::Revolute {
-        return refuse("this robot's joint slides".to_owned());
+        return refuse(text!("this robot's joint slides"));
     }
     let along = joints[0].axis.direction.into_inner();
     if session.samples.z_mm.is_none() && along.z.abs() < 1.0 - 1e-6 {
-        return refuse("z was not measured, and the joint does not turn about z".to_owned());
+        return refuse(text!(
+            "z was not measured, and the joint does not turn about z"
+        ));
     }
     Ok(())
 }
@@ -197,34 +203,24 @@ fn beside_uniform(
     number: usize,
     adaptive_mm: f64,
     values: JointValues,
-) -> Result<String, IdentifyError> {
+) -> Result<Text, IdentifyError> {
     let uniform = identify_regional(session, &RegionChoice::Uniform(number), values)?;
-    Ok(format!(
-        "{number} adaptive regions leave {adaptive_mm:.4} mm, {number} uniform ones {:.4} mm; an effect that \
-         explains the whole range is the better answer: try the exact method first",
-        uniform.gap.after.rms_mm
+    Ok(text!(
+        "{number} adaptive regions leave {adaptive} mm, {number} uniform ones {uniform} mm; an effect that explains the whole range is the better answer: try the exact method first",
+        number = number,
+        adaptive = format!("{adaptive_mm:.4}"),
+        uniform = format!("{:.4}", uniform.gap.after.rms_mm)
     ))
 }
 
-fn notes(
-    session: &Session,
-    regions: &[Region],
-    sums: &[RegionSums],
-    outside: usize,
-) -> Vec<String> {
+fn notes(session: &Session, regions: &[Region], sums: &[RegionSums], outside: usize) -> Vec<Text> {
     let mut notes = Vec::new();
     if session.samples.z_mm.is_some() {
-        notes.push(
+        notes.push(text!(
             "z is not used: the method works in the plane in which the axis moves the tool"
-                .to_owned(),
-        );
+        ));
     }
-    notes.push(
-        "corrections are constant in the base frame within a region: one constant error of the \
-         joint looks different in every region, and a part of it stays; the exact method has \
-         neither limit"
-            .to_owned(),
-    );
+    notes.push(text!("corrections are constant in the base frame within a region: one constant error of the joint looks different in every region, and a part of it stays; the exact method has neither limit"));
     let empty: Vec<&str> = regions
         .iter()
         .zip(sums)
@@ -232,14 +228,15 @@ fn notes(
         .map(|(r, _)| r.name.as_str())
         .collect();
     if !empty.is_empty() {
-        notes.push(format!(
-            "no sample in region {}: no correction there",
-            empty.join(", ")
+        notes.push(text!(
+            "no sample in region {regions}: no correction there",
+            regions = empty.join(", ")
         ));
     }
     if outside > 0 {
-        notes.push(format!(
-            "{outside} samples lie in no region and were not used"
+        notes.push(text!(
+            "{count} samples lie in no region and were not used",
+            count = outside
         ));
     }
     notes

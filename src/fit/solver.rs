@@ -17,6 +17,7 @@ use crate::effects::Role;
 use crate::effects::block::Block;
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::text::Template;
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
@@ -38,15 +39,17 @@ pub enum Stopped {
 
 impl Stopped {
     /// In words.
-    pub fn says(self) -> &'static str {
+    pub fn says(self) -> Template {
         match self {
-            Self::Converged => "converged",
-            Self::NothingToDo => "there was nothing to solve for",
+            Self::Converged => phrase!("converged"),
+            Self::NothingToDo => phrase!("there was nothing to solve for"),
             Self::TooManySteps => {
-                "stopped after the largest number of steps: the result may be rough"
+                phrase!("stopped after the largest number of steps: the result may be rough")
             }
-            Self::Cancelled => "cancelled",
-            Self::NoDescent => "stopped where no step made the fit better: the result may be rough",
+            Self::Cancelled => phrase!("cancelled"),
+            Self::NoDescent => {
+                phrase!("stopped where no step made the fit better: the result may be rough")
+            }
         }
     }
 }

@@ -3,15 +3,16 @@
 
 use super::solver::Solution;
 use crate::answers::identification::NotIdentifiable;
-use crate::model::names::coefficient_names;
+use crate::model::names::{coefficient_names, together};
+use crate::text::{Template, Text};
 
 /// What is fitted beside the model has no name.
-const UNNAMED: &str = "what no name explains";
+const UNNAMED: Template = phrase!("what no name explains");
 
 /// Every combination of coefficients that the samples leave open.
 pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifiable> {
     let mut names = coefficient_names(&solution.model);
-    names.resize(names.len() + solution.beside.len(), UNNAMED.to_owned());
+    names.resize(names.len() + solution.beside.len(), UNNAMED.into());
     let directions = solution.spectrum.null_directions();
     let directions = directions.iter().map(|direction| {
         let size = |k: usize| direction.components[k].abs();
@@ -21,15 +22,15 @@ pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifia
             .filter(|k| size(*k) > 0.0 && scaled(*k) > 0.02 * largest)
             .collect();
         involved.sort_by(|a, b| scaled(*b).total_cmp(&scaled(*a)));
-        let listed: Vec<&str> = involved.iter().map(|k| names[*k].as_str()).collect();
+        let listed: Vec<&Text> = involved.iter().map(|k| &names[*k]).collect();
         let because = if listed.len() == 1 {
-            "the samples do not depend on it"
+            text!("the samples do not depend on it")
         } else {
-            "the samples show only their sum: a change of one can be undone by the others"
+            text!("the samples show only their sum: a change of one can be undone by the others")
         };
         NotIdentifiable {
-            combination: listed.join(" with "),
-            because: because.to_owned(),
+            combination: together(listed.into_iter().cloned()),
+            because,
         }
     });
     directions.collect()

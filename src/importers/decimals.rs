@@ -4,6 +4,7 @@
 //! thousands as well. `1,234` may be either, and a single cell cannot tell: all cells of all number
 //! columns vote, and if none of them decides, the person is asked.
 
+use crate::text::Template;
 use std::fmt;
 
 use crate::document::number::{NotANumber, any_decimal};
@@ -33,12 +34,19 @@ impl Decimal {
     }
 }
 
+impl Decimal {
+    /// What it is called.
+    pub fn name(self) -> Template {
+        match self {
+            Self::Point => phrase!("decimal point"),
+            Self::Comma => phrase!("decimal comma"),
+        }
+    }
+}
+
 impl fmt::Display for Decimal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Point => "decimal point",
-            Self::Comma => "decimal comma",
-        })
+        fmt::Display::fmt(&self.name(), f)
     }
 }
 

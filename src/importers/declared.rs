@@ -28,25 +28,31 @@ const SOCKET_DISTANCES: &str = "socket-distances";
 
 pub(crate) const SOCKET_OPTION: OwnOption = OwnOption {
     name: SOCKET,
-    title: "Socket",
+    title: phrase!("Socket"),
     value: "NAME",
-    help: "the socket that the target sat in for all rows, where no column names it: joint values are enough then",
+    help: phrase!(
+        "the socket that the target sat in for all rows, where no column names it: joint values are enough then"
+    ),
     values: &[],
 };
 
 pub(crate) const PLANE_OPTION: OwnOption = OwnOption {
     name: PLANE,
-    title: "Plane",
+    title: phrase!("Plane"),
     value: "NAME",
-    help: "the plane that was touched in all rows, where no column names it: joint values are enough then",
+    help: phrase!(
+        "the plane that was touched in all rows, where no column names it: joint values are enough then"
+    ),
     values: &[],
 };
 
 pub(crate) const SOCKET_DISTANCES_OPTION: OwnOption = OwnOption {
     name: SOCKET_DISTANCES,
-    title: "Distances between sockets",
+    title: phrase!("Distances between sockets"),
     value: "A-B=MM,…",
-    help: "known distances between sockets, mm, such as S1-S2=400: one of them sets the size of the robot",
+    help: phrase!(
+        "known distances between sockets, mm, such as S1-S2=400: one of them sets the size of the robot"
+    ),
     values: &[],
 };
 

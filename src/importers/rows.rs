@@ -5,6 +5,7 @@
 //! line ends if need be, and `""` in it is a quote; a quote anywhere else is a character, because an
 //! inch is written so.
 
+use crate::text::Template;
 use std::borrow::Cow;
 use std::fmt;
 
@@ -37,14 +38,21 @@ impl Separator {
     }
 }
 
+impl Separator {
+    /// What it is called.
+    pub fn name(self) -> Template {
+        match self {
+            Self::Tab => phrase!("tabs"),
+            Self::Semicolon => phrase!("semicolons"),
+            Self::Comma => phrase!("commas"),
+            Self::Spaces => phrase!("spaces"),
+        }
+    }
+}
+
 impl fmt::Display for Separator {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Tab => "tabs",
-            Self::Semicolon => "semicolons",
-            Self::Comma => "commas",
-            Self::Spaces => "spaces",
-        })
+        fmt::Display::fmt(&self.name(), f)
     }
 }
 

@@ -7,4 +7,4 @@ pub(crate) mod names;
 pub(crate) use core::finding;
 #[cfg(feature = "gui")]
 pub(crate) use core::known_words;
-pub(crate) use core::{of_core, spoken};
+pub(crate) use core::spoken;

@@ -7,6 +7,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 /// What a shape is a function of.
@@ -250,36 +251,60 @@ impl Shape {
     }
 
     /// In words.
-    pub fn says(&self) -> String {
+    pub fn says(&self) -> Text {
         let along = match self.direction {
-            Direction::Tangential(j) => format!("along the motion of joint {}", j + 1),
-            Direction::Radial => "along the radius".to_owned(),
-            Direction::Axial => "along the axis".to_owned(),
-            Direction::Frame | Direction::Along(_) => "in the measuring frame".to_owned(),
-            Direction::Body => "with the moving body".to_owned(),
+            Direction::Tangential(j) => text!("along the motion of joint {joint}", joint = j + 1),
+            Direction::Radial => text!("along the radius"),
+            Direction::Axial => text!("along the axis"),
+            Direction::Frame | Direction::Along(_) => text!("in the measuring frame"),
+            Direction::Body => text!("with the moving body"),
         };
         let what = match self.profile {
-            Profile::Constant => "a constant",
-            Profile::Ramp => "a straight slope",
-            Profile::Absolute => "a slope away from the middle",
-            Profile::Square => "a parabola",
-            Profile::Curve { .. } => "a curve of no known form",
-            Profile::Bump { .. } => "a local bump",
-            Profile::Plateau { .. } => "a step or plateau",
-            Profile::Kink { .. } => "a slope from one value on",
-            Profile::Periodic { harmonics: 1, .. } => "a wave",
-            Profile::Periodic { .. } => "a periodic pattern with harmonics",
-            Profile::TimesTurn => "a wave of one turn in proportion",
+            Profile::Constant => phrase!("a constant"),
+            Profile::Ramp => phrase!("a straight slope"),
+            Profile::Absolute => phrase!("a slope away from the middle"),
+            Profile::Square => phrase!("a parabola"),
+            Profile::Curve { .. } => phrase!("a curve of no known form"),
+            Profile::Bump { .. } => phrase!("a local bump"),
+            Profile::Plateau { .. } => phrase!("a step or plateau"),
+            Profile::Kink { .. } => phrase!("a slope from one value on"),
+            Profile::Periodic { harmonics: 1, .. } => phrase!("a wave"),
+            Profile::Periodic { .. } => phrase!("a periodic pattern with harmonics"),
+            Profile::TimesTurn => phrase!("a wave of one turn in proportion"),
         };
-        let over = match self.variable {
-            Variable::Joint(j) => format!("over the value of joint {}", j + 1),
-            Variable::Time => "over time".to_owned(),
-            Variable::Side(j) => format!("over the side from which joint {} came", j + 1),
-            Variable::Speed(j) => format!("over the speed of joint {}", j + 1),
-            Variable::Load => "over the load".to_owned(),
-            Variable::Warmth => "over temperature".to_owned(),
-            Variable::Target(_) => "of one reflector against the others".to_owned(),
-        };
-        format!("{what} {over}, {along}")
+        match self.variable {
+            Variable::Joint(j) => text!(
+                "{what} over the value of joint {joint}, {along}",
+                what = what,
+                joint = j + 1,
+                along = along
+            ),
+            Variable::Time => text!("{what} over time, {along}", what = what, along = along),
+            Variable::Side(j) => text!(
+                "{what} over the side from which joint {joint} came, {along}",
+                what = what,
+                joint = j + 1,
+                along = along
+            ),
+            Variable::Speed(j) => text!(
+                "{what} over the speed of joint {joint}, {along}",
+                what = what,
+                joint = j + 1,
+                along = along
+            ),
+            Variable::Load => text!("{what} over the load, {along}", what = what, along = along),
+            Variable::Warmth => {
+                text!(
+                    "{what} over temperature, {along}",
+                    what = what,
+                    along = along
+                )
+            }
+            Variable::Target(_) => text!(
+                "{what} of one reflector against the others, {along}",
+                what = what,
+                along = along
+            ),
+        }
     }
 }

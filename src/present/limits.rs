@@ -9,6 +9,7 @@ use super::numbers::significant;
 use crate::diagnosis::{Diagnosis, Limit, NotTestable, Sight};
 use crate::effects::find;
 use crate::kinematics::Robot;
+use crate::text::{Text, current};
 
 /// A line: whom it is about, and what is said.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +18,7 @@ pub(crate) struct Line {
     pub(crate) names: String,
     /// Whether it is about joints, not about the whole robot or the instrument.
     pub(crate) of_joints: bool,
-    /// In the language of this thread; the reasons of [`not_testable`] are the core's.
+    /// In the language of this thread.
     pub(crate) says: String,
 }
 
@@ -86,11 +87,11 @@ type OnJoints<'a> = (&'a str, Vec<Option<usize>>);
 /// What is not testable, a line for each reason; `name` is what an effect is called.
 pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
     let robot = &d.model.robot;
-    let mut reasons: Vec<(&str, Vec<OnJoints>)> = Vec::new();
+    let mut reasons: Vec<(&Text, Vec<OnJoints>)> = Vec::new();
     for one in d.not_testable.iter().filter(|one| applies(robot, one)) {
         let at = reasons
             .iter()
-            .position(|(because, _)| *because == one.because);
+            .position(|(because, _)| **because == one.because);
         let at = at.unwrap_or_else(|| {
             reasons.push((&one.because, Vec::new()));
             reasons.len() - 1
@@ -101,7 +102,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
             None => effects.push((one.effect, vec![one.joint])),
         }
     }
-    let line = |(because, effects): (&str, Vec<OnJoints>)| {
+    let line = |(because, effects): (&Text, Vec<OnJoints>)| {
         let names: Vec<String> = effects
             .iter()
             .map(|(effect, joints)| with_joints(&name(effect), joints, robot))
@@ -109,7 +110,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
         Line {
             names: names.join("; "),
             of_joints: true,
-            says: because.to_owned(),
+            says: because.spoken_in(current()),
         }
     };
     reasons.into_iter().map(line).collect()

@@ -6,7 +6,7 @@ use crate::diagnosis::{Limit, Sight};
 use crate::effects::find;
 use crate::effects::units::Unit;
 use crate::fit::Estimate;
-use crate::text::{current, known_in, spoken};
+use crate::text::{Template, current, known_in, spoken};
 
 /// The title of an effect; what is no effect stays as it is.
 pub(crate) fn title(id: &str) -> &str {
@@ -47,12 +47,36 @@ pub(crate) fn parameter_in_english(name: &str) -> (String, &'static str) {
     (stem.replace('_', " "), unit.symbol)
 }
 
-/// A word of the core (of a name in files: of a parameter, of a kind of measurement) in the language of this thread;
-/// what no catalogue has stays as it is.
+/// Words that files and commands have and people read: of verdicts, kinds of robots and of places, reasons, steps of
+/// a model's history.
+const WORDS: &[Template] = &[
+    phrase!("ambiguous"),
+    phrase!("anchor"),
+    phrase!("explained"),
+    phrase!("frame"),
+    phrase!("geometry: frame, zero offsets, links and tool"),
+    phrase!("noise"),
+    phrase!("nominal robot"),
+    phrase!("partly-explained"),
+    phrase!("plane"),
+    phrase!("relative"),
+    phrase!("SCARA"),
+    phrase!("singular"),
+    phrase!("socket"),
+    phrase!("station"),
+    phrase!("unexplained"),
+    phrase!("unreachable"),
+    phrase!("what predicts without a name"),
+    phrase!("zero offset and link length"),
+];
+
+/// A word of a name in files (of a parameter, of a kind of measurement) in the language of this thread; what no
+/// catalogue has stays as it is.
 pub(crate) fn word(english: &str) -> String {
-    let known = ["", "core"].into_iter();
-    let mut known = known.filter_map(|context| known_in(current(), context, english, &[]));
-    known.next().unwrap_or_else(|| english.to_owned())
+    match WORDS.iter().find(|word| word.english() == english) {
+        Some(word) => spoken(*word).to_owned(),
+        None => known_in(current(), "", english, &[]).unwrap_or_else(|| english.to_owned()),
+    }
 }
 
 /// A figure that is no parameter, in words; without a value where the samples do not show it.

@@ -4,9 +4,10 @@ use super::numbers::trimmed;
 use super::table::{Column, Table};
 use crate::diagnosis::NextPose;
 use crate::kinematics::Robot;
+use crate::text::current;
 
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
-/// the reflector, what else is to be seen to, and why, as the core says it.
+/// the reflector, what else is to be seen to, and why.
 pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
     let mut table = Table::of([
         Column::words(say!("pose")),
@@ -37,7 +38,7 @@ pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
             sides(&pose.dir),
             pose.target.clone().unwrap_or_default(),
             conditions.join(", "),
-            pose.why.clone(),
+            pose.why.spoken_in(current()),
         ]);
     }
     table

@@ -1,27 +1,29 @@
 //! The figures of the standards, as terminal, window and report show them.
 
-use super::names::word;
 use super::numbers::fixed;
 use super::table::{Cell, Column, Table};
 use crate::standards::axis::{AxisTest, Series};
 use crate::standards::pose::PoseTest;
 use crate::standards::{Positioning, Standards, at_least};
+use crate::text::{Template, Text, spoken};
 
 /// The figures of one test.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Group {
-    /// What was tested: a joint, or the poses.
-    pub of: String,
+    /// What was tested: a joint, or nothing where it is the poses …
+    pub of: Text,
+    /// … and as a heading.
+    pub title: Text,
     /// After which standard.
     pub standard: &'static str,
     /// Unit of the figures.
     pub unit: &'static str,
     /// Under which conditions.
-    pub says: String,
+    pub says: Text,
     /// The figures that there are.
     pub rows: Vec<FigureRow>,
     /// Why others are missing.
-    pub missing: Vec<String>,
+    pub missing: Vec<Text>,
 }
 
 /// One figure, in the unit of its group.
@@ -30,7 +32,7 @@ pub(crate) struct FigureRow {
     /// Its symbol in the standard.
     pub symbol: &'static str,
     /// What it is.
-    pub name: &'static str,
+    pub name: Template,
     /// As measured.
     pub before: f64,
     /// With corrected commands.
@@ -38,12 +40,6 @@ pub(crate) struct FigureRow {
 }
 
 impl Group {
-    /// What was tested, as a heading.
-    pub(crate) fn title(&self) -> String {
-        let (first, rest) = self.of.split_at(1);
-        first.to_uppercase() + rest
-    }
-
     /// A figure as it is shown: to 0.1 µm or 0.1″.
     pub(crate) fn shown(&self, value: f64) -> String {
         fixed(value, if self.unit == "mm" { 4 } else { 1 })
@@ -61,7 +57,7 @@ impl Group {
             let number = |value| Cell::number(value, |v| self.shown(v));
             table.row([
                 row.symbol.into(),
-                word(row.name).into(),
+                spoken(row.name).into(),
                 number(Some(row.before)),
                 number(row.after),
             ]);
@@ -79,7 +75,15 @@ pub(crate) fn groups(standards: &Standards, most: usize) -> Vec<Group> {
 
 fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
     let empty = Group {
-        of: format!("joint {} ({})", axis.joint + 1, axis.name),
+        of: text!(
+            "joint {joint}",
+            joint = format!("{} ({})", axis.joint + 1, axis.name)
+        ),
+        title: text!(
+            "Joint {joint} ({name})",
+            joint = axis.joint + 1,
+            name = &axis.name
+        ),
         standard: "ISO 230-2",
         unit: axis.unit,
         missing: axis.missing.iter().cloned().collect(),
@@ -92,8 +96,10 @@ fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
     }
     let more = axis.more + axis.series.len().saturating_sub(most);
     if let (1.., Some(last)) = (more, groups.last_mut()) {
-        let says = format!("{more} more series under other conditions are in `standards --json`");
-        last.missing.push(says);
+        last.missing.push(text!(
+            "{more} more series under other conditions are in `standards --json`",
+            more = more
+        ));
     }
     groups
 }
@@ -112,12 +118,12 @@ fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
         })
     };
     Group {
-        says: format!(
-            "{}; {} positions, each approached {} from below and {} from above",
-            series.fixed.in_words(axis),
-            series.before.positions.len(),
-            at_least(up),
-            at_least(down)
+        says: text!(
+            "{conditions}; {positions} positions, each approached {up} from below and {down} from above",
+            conditions = series.fixed.in_words(axis),
+            positions = series.before.positions.len(),
+            up = at_least(up),
+            down = at_least(down)
         ),
         rows: rows.filter_map(row).collect(),
         missing: [&empty.missing[..], &series.missing[..]].concat(),
@@ -139,12 +145,15 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
     };
     let [poses, turned, paths] = [test.poses.len(), test.variations.len(), test.paths.len()];
     Group {
-        of: "poses".to_owned(),
+        of: Text::default(),
+        title: text!("Poses"),
         standard: "ISO 9283",
         unit: "mm",
-        says: format!(
-            "{poses} poses with two cycles or more, {turned} from several directions, {paths} paths; the \
-             largest of each figure"
+        says: text!(
+            "{poses} poses with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure",
+            poses = poses,
+            turned = turned,
+            paths = paths
         ),
         rows: before.into_iter().zip(after).filter_map(row).collect(),
         missing: test.missing.clone(),

@@ -60,18 +60,13 @@ pub struct Request<'a> {
 }
 
 /// Why nothing was corrected.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum CompensateError {
     /// The file cannot be read.
-    #[error(transparent)]
-    Rejected(#[from] Rejected),
+    Rejected(Rejected),
     /// The model makes no corrections.
-    #[error(transparent)]
-    Model(#[from] TableError),
+    Model(TableError),
     /// The start does not have one value per joint.
-    #[error(
-        "{found} joint values to start from; expected {expected}, one for each joint of the model"
-    )]
     Start {
         /// How many were given.
         found: usize,
@@ -79,22 +74,12 @@ pub enum CompensateError {
         expected: usize,
     },
     /// A number of the request that no robot has.
-    #[error("{0}: expected finite numbers within a robot's range")]
     NoNumber(&'static str),
     /// The model has no such frame.
-    #[error(
-        "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no \
-         meaning for it"
-    )]
     NoMeasuredFrame,
     /// The program's tool, frame or load is not the model's, and which holds is not settled.
-    #[error("{0}")]
     Differs(Differences),
     /// One tool or frame is given, and the program has several.
-    #[error(
-        "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the \
-         program declares it"
-    )]
     Several {
         /// Tool or frame.
         what: &'static str,
@@ -102,9 +87,6 @@ pub enum CompensateError {
         names: String,
     },
     /// The program has no such tool.
-    #[error(
-        "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ"
-    )]
     Tool {
         /// The name.
         found: String,
@@ -112,8 +94,64 @@ pub enum CompensateError {
         expected: String,
     },
     /// What was written does not read back as it was meant.
-    #[error("what was written reads back differently: {0}")]
     ReadBack(String),
+}
+
+impl CompensateError {
+    /// In words.
+    pub fn says(&self) -> Sentence {
+        match self {
+            Self::Rejected(inner) => inner.says(),
+            Self::Model(inner) => inner.says(),
+            Self::Start { found, expected } => text!(
+                "{found} joint values to start from; expected {expected}, one for each joint of the model",
+                found = found,
+                expected = expected
+            ),
+            Self::NoNumber(option) => text!(
+                "{option}: expected finite numbers within a robot's range",
+                option = option
+            ),
+            Self::NoMeasuredFrame => text!(
+                "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
+            ),
+            Self::Differs(differences) => Sentence::verbatim(differences.to_string()),
+            Self::Several { what, names } => text!(
+                "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the program declares it",
+                what = what,
+                names = names
+            ),
+            Self::Tool { found, expected } => text!(
+                "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ",
+                found = found,
+                expected = expected
+            ),
+            Self::ReadBack(what) => text!(
+                "what was written reads back differently: {what}",
+                what = what
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for CompensateError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for CompensateError {}
+
+impl From<Rejected> for CompensateError {
+    fn from(error: Rejected) -> Self {
+        Self::Rejected(error)
+    }
+}
+
+impl From<TableError> for CompensateError {
+    fn from(error: TableError) -> Self {
+        Self::Model(error)
+    }
 }
 
 impl Request<'_> {

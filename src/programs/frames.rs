@@ -33,16 +33,12 @@ pub(super) enum Referred {
     /// The one of this name, in small letters.
     Named(Arc<str>),
     /// One that is chosen at run time, in words.
-    Unknown(Arc<str>),
+    Unknown(Text),
 }
 
 impl Referred {
     pub(super) fn named(spelled: impl AsRef<str>) -> Self {
         Self::Named(spelled.as_ref().to_lowercase().into())
-    }
-
-    pub(super) fn unknown(says: impl AsRef<str>) -> Self {
-        Self::Unknown(says.as_ref().into())
     }
 
     /// Whether it has this name, whatever its capitals.
@@ -55,7 +51,8 @@ impl std::fmt::Display for Referred {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Unsaid => f.write_str("none"),
-            Self::Named(says) | Self::Unknown(says) => f.write_str(says),
+            Self::Named(says) => f.write_str(says),
+            Self::Unknown(says) => std::fmt::Display::fmt(says, f),
         }
     }
 }

@@ -323,9 +323,9 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             if alone(k, end) {
                 Referred::named(self.words.spelled(k))
             } else {
-                Referred::unknown(format!(
-                    "{} is worked out at run time",
-                    self.words.shown(k, end)
+                Referred::Unknown(text!(
+                    "{name} is worked out at run time",
+                    name = self.words.shown(k, end)
                 ))
             }
         };

@@ -10,6 +10,7 @@
 
 mod literals;
 
+use crate::text::Template;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -109,7 +110,7 @@ impl UrscriptReader<'_, '_> {
                 "def" | "thread" | "sec" => {
                     self.blocks.push(Some(self.tool.clone()));
                     if self.functions > 0 {
-                        self.tool = Referred::unknown(CALLER);
+                        self.tool = Referred::Unknown(CALLER.into());
                     }
                     self.functions += 1;
                 }
@@ -380,8 +381,8 @@ impl UrscriptReader<'_, '_> {
         if program.tools.is_empty() {
             program.ways.set_tools(&Referred::Unsaid);
         } else if self.unsure {
-            let says = "set_tcp is called in a branch or a loop";
-            program.ways.set_tools(&Referred::unknown(says));
+            let says = text!("set_tcp is called in a branch or a loop");
+            program.ways.set_tools(&Referred::Unknown(says));
         }
         program.sort();
         program
@@ -410,7 +411,8 @@ impl UrscriptReader<'_, '_> {
 }
 
 /// Why the tool of a function is not known.
-const CALLER: &str = "its function may be called with any of the tools that set_tcp sets";
+const CALLER: Template =
+    phrase!("its function may be called with any of the tools that set_tcp sets");
 
 /// How many targets a move has.
 fn targets_of(name: &str) -> usize {

@@ -4,6 +4,7 @@
 //! for. Velocities are slow and the tool is the flange: both are to be set as the cell
 //! needs them.
 
+use crate::text::Text;
 use std::fmt::Write as _;
 
 use crate::kinematics::{JointKind, Robot};
@@ -26,24 +27,15 @@ pub struct Stop {
 }
 
 /// Why there is no program.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum WriteError {
     /// No program of stops is written in this language.
-    #[error("no program of joint moves is written as {0}; expected csv, rapid, krl or urscript")]
     Language(String),
     /// The controller has fewer axes.
-    #[error(
-        "{0} axes of the robot's own; expected at most 6 for {1}, external ones are called E1 to E6 (eax_a to \
-         eax_f) in the robot's file"
-    )]
     Axes(usize, &'static str),
     /// It gives all joints in rad.
-    #[error("a sliding joint; expected turning joints, which URScript gives in rad")]
     Slide,
     /// A pose to which no robot goes.
-    #[error(
-        "pose {pose}: expected {joints} joint values within a robot's range, one for each joint"
-    )]
     Pose {
         /// The pose, counted from 1.
         pose: usize,
@@ -51,6 +43,39 @@ pub enum WriteError {
         joints: usize,
     },
 }
+
+impl WriteError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Language(language) => text!(
+                "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",
+                language = language
+            ),
+            Self::Axes(axes, language) => text!(
+                "{axes} axes of the robot's own; expected at most 6 for {language}, external ones are called E1 to E6 (eax_a to eax_f) in the robot's file",
+                axes = axes,
+                language = language
+            ),
+            Self::Slide => {
+                text!("a sliding joint; expected turning joints, which URScript gives in rad")
+            }
+            Self::Pose { pose, joints } => text!(
+                "pose {pose}: expected {joints} joint values within a robot's range, one for each joint",
+                pose = pose,
+                joints = joints
+            ),
+        }
+    }
+}
+
+impl std::fmt::Display for WriteError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for WriteError {}
 
 /// A program that goes from stop to stop. `title` stands in its first comment.
 ///

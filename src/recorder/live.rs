@@ -2,6 +2,7 @@
 //! between two attempts that doubles up to a bound. What is no measurement is left out and counted.
 //! Memory is bounded: one line, one block of bytes, one complaint.
 
+use crate::text::Text;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::thread::sleep;
@@ -26,7 +27,7 @@ pub enum State {
     /// It is there.
     Connected,
     /// It is not there, because of this; it is made again.
-    Waiting(String),
+    Waiting(Text),
 }
 
 /// How a recording stands.
@@ -62,7 +63,7 @@ pub fn record<F: FnOnce() -> io::Result<W>, W: Write>(
     let mut wait = WAITS[0];
     while standing.recorded < most && hear(&standing).is_continue() {
         let why = match address.connect() {
-            Err(error) => error.to_string(),
+            Err(error) => Text::verbatim(error.to_string()),
             Ok(connection) => {
                 standing.state = State::Connected;
                 let before = standing.recorded;
@@ -76,8 +77,8 @@ pub fn record<F: FnOnce() -> io::Result<W>, W: Write>(
                         standing.breaks -= 1;
                         break;
                     }
-                    End::Closed => "the other side closed the connection".to_owned(),
-                    End::Broken(error) => error.to_string(),
+                    End::Closed => text!("the other side closed the connection"),
+                    End::Broken(error) => Text::verbatim(error.to_string()),
                 }
             }
         };

@@ -1,5 +1,6 @@
 //! Where lines come from: an address, and the connection to it. What comes is read and never run.
 
+use crate::text::Text;
 use std::io::{self, ErrorKind, Read};
 use std::net::{SocketAddr, TcpStream, ToSocketAddrs, UdpSocket};
 use std::time::Duration;
@@ -8,9 +9,6 @@ use std::time::Duration;
 const CONNECT: Duration = Duration::from_secs(2);
 /// Longest wait for bytes, so that a recording can be stopped meanwhile.
 const SILENCE: Duration = Duration::from_millis(200);
-
-/// What an address has to look like.
-pub const EXPECTED: &str = "expected tcp://HOST:PORT or udp://:PORT";
 
 /// Where lines come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,13 +24,20 @@ impl Address {
     ///
     /// # Errors
     /// What was found, and what was expected.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let wrong = || format!("{text}: no such source; {EXPECTED}");
+    pub fn parse(text: &str) -> Result<Self, Text> {
+        let wrong = || {
+            text!(
+                "{source}: no such source; expected tcp://HOST:PORT or udp://:PORT",
+                source = text
+            )
+        };
         let (kind, address) = text.split_once("://").ok_or_else(wrong)?;
         let port = address.rsplit_once(':').ok_or_else(wrong)?.1;
         if port.parse::<u16>().is_err() {
-            return Err(format!(
-                "{text}: {port:?} is no port; {EXPECTED}, with PORT from 0 to 65535"
+            return Err(text!(
+                "{source}: {port} is no port; expected tcp://HOST:PORT or udp://:PORT, with PORT from 0 to 65535",
+                source = text,
+                port = format!("{port:?}")
             ));
         }
         match kind {

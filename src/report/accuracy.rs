@@ -6,8 +6,8 @@ use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
 
 use super::document::{Block, Column, Section, Table, clean};
-use super::parts::all_of_core;
-use crate::explain::translated;
+use super::parts::all_cleaned;
+use crate::explain::cleaned;
 use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
@@ -25,7 +25,7 @@ pub(super) fn section(standards: &Standards) -> Section {
     }
     pose_blocks(&standards.poses, &mut blocks);
     if !standards.notes.is_empty() {
-        blocks.push(Block::List(all_of_core(&standards.notes)));
+        blocks.push(Block::List(all_cleaned(&standards.notes)));
     }
     Section::new(say!("Accuracy and repeatability"), blocks)
 }
@@ -33,15 +33,15 @@ pub(super) fn section(standards: &Standards) -> Section {
 fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
     blocks.push(Block::Heading(format!(
         "{}, {}",
-        translated(&group.title()),
+        cleaned(&group.title),
         group.standard
     )));
     if !group.rows.is_empty() {
-        blocks.push(Block::Text(translated(&group.says)));
+        blocks.push(Block::Text(cleaned(&group.says)));
         blocks.push(Block::Table(group.table()));
     }
     if !group.missing.is_empty() {
-        blocks.push(Block::List(all_of_core(&group.missing)));
+        blocks.push(Block::List(all_cleaned(&group.missing)));
     }
 }
 

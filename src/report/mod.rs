@@ -50,6 +50,7 @@ use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;
 use crate::fonts::Library;
 use crate::history::History;
+use crate::text::{Template, Text};
 
 /// What a report is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,12 +66,12 @@ impl Kind {
     ///
     /// # Errors
     /// What was expected, where its ending is another.
-    pub fn of(path: &Path) -> Result<Self, &'static str> {
+    pub fn of(path: &Path) -> Result<Self, Template> {
         let ending = path.extension().and_then(|ending| ending.to_str());
         match ending.map(str::to_ascii_lowercase).as_deref() {
             Some("html" | "htm") => Ok(Self::Html),
             Some("pdf") => Ok(Self::Pdf),
-            _ => Err("expected a file name that ends in .html or .pdf"),
+            _ => Err(phrase!("expected a file name that ends in .html or .pdf")),
         }
     }
 }
@@ -114,4 +115,15 @@ pub enum ReportError {
     /// The model does not do what was said of it.
     #[error(transparent)]
     NotHandedOut(#[from] NotHandedOut),
+}
+
+impl ReportError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Diagnose(error) => error.says(),
+            Self::Verify(error) => error.says(),
+            Self::NotHandedOut(error) => error.says(),
+        }
+    }
 }

@@ -2,11 +2,12 @@
 
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
+use crate::text::Text;
 
 use super::document::{Block, Section, clean};
 use super::{Details, Extras};
-use crate::explain::fact;
-use crate::language::of_core;
+use crate::explain::{cleaned, fact};
+use crate::language::spoken;
 use crate::present::numbers::{plain, short};
 
 /// The robot's facts.
@@ -97,7 +98,7 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
 
 /// What a table's format is called among people, where its sidecar names a known one.
 fn format_in_words(id: &str) -> String {
-    crate::export::find(id).map_or_else(|| clean(id), |format| of_core(format.title).into_owned())
+    crate::export::find(id).map_or_else(|| clean(id), |format| spoken(format.title))
 }
 
 /// What the certificate states besides its measurements, if it states anything; what is empty is
@@ -149,12 +150,9 @@ pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
     )
 }
 
-/// What the core says, line by line, in the language of this thread.
-pub(super) fn all_of_core(lines: &[String]) -> Vec<String> {
-    lines
-        .iter()
-        .map(|line| of_core(line).into_owned())
-        .collect()
+/// Lines in the language of this thread.
+pub(super) fn all_cleaned(lines: &[Text]) -> Vec<String> {
+    lines.iter().map(cleaned).collect()
 }
 
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {

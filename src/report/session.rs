@@ -5,13 +5,13 @@ use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
-use crate::explain::{self, Detail, fact, implausible, parameters, translated};
+use crate::explain::{self, Detail, cleaned, fact, implausible, parameters};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
 use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::language::names::{figure, title, title_on};
-use crate::language::of_core;
+use crate::language::spoken;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::numeric::extent;
@@ -189,7 +189,7 @@ impl Told<'_> {
             return none(say!("no tolerance is stated"));
         };
         match Measured::of(self.session, self.verification, fitted) {
-            Err(because) => none(&of_core(because)),
+            Err(because) => none(&spoken(because)),
             Ok(measured) => (
                 measured.decided(rule, tolerance),
                 rests_on(&measured, rule, tolerance),
@@ -437,7 +437,7 @@ impl Told<'_> {
     fn remarks(&self) -> Vec<String> {
         let (d, v) = (self.found, self.verification);
         let mut remarks = vec![if d.held_out.gaps.is_some() {
-            say!("cross-validation: {how}", how = translated(&d.held_out.how))
+            say!("cross-validation: {how}", how = cleaned(&d.held_out.how))
         } else {
             say!("cross-validation: none, there are too few samples").to_owned()
         }];
@@ -451,12 +451,12 @@ impl Told<'_> {
                 Remainder::new(self.calibration, &homes)
                     .says()
                     .iter()
-                    .map(|s| translated(s)),
+                    .map(cleaned),
             );
         }
         let noise = explain::noise(d).into_iter();
         remarks.extend(noise.map(|(name, says)| format!("{name}: {says}")));
-        remarks.extend(v.notes.iter().map(|n| translated(n)));
+        remarks.extend(v.notes.iter().map(cleaned));
         remarks
     }
 

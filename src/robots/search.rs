@@ -5,19 +5,38 @@
 //! its name matches, the earlier it stands.
 
 use super::{LibraryRobot, library};
+use crate::text::Text;
 
 /// How many names are proposed in place of an unknown one.
 const PROPOSALS: usize = 5;
 
 /// No robot, or more than one, has that name.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no robot of the library is called '{text}'; nearest: {}", nearest.join(", "))]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NoSuchRobot {
     /// What was looked for.
     pub text: String,
     /// Names of robots, the likeliest first.
     pub nearest: Vec<String>,
 }
+
+impl NoSuchRobot {
+    /// In words.
+    pub fn says(&self) -> Text {
+        text!(
+            "no robot of the library is called '{name}'; nearest: {nearest}",
+            name = &self.text,
+            nearest = self.nearest.join(", ")
+        )
+    }
+}
+
+impl std::fmt::Display for NoSuchRobot {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for NoSuchRobot {}
 
 /// Letters and digits in lower case, without accents.
 fn plain(text: &str) -> String {

@@ -4,6 +4,7 @@
 use crate::kinematics::Range;
 use crate::numeric::extent;
 use crate::sessions::{Region, Session};
+use crate::text::Text;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// How the joint's range is divided.
@@ -23,26 +24,53 @@ pub enum RegionChoice {
 }
 
 /// Why a division makes no sense.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RegionError {
     /// Uniform regions, but none.
-    #[error("{0} regions; expected a number from 1 to {MOST_REGIONS}")]
     Number(usize),
     /// Boundaries that do not ascend.
-    #[error("region boundaries {0}° and {1}°; expected ascending numbers")]
     NotAscending(String, String),
     /// Boundaries that enclose nothing.
-    #[error("{0} region boundary; expected at least two")]
     TooFewBoundaries(usize),
     /// No range to divide.
-    #[error(
-        "all samples are at the same angle and the joint has no limits: there is no range to divide"
-    )]
     NoRange,
     /// A session that cannot be computed with.
-    #[error("{0}")]
     Session(String),
 }
+
+impl RegionError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Number(regions) => text!(
+                "{regions} regions; expected a number from 1 to {most}",
+                regions = regions,
+                most = MOST_REGIONS
+            ),
+            Self::NotAscending(first, next) => text!(
+                "region boundaries {first}° and {next}°; expected ascending numbers",
+                first = first,
+                next = next
+            ),
+            Self::TooFewBoundaries(count) => text!(
+                "{count} region boundary; expected at least two",
+                count = count
+            ),
+            Self::NoRange => text!(
+                "all samples are at the same angle and the joint has no limits: there is no range to divide"
+            ),
+            Self::Session(says) => Text::verbatim(says),
+        }
+    }
+}
+
+impl std::fmt::Display for RegionError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for RegionError {}
 
 /// More regions than this are a slip of the keyboard.
 pub const MOST_REGIONS: usize = 100_000;

@@ -335,7 +335,7 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
 }
 
 fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let mut warn = |field: &str, wrong: Vec<usize>, what: &str, expected: Template| {
+    let mut warn = |field: &str, wrong: Vec<usize>, what: Template, expected: Template| {
         if !wrong.is_empty() {
             let found = text!(
                 "{what}: {wrong}",
@@ -350,7 +350,7 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     warn(
         "load_kg",
         negative_load,
-        "negative loads",
+        phrase!("negative loads"),
         phrase!("0 kg or more"),
     );
     let too_cold = rows_where(samples.temperature_c.as_deref(), |celsius| {
@@ -359,7 +359,7 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     warn(
         "temperature_c",
         too_cold,
-        "temperatures below absolute zero",
+        phrase!("temperatures below absolute zero"),
         phrase!("°C"),
     );
     if let Some(time_s) = &samples.time_s {

@@ -3,14 +3,15 @@
 use crate::kinematics::JointKind;
 use crate::sessions::Mend;
 use crate::sessions::Session;
+use crate::text::Text;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::hypotheses::other_way_round;
 
 /// A change of the samples: what is wrong, what to do, and what takes it back.
 pub(super) struct Change {
-    pub(super) what: String,
-    pub(super) proposal: String,
+    pub(super) what: Text,
+    pub(super) proposal: Text,
     pub(super) mends: Vec<Mend>,
 }
 
@@ -29,7 +30,7 @@ pub(super) fn changes(session: &Session) -> Vec<Change> {
     all
 }
 
-fn one(what: String, proposal: String, mend: Mend) -> Change {
+fn one(what: Text, proposal: Text, mend: Mend) -> Change {
     Change {
         what,
         proposal,
@@ -54,8 +55,8 @@ fn exchanged(session: &Session) -> Vec<Change> {
             }
             let (a, b) = (first + 1, second + 1);
             all.push(one(
-                format!("joints {a} and {b} are exchanged"),
-                format!("exchange the columns of joints {a} and {b}"),
+                text!("joints {a} and {b} are exchanged", a = a, b = b),
+                text!("exchange the columns of joints {a} and {b}", a = a, b = b),
                 Mend::ExchangeJoints { first, second },
             ));
         }
@@ -63,11 +64,8 @@ fn exchanged(session: &Session) -> Vec<Change> {
     let read = &session.samples.q_read;
     if !read.is_empty() && read.iter().all(Option::is_some) {
         all.push(one(
-            "the measured points follow the joint values that were read back, not the commanded ones"
-                .to_owned(),
-            "start from the values read back (--joint-values read), and check where the commands \
-             come from"
-                .to_owned(),
+            text!("the measured points follow the joint values that were read back, not the commanded ones"),
+            text!("start from the values read back (--joint-values read), and check where the commands come from"),
             Mend::TakeReadBack,
         ));
     }
@@ -86,21 +84,21 @@ fn coupled(session: &Session) -> Vec<Change> {
             continue;
         }
         let (before, number) = (joint, joint + 1);
-        for (factor, what) in [
-            (
-                -1.0,
-                "are coupled (parallelogram) but were taken for uncoupled",
-            ),
-            (
-                1.0,
-                "are uncoupled but were taken for coupled (parallelogram)",
-            ),
-        ] {
+        let coupled = text!(
+            "joints {a} and {b} are coupled (parallelogram) but were taken for uncoupled",
+            a = before,
+            b = number
+        );
+        let uncoupled = text!(
+            "joints {a} and {b} are uncoupled but were taken for coupled (parallelogram)",
+            a = before,
+            b = number
+        );
+        for (factor, what) in [(-1.0, coupled), (1.0, uncoupled)] {
             let factor = factor * a.dot(&b).signum();
-            let sign = if factor < 0.0 { "subtract" } else { "add" };
             all.push(one(
-                format!("joints {before} and {number} {what}"),
-                format!("{sign} joint {before} in the value of joint {number}"),
+                what,
+                in_the_value(factor, before, number),
                 Mend::CoupleJoint {
                     joint,
                     from: joint - 1,
@@ -125,12 +123,14 @@ fn driven(session: &Session) -> Vec<Change> {
     for joint in (1..joints.len()).filter(|j| turning(*j)) {
         for from in (0..joint).filter(|j| turning(*j) && !is_parallelogram(*j, joint)) {
             let (before, number) = (from + 1, joint + 1);
-            for (factor, sign) in [(-1.0, "subtract"), (1.0, "add")] {
+            for factor in [-1.0, 1.0] {
                 all.push(one(
-                    format!(
-                        "joints {before} and {number} are coupled but were taken for uncoupled"
+                    text!(
+                        "joints {a} and {b} are coupled but were taken for uncoupled",
+                        a = before,
+                        b = number
                     ),
-                    format!("{sign} joint {before} in the value of joint {number}"),
+                    in_the_value(factor, before, number),
                     Mend::CoupleJoint {
                         joint,
                         from,
@@ -155,8 +155,16 @@ fn homes(session: &Session) -> Vec<Change> {
         let number = joint + 1;
         for turn in [90.0, -90.0, 180.0] {
             all.push(one(
-                format!("the home position of joint {number} is off by {turn}°"),
-                format!("add {turn}° to joint {number} at home, or home the joint again"),
+                text!(
+                    "the home position of joint {joint} is off by {turn}",
+                    joint = number,
+                    turn = format!("{turn}°")
+                ),
+                text!(
+                    "add {turn} to joint {joint} at home, or home the joint again",
+                    turn = format!("{turn}°"),
+                    joint = number
+                ),
                 turned(joint, turn),
             ));
         }
@@ -166,12 +174,12 @@ fn homes(session: &Session) -> Vec<Change> {
         let (before, after) = (joint - 1, joint + 1);
         if turning(before) && turning(after) {
             all.push(Change {
-                what: format!(
-                    "the home positions of joints {} and {} are off by 180°",
-                    before + 1,
-                    after + 1
+                what: text!(
+                    "the home positions of joints {a} and {b} are off by 180°",
+                    a = before + 1,
+                    b = after + 1
                 ),
-                proposal: String::new(),
+                proposal: Text::default(),
                 mends: vec![turned(before, 180.0), turned(after, 180.0)],
             });
         }
@@ -186,21 +194,34 @@ fn units(session: &Session) -> Vec<Change> {
         .collect();
     let mut all = Vec::new();
     for (factor, what) in [
-        (rad_from_deg(1.0), "are in degrees but were read as radians"),
-        (deg_from_rad(1.0), "are in radians but were read as degrees"),
+        (
+            rad_from_deg(1.0),
+            phrase!("are in degrees but were read as radians"),
+        ),
+        (
+            deg_from_rad(1.0),
+            phrase!("are in radians but were read as degrees"),
+        ),
     ] {
         if turning.len() > 1 {
             all.push(one(
-                format!("the values of all joints {what}"),
-                "correct the unit in the headings of the joints".to_owned(),
+                text!("the values of all joints {what}", what = what),
+                text!("correct the unit in the headings of the joints"),
                 Mend::ScaleJoints { factor },
             ));
         }
         for joint in &turning {
             let number = joint + 1;
             all.push(one(
-                format!("the values of joint {number} {what}"),
-                format!("correct the unit in the heading of q{number}"),
+                text!(
+                    "the values of joint {joint} {what}",
+                    joint = number,
+                    what = what
+                ),
+                text!(
+                    "correct the unit in the heading of {column}",
+                    column = format!("q{number}")
+                ),
                 Mend::ScaleJoint {
                     joint: *joint,
                     factor,
@@ -211,30 +232,53 @@ fn units(session: &Session) -> Vec<Change> {
     all
 }
 
+/// What to do where a joint's value holds another's.
+fn in_the_value(factor: f64, before: usize, number: usize) -> Text {
+    if factor < 0.0 {
+        text!(
+            "subtract joint {a} in the value of joint {b}",
+            a = before,
+            b = number
+        )
+    } else {
+        text!(
+            "add joint {a} in the value of joint {b}",
+            a = before,
+            b = number
+        )
+    }
+}
+
 fn measured(session: &Session) -> Vec<Change> {
     let mut all = Vec::new();
     for (factor, what) in [
-        (1000.0, "in metres but were read as millimetres"),
-        (0.001, "in micrometres or were multiplied by 1000"),
-        (25.4, "in inches but were read as millimetres"),
-        (1.0 / 25.4, "in millimetres but were read as inches"),
+        (1000.0, phrase!("in metres but were read as millimetres")),
+        (0.001, phrase!("in micrometres or were multiplied by 1000")),
+        (25.4, phrase!("in inches but were read as millimetres")),
+        (
+            1.0 / 25.4,
+            phrase!("in millimetres but were read as inches"),
+        ),
     ] {
         all.push(one(
-            format!("the measured coordinates are {what}"),
-            "correct the unit in the headings of x, y and z".to_owned(),
+            text!("the measured coordinates are {what}", what = what),
+            text!("correct the unit in the headings of x, y and z"),
             Mend::ScaleLengths(factor),
         ));
     }
     // Two pairs exchanged are a turn of the frame: what is left is one exchange, or a sign.
     let free = session.samples.z_mm.is_some();
     let what = if free {
-        "two of the measured axes are swapped (such as x and y), or one of them is reversed"
+        text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")
     } else {
-        "the measured axes x and y are swapped"
+        text!(
+            "the measured axes {what} are swapped",
+            what = phrase!("x and y")
+        )
     };
     all.push(one(
-        what.to_owned(),
-        "exchange the headings of the measured columns, or reverse one of them".to_owned(),
+        what,
+        text!("exchange the headings of the measured columns, or reverse one of them"),
         Mend::Reorder([1, 0, 2]),
     ));
     all

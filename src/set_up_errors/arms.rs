@@ -204,37 +204,34 @@ fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, Vec<Me
         .iter()
         .find(|t| t.left_mm <= EQUAL * least && t.change.mends.len() == 1)?;
     let same = |t: &&Tried| t.left_mm <= ALIKE * least && t.change.what != main.change.what;
-    let twins: Vec<&str> = tried
-        .iter()
-        .filter(same)
-        .map(|t| t.change.what.as_str())
-        .collect();
+    let twins: Vec<&Text> = tried.iter().filter(same).map(|t| &t.change.what).collect();
     let problem = problem_of(&main.change, &twins, before, main.left_mm);
     Some((problem, main.change.mends.clone(), main.left_mm))
 }
 
-fn problem_of(change: &Change, twins: &[&str], before: f64, after: f64) -> DataProblem {
+fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> DataProblem {
     let what = if twins.is_empty() {
         change.what.clone()
     } else {
-        format!(
-            "{}; in these samples the same as: {}",
-            change.what,
-            twins.join("; ")
+        text!(
+            "{what}; in these samples the same as: {others}",
+            what = &change.what,
+            others = Text::listed(twins.iter().copied(), "; ")
         )
     };
     let as_it_stands = if before.is_finite() {
-        format!("{before:.3} mm")
+        Text::verbatim(format!("{before:.3} mm"))
     } else {
-        "far beyond what adjusting could mend".to_owned()
+        text!("far beyond what adjusting could mend")
     };
     DataProblem {
-        what: Text::verbatim(what),
-        evidence: Text::verbatim(format!(
-            "with the frame, the tool and the zero offsets fitted the median error is \
-             {as_it_stands} as it stands and {after:.3} mm without the mistake"
-        )),
-        proposal: Text::verbatim(change.proposal.clone()),
+        what,
+        evidence: text!(
+            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} mm without the mistake",
+            before = as_it_stands,
+            after = format!("{after:.3}")
+        ),
+        proposal: change.proposal.clone(),
         mend: change.mends.first().cloned(),
         samples: Vec::new(),
     }
@@ -269,33 +266,38 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
             (to - point).cross(&axis).norm() < LEAST_MOVE_MM
         };
     let degrees = deg_from_rad(turn.norm());
-    let twin = if about_axis {
-        format!(
-            "; in these samples the same as: the home position of joint 1 is off by {degrees:.2}°"
-        )
-    } else {
-        String::new()
-    };
+    let never = text!("the measuring frame was never aligned with the robot's base");
     Some(DataProblem {
-        what: Text::verbatim(format!(
-            "the measuring frame was never aligned with the robot's base{twin}"
-        )),
-        evidence: Text::verbatim(if fixed.is_finite() {
-            format!(
-                "the median error is {fixed:.3} mm as it stands and {:.3} mm with the frame fitted",
-                free.median_mm
+        what: if about_axis {
+            text!(
+                "{what}; in these samples the same as: {others}",
+                what = never,
+                others = text!(
+                    "the home position of joint {joint} is off by {turn}",
+                    joint = 1,
+                    turn = format!("{degrees:.2}°")
+                )
             )
         } else {
-            format!(
-                "no geometry fits the samples as they stand; with the frame fitted the median error is {:.3} mm",
-                free.median_mm
+            never
+        },
+        evidence: if fixed.is_finite() {
+            text!(
+                "the median error is {fixed} mm as it stands and {free} mm with the frame fitted",
+                fixed = format!("{fixed:.3}"),
+                free = format!("{:.3}", free.median_mm)
             )
-        }),
-        proposal: Text::verbatim(format!(
-            "align the instrument (turned by {degrees:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or \
-             give the samples a `setup` column so that the frame is fitted",
-            shift.x, shift.y, shift.z
-        )),
+        } else {
+            text!(
+                "no geometry fits the samples as they stand; with the frame fitted the median error is {free} mm",
+                free = format!("{:.3}", free.median_mm)
+            )
+        },
+        proposal: text!(
+            "align the instrument (turned by {turn}, moved by {shift}), or give the samples a `setup` column so that the frame is fitted",
+            turn = format!("{degrees:.2}°"),
+            shift = format!("{:.2}, {:.2}, {:.2} mm", shift.x, shift.y, shift.z)
+        ),
         mend: Some(Mend::FreeFrame),
         samples: Vec::new(),
     })

@@ -1,5 +1,6 @@
 //! What may have gone wrong in setting up, as changes of the session.
 
+use crate::text::Text;
 use nalgebra::Isometry3;
 
 use crate::effects::{JointValues, Term, joint_zero};
@@ -14,17 +15,20 @@ use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
 pub(super) struct Hypothesis {
-    pub(super) what: String,
-    pub(super) proposal: String,
+    pub(super) what: Text,
+    pub(super) proposal: Text,
     pub(super) mend: Mend,
 }
 
 /// A joint whose sign is wrong: what, what to do, and the change.
-pub(super) fn other_way_round(joint: usize) -> (String, String, Mend) {
+pub(super) fn other_way_round(joint: usize) -> (Text, Text, Mend) {
     let (number, factor) = (joint + 1, -1.0);
     (
-        format!("joint {number} counts the other way round"),
-        format!("reverse the sign of joint {number} in the robot's description or in the samples"),
+        text!("joint {joint} counts the other way round", joint = number),
+        text!(
+            "reverse the sign of joint {joint} in the robot's description or in the samples",
+            joint = number
+        ),
         Mend::ScaleJoint { joint, factor },
     )
 }
@@ -35,7 +39,7 @@ pub(super) fn other_way_round(joint: usize) -> (String, String, Mend) {
 )]
 pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();
-    let mut push = |what: String, proposal: String, mend: Mend| {
+    let mut push = |what: Text, proposal: Text, mend: Mend| {
         all.push(Hypothesis {
             what,
             proposal,
@@ -50,19 +54,40 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             continue;
         }
         for (factor, what) in [
-            (rad_from_deg(1.0), "are in degrees but were read as radians"),
-            (deg_from_rad(1.0), "are in radians but were read as degrees"),
+            (
+                rad_from_deg(1.0),
+                phrase!("are in degrees but were read as radians"),
+            ),
+            (
+                deg_from_rad(1.0),
+                phrase!("are in radians but were read as degrees"),
+            ),
         ] {
             push(
-                format!("the values of joint {number} {what}"),
-                format!("correct the unit in the heading of q{number}"),
+                text!(
+                    "the values of joint {joint} {what}",
+                    joint = number,
+                    what = what
+                ),
+                text!(
+                    "correct the unit in the heading of {column}",
+                    column = format!("q{number}")
+                ),
                 Mend::ScaleJoint { joint, factor },
             );
         }
         for turn in [90.0, -90.0, 180.0] {
             push(
-                format!("the home position of joint {number} is off by {turn}°"),
-                format!("add {turn}° to joint {number} at home, or home the joint again"),
+                text!(
+                    "the home position of joint {joint} is off by {turn}",
+                    joint = number,
+                    turn = format!("{turn}°")
+                ),
+                text!(
+                    "add {turn} to joint {joint} at home, or home the joint again",
+                    turn = format!("{turn}°"),
+                    joint = number
+                ),
                 Mend::TurnHome {
                     joint,
                     by_rad: rad_from_deg(turn),
@@ -71,36 +96,42 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         }
     }
     let units = [
-        (1000.0, "in metres but were read as millimetres"),
-        (0.001, "in micrometres or were multiplied by 1000"),
-        (25.4, "in inches but were read as millimetres"),
-        (1.0 / 25.4, "in millimetres but were read as inches"),
+        (1000.0, phrase!("in metres but were read as millimetres")),
+        (0.001, phrase!("in micrometres or were multiplied by 1000")),
+        (25.4, phrase!("in inches but were read as millimetres")),
+        (
+            1.0 / 25.4,
+            phrase!("in millimetres but were read as inches"),
+        ),
     ];
     for (factor, what) in units {
         push(
-            format!("the measured coordinates are {what}"),
-            "correct the unit in the headings of x, y and z".to_owned(),
+            text!("the measured coordinates are {what}", what = what),
+            text!("correct the unit in the headings of x, y and z"),
             Mend::ScaleLengths(factor),
         );
     }
     if session.samples.z_mm.is_some() {
         for (order, what) in [
-            ([1, 0, 2], "x and y"),
-            ([0, 2, 1], "y and z"),
-            ([2, 1, 0], "x and z"),
-            ([1, 2, 0], "x, y and z (read as y, z, x)"),
-            ([2, 0, 1], "x, y and z (read as z, x, y)"),
+            ([1, 0, 2], phrase!("x and y")),
+            ([0, 2, 1], phrase!("y and z")),
+            ([2, 1, 0], phrase!("x and z")),
+            ([1, 2, 0], phrase!("x, y and z (read as y, z, x)")),
+            ([2, 0, 1], phrase!("x, y and z (read as z, x, y)")),
         ] {
             push(
-                format!("the measured axes {what} are swapped"),
-                "exchange the headings of the measured columns".to_owned(),
+                text!("the measured axes {what} are swapped", what = what),
+                text!("exchange the headings of the measured columns"),
                 Mend::Reorder(order),
             );
         }
     } else {
         push(
-            "the measured axes x and y are swapped".to_owned(),
-            "exchange the headings of the measured columns".to_owned(),
+            text!(
+                "the measured axes {what} are swapped",
+                what = phrase!("x and y")
+            ),
+            text!("exchange the headings of the measured columns"),
             Mend::Reorder([1, 0, 2]),
         );
     }
@@ -108,10 +139,11 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         let t = frame.translation.vector;
         let turn = deg_from_rad(frame.rotation.angle());
         push(
-            "the measuring frame was never aligned with the robot's base".to_owned(),
-            format!(
-                "align the instrument (turned by {turn:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or give the samples a `setup` column so that the frame is fitted",
-                t.x, t.y, t.z
+            text!("the measuring frame was never aligned with the robot's base"),
+            text!(
+                "align the instrument (turned by {turn}, moved by {shift}), or give the samples a `setup` column so that the frame is fitted",
+                turn = format!("{turn:.2}°"),
+                shift = format!("{:.2}, {:.2}, {:.2} mm", t.x, t.y, t.z)
             ),
             Mend::FreeFrame,
         );

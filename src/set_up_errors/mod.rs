@@ -30,7 +30,6 @@ use crate::units::rad_from_deg;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Mend;
-use crate::text::Text;
 
 use corrected::made_for;
 use hypotheses::{Hypothesis, hypotheses};
@@ -178,11 +177,13 @@ fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Sessio
     let mut better = session.clone();
     hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
-        evidence: Text::verbatim(format!(
-            "with zero offset and link length fitted the RMS error is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
-        )),
-        what: Text::verbatim(hypothesis.what),
-        proposal: Text::verbatim(hypothesis.proposal),
+        evidence: text!(
+            "with zero offset and link length fitted the RMS error is {before} mm as it stands and {after} mm without the mistake",
+            before = format!("{gap:.3}"),
+            after = format!("{after:.3}")
+        ),
+        what: hypothesis.what,
+        proposal: hypothesis.proposal,
         mend: Some(hypothesis.mend),
         samples: Vec::new(),
     };

@@ -105,26 +105,38 @@ impl Lag {
 
     fn problem(&self) -> DataProblem {
         let number = self.joint + 1;
-        let (by, size) = if self.by_speed {
-            ("speed", format!("{:.2} ms", -1000.0 * self.slope))
-        } else {
-            let degrees = -deg_from_rad(self.slope);
+        let samples = self.samples;
+        let (evidence, size) = if self.by_speed {
             (
-                "side",
-                format!("{degrees:.4}° towards the side it came from"),
+                text!(
+                    "read − commanded follows the speed over {samples} samples, and the measured points fit the commands better",
+                    samples = samples
+                ),
+                Text::verbatim(format!("{:.2} ms", -1000.0 * self.slope)),
+            )
+        } else {
+            (
+                text!(
+                    "read − commanded follows the side over {samples} samples, and the measured points fit the commands better",
+                    samples = samples
+                ),
+                text!(
+                    "{turn}° towards the side it came from",
+                    turn = format!("{:.4}", -deg_from_rad(self.slope))
+                ),
             )
         };
         DataProblem {
-            what: Text::verbatim(format!(
-                "the values read back from joint {number} lag the command by {size}"
-            )),
-            evidence: Text::verbatim(format!(
-                "read − commanded follows the {by} over {} samples, and the measured points fit the commands better",
-                self.samples
-            )),
-            proposal: Text::verbatim(format!(
-                "read joint {number} back at standstill; taken as they are, these values look like backlash or tracking lag"
-            )),
+            what: text!(
+                "the values read back from joint {joint} lag the command by {size}",
+                joint = number,
+                size = size
+            ),
+            evidence,
+            proposal: text!(
+                "read joint {joint} back at standstill; taken as they are, these values look like backlash or tracking lag",
+                joint = number
+            ),
             mend: None,
             samples: Vec::new(),
         }

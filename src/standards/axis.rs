@@ -14,6 +14,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use crate::kinematics::JointKind;
+use crate::text::{Template, Text};
 
 use super::grouping::{Keys, once_per_stay, stays};
 use super::points::Points;
@@ -45,22 +46,32 @@ pub struct Fixed {
 
 impl Fixed {
     /// In words, for the axis that moved.
-    pub fn in_words(&self, axis: &AxisTest) -> String {
-        let mut parts: Vec<String> = Vec::new();
-        parts.extend(self.target.iter().map(|t| format!("reflector {t}")));
-        parts.extend(self.load_kg.map(|kg| format!("load {kg} kg")));
+    pub fn in_words(&self, axis: &AxisTest) -> Text {
+        let mut parts: Vec<Text> = Vec::new();
+        parts.extend(
+            self.target
+                .iter()
+                .map(|t| text!("reflector {name}", name = t)),
+        );
+        parts.extend(self.load_kg.map(|kg| text!("load {load} kg", load = kg)));
         if let Some(speed) = self.speed.filter(|v| *v != 0.0) {
-            parts.push(format!("measured at {speed} {}/s", axis.position_unit));
+            parts.push(text!(
+                "measured at {speed}",
+                speed = format!("{speed} {}/s", axis.position_unit)
+            ));
         }
-        parts.extend(self.setup.iter().map(|s| format!("setup {s}")));
+        parts.extend(self.setup.iter().map(|s| text!("setup {name}", name = s)));
         if !self.others.is_empty() {
             let others: Vec<String> = self.others.iter().map(f64::to_string).collect();
-            parts.push(format!("other joints at {}", others.join(", ")));
+            parts.push(text!(
+                "other joints at {values}",
+                values = others.join(", ")
+            ));
         }
         if parts.is_empty() {
-            parts.push("all samples alike".to_owned());
+            parts.push(text!("all samples alike"));
         }
-        parts.join(", ")
+        Text::listed(parts, ", ")
     }
 }
 
@@ -74,7 +85,7 @@ pub struct Series {
     /// As it would be with corrected commands.
     pub after: Option<Positioning>,
     /// What the standard asks for and the session does not have.
-    pub missing: Vec<String>,
+    pub missing: Vec<Text>,
 }
 
 /// One axis.
@@ -95,7 +106,7 @@ pub struct AxisTest {
     /// Number of further series that are not listed.
     pub more: usize,
     /// Why there is no series at all.
-    pub missing: Option<String>,
+    pub missing: Option<Text>,
 }
 
 impl AxisTest {
@@ -116,9 +127,9 @@ impl AxisTest {
             missing: None,
         };
         let Some(dir) = &points.inputs.dir[joint] else {
-            test.missing = Some(format!(
-                "the side from which the joint came is not known: column dir{} is missing",
-                joint + 1
+            test.missing = Some(text!(
+                "the side from which the joint came is not known: column {column} is missing",
+                column = format!("dir{}", joint + 1)
             ));
             return test;
         };
@@ -144,11 +155,9 @@ impl AxisTest {
         test.more = series.len().saturating_sub(MOST_SERIES);
         series.truncate(MOST_SERIES);
         if series.is_empty() {
-            test.missing = Some(
-                "no two positions of the joint were measured with everything else alike (other \
-                 joints, reflector, load, speed) and a reflector off the axis"
-                    .to_owned(),
-            );
+            test.missing = Some(text!(
+                "no two positions of the joint were measured with everything else alike (other joints, reflector, load, speed) and a reflector off the axis"
+            ));
         }
         test.series = series;
         test
@@ -203,9 +212,10 @@ impl<'p, 's> Sweep<'p, 's> {
         self.keep_the_most_useful();
         let left_out = all - self.positions.len();
         if left_out > 0 {
-            missing.push(format!(
-                "{left_out} of {all} positions have fewer approaches than the others and are left \
-                 out"
+            missing.push(text!(
+                "{left_out} of {all} positions have fewer approaches than the others and are left out",
+                left_out = left_out,
+                all = all
             ));
         }
         let before = Positioning::new(&self.deviations(false)?);
@@ -296,25 +306,26 @@ impl<'p, 's> Sweep<'p, 's> {
         }
     }
 
-    fn shortcomings(&self, figures: &Positioning, missing: &mut Vec<String>) {
+    fn shortcomings(&self, figures: &Positioning, missing: &mut Vec<Text>) {
         let [up, down] = figures.fewest_runs();
-        let side = |n: usize, name: &str| match n {
-            0 => Some(format!(
-                "not every position was approached from {name}: no figure that needs that side, \
-                 and no reversal"
+        let side = |n: usize, side: Template| match n {
+            0 => Some(text!(
+                "not every position was approached from {side}: no figure that needs that side, and no reversal",
+                side = side
             )),
-            1 => Some(format!(
-                "a position was approached once from {name}: no standard deviation, so no \
-                 repeatability and no accuracy"
+            1 => Some(text!(
+                "a position was approached once from {side}: no standard deviation, so no repeatability and no accuracy",
+                side = side
             )),
             _ => None,
         };
-        missing.extend(side(up, "below"));
-        missing.extend(side(down, "above"));
+        missing.extend(side(up, phrase!("below")));
+        missing.extend(side(down, phrase!("above")));
         if up.min(down) >= 2 && up.min(down) < STANDARD_RUNS {
-            missing.push(format!(
-                "{} approaches from each side; the standard asks for {STANDARD_RUNS}",
-                up.min(down)
+            missing.push(text!(
+                "{approaches} approaches from each side; the standard asks for {standard}",
+                approaches = up.min(down),
+                standard = STANDARD_RUNS
             ));
         }
         let (Some(first), Some(last)) = (figures.positions.first(), figures.positions.last())
@@ -329,13 +340,15 @@ impl<'p, 's> Sweep<'p, 's> {
             JointKind::Prismatic => 5,
         };
         if figures.positions.len() < wanted {
-            missing.push(format!(
-                "{} positions over {travel} {}; the standard asks for {wanted}",
-                figures.positions.len(),
-                match self.points.robot.joints[self.joint].kind {
-                    JointKind::Revolute => "degrees",
-                    JointKind::Prismatic => "mm",
-                }
+            let unit = match self.points.robot.joints[self.joint].kind {
+                JointKind::Revolute => "degrees",
+                JointKind::Prismatic => "mm",
+            };
+            missing.push(text!(
+                "{positions} positions over {travel}; the standard asks for {standard}",
+                positions = figures.positions.len(),
+                travel = format!("{travel} {unit}"),
+                standard = wanted
             ));
         }
     }

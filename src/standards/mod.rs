@@ -29,6 +29,7 @@ pub use test_cube::{NoCube, TestCube, TestPose};
 use crate::compensation::verification::VerifyError;
 use crate::model::Calibration;
 use crate::sessions::Session;
+use crate::text::Text;
 
 use points::Points;
 
@@ -48,7 +49,7 @@ pub struct Standards {
     /// Whether the figures with corrected commands are there.
     pub compensated: bool,
     /// What else there is to say.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 /// The standards' figures of a session; with a calibration also those with corrected commands.
@@ -66,31 +67,25 @@ pub fn standards(
     let left_out = points.usable.len() - samples;
     let mut notes = Vec::new();
     if left_out > 0 {
-        notes.push(format!(
-            "{left_out} samples are left out: a cell is missing, the reflector was lost, or \
-             they are excluded by hand"
+        notes.push(text!(
+            "{left_out} samples are left out: a cell is missing, the reflector was lost, or they are excluded by hand",
+            left_out = left_out
         ));
     }
     if samples == 0 {
-        notes.push(
-            "no point was measured (x_mm, y_mm): the figures of both standards are of positions that were \
-             measured at commanded ones; distances, directions, sockets and touches alone give none"
-                .to_owned(),
-        );
+        notes.push(text!(
+            "no point was measured (x_mm, y_mm): the figures of both standards are of positions that were measured at commanded ones; distances, directions, sockets and touches alone give none"
+        ));
     }
     if session.compensated_by.is_some() {
-        notes.push(
-            "the session was measured with a table active: the figures are those with \
-             compensation, and nothing is compensated a second time"
-                .to_owned(),
-        );
+        notes.push(text!(
+            "the session was measured with a table active: the figures are those with compensation, and nothing is compensated a second time"
+        ));
     }
     if moving(session) {
-        notes.push(
-            "samples were taken in motion; the standards measure at standstill, so that lag is in \
-             these figures"
-                .to_owned(),
-        );
+        notes.push(text!(
+            "samples were taken in motion; the standards measure at standstill, so that lag is in these figures"
+        ));
     }
     Ok(Standards {
         session: session.name.clone(),
@@ -106,12 +101,12 @@ pub fn standards(
 }
 
 /// At least so many times, in words.
-pub fn at_least(times: usize) -> String {
+pub fn at_least(times: usize) -> Text {
     match times {
-        0 => "never".to_owned(),
-        1 => "once or more".to_owned(),
-        2 => "twice or more".to_owned(),
-        many => format!("{many} times or more"),
+        0 => text!("never"),
+        1 => text!("once or more"),
+        2 => text!("twice or more"),
+        many => text!("{many} times or more", many = many),
     }
 }
 

@@ -17,6 +17,7 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 use super::path::{PATH_CYCLES, PathAttained, PathFigures, paths};
 
 use crate::kinematics::quaternion;
+use crate::text::{Template, Text};
 use crate::units::deg_from_rad;
 
 use super::grouping::{Keys, once_per_stay, stays};
@@ -96,7 +97,7 @@ pub struct PoseTest {
     /// Paths that were followed several times, in measuring order.
     pub paths: Vec<PathFigures>,
     /// What the standard asks for and the session does not have.
-    pub missing: Vec<String>,
+    pub missing: Vec<Text>,
 }
 
 /// The largest figures over all poses, mm; `None` where there is none.
@@ -116,13 +117,17 @@ pub struct Largest {
 
 impl Largest {
     /// Symbol, name and figure of each.
-    pub fn rows(&self) -> [(&'static str, &'static str, Option<f64>); 5] {
+    pub fn rows(&self) -> [(&'static str, Template, Option<f64>); 5] {
         [
-            ("AP", "pose accuracy", self.accuracy),
-            ("RP", "pose repeatability", self.repeatability),
-            ("vAP", "variation between directions", self.variation),
-            ("AT", "path accuracy", self.path_accuracy),
-            ("RT", "path repeatability", self.path_repeatability),
+            ("AP", phrase!("pose accuracy"), self.accuracy),
+            ("RP", phrase!("pose repeatability"), self.repeatability),
+            (
+                "vAP",
+                phrase!("variation between directions"),
+                self.variation,
+            ),
+            ("AT", phrase!("path accuracy"), self.path_accuracy),
+            ("RT", phrase!("path repeatability"), self.path_repeatability),
         ]
     }
 }
@@ -168,38 +173,41 @@ impl PoseTest {
         }
         let cycles = test.paths.iter().map(|p| p.starts.len());
         if let Some(fewest) = cycles.min().filter(|n| *n < PATH_CYCLES) {
-            test.missing.push(format!(
-                "paths with as few as {fewest} cycles; the standard asks for {PATH_CYCLES}"
+            test.missing.push(text!(
+                "paths with as few as {fewest} cycles; the standard asks for {standard}",
+                fewest = fewest,
+                standard = PATH_CYCLES
             ));
         }
         if test.poses.is_empty() && !test.paths.is_empty() {
             test.missing
-                .push("no pose beside the paths was reached twice".to_owned());
+                .push(text!("no pose beside the paths was reached twice"));
         } else if test.poses.is_empty() {
-            test.missing.push(
-                "no pose was reached twice from the same direction, after another pose".to_owned(),
-            );
+            test.missing.push(text!(
+                "no pose was reached twice from the same direction, after another pose"
+            ));
         } else {
             let fewest = test.poses.iter().map(|p| p.cycles).min().unwrap_or(0);
             if fewest < STANDARD_CYCLES {
-                test.missing.push(format!(
-                    "poses with as few as {fewest} cycles; the standard asks for {STANDARD_CYCLES}"
+                test.missing.push(text!(
+                    "poses with as few as {fewest} cycles; the standard asks for {standard}",
+                    fewest = fewest,
+                    standard = STANDARD_CYCLES
                 ));
             }
         }
         if inputs.dir.iter().any(Option::is_none) {
-            test.missing.push(
+            test.missing.push(text!(
                 "the side from which a joint came is not known: its directions are taken to be one"
-                    .to_owned(),
-            );
+            ));
         }
         if test.variations.is_empty() && !test.poses.is_empty() {
             test.missing
-                .push("no pose was repeated from several directions".to_owned());
+                .push(text!("no pose was repeated from several directions"));
         }
         if points.session.samples.z_mm.is_none() {
             test.missing
-                .push("z was not measured: figures are in the plane".to_owned());
+                .push(text!("z was not measured: figures are in the plane"));
         }
         test
     }

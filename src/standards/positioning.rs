@@ -14,6 +14,7 @@
 //! E, M and A are ranges: a constant error of the axis (its zero) is in none of them. The unit is
 //! that of the deviations. What cannot be computed is `None`: a reversal needs both sides, a
 //! standard deviation two approaches.
+use crate::text::Template;
 
 /// Deviations at one commanded position, seconds of arc or mm.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -134,22 +135,30 @@ impl Positioning {
     }
 
     /// The axis' figures with the standard's symbols and names.
-    pub fn rows(&self) -> [(&'static str, &'static str, Option<f64>); 12] {
+    pub fn rows(&self) -> [(&'static str, Template, Option<f64>); 12] {
         let ([r_up, r_down], [e_up, e_down]) = (self.repeatability, self.systematic);
         let [a_up, a_down] = self.accuracy;
         [
-            ("A", "accuracy", self.accuracy_of_both),
-            ("A↑", "accuracy from below", a_up),
-            ("A↓", "accuracy from above", a_down),
-            ("E", "systematic deviation", self.systematic_of_both),
-            ("E↑", "systematic deviation, below", e_up),
-            ("E↓", "systematic deviation, above", e_down),
-            ("M", "mean bidirectional deviation", self.mean_range),
-            ("R", "repeatability", self.repeatability_of_both),
-            ("R↑", "repeatability from below", r_up),
-            ("R↓", "repeatability from above", r_down),
-            ("B", "reversal value", self.reversal),
-            ("B mean", "mean reversal value", self.mean_reversal),
+            ("A", phrase!("accuracy"), self.accuracy_of_both),
+            ("A↑", phrase!("accuracy from below"), a_up),
+            ("A↓", phrase!("accuracy from above"), a_down),
+            (
+                "E",
+                phrase!("systematic deviation"),
+                self.systematic_of_both,
+            ),
+            ("E↑", phrase!("systematic deviation, below"), e_up),
+            ("E↓", phrase!("systematic deviation, above"), e_down),
+            (
+                "M",
+                phrase!("mean bidirectional deviation"),
+                self.mean_range,
+            ),
+            ("R", phrase!("repeatability"), self.repeatability_of_both),
+            ("R↑", phrase!("repeatability from below"), r_up),
+            ("R↓", phrase!("repeatability from above"), r_down),
+            ("B", phrase!("reversal value"), self.reversal),
+            ("B mean", phrase!("mean reversal value"), self.mean_reversal),
         ]
     }
 

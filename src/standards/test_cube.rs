@@ -14,6 +14,7 @@
 //! fewer than six joints keeps it as far as they allow. Of the places where the largest cube fits the
 //! one is taken at which the tool moves most evenly in its worst pose. There is nothing random in it.
 
+use crate::text::Text;
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
@@ -73,35 +74,60 @@ pub struct TestCube {
 }
 
 /// Why there is no test cube.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum NoCube {
     /// One joint: another standard.
-    #[error(
-        "the robot has one joint: ISO 9283 tests the poses of arms; a single axis is tested after ISO 230-2 \
-         (positions along its travel, approached from both sides: truepose plan without --iso9283, then \
-         truepose standards)"
-    )]
     OneAxis,
     /// The tool does not move in three directions.
-    #[error(
-        "the robot's {0} joints move the tool in fewer than three directions: no cube fits its workspace"
-    )]
     Flat(usize),
     /// The smallest cube does not fit.
-    #[error(
-        "no test cube of ISO 9283 fits the workspace (reach {reach_mm:.0} mm): the smallest has edges of 250 mm, \
-         and nowhere do all its corners and poses lie within the joint limits in one configuration"
-    )]
     TooSmall {
         /// How far the tool reaches, mm.
         reach_mm: f64,
     },
     /// More joints than poses are looked for with.
-    #[error("a robot with {0} joints; poses are looked for with at most {MOST_JOINTS}")]
     Joints(usize),
     /// A robot that cannot be computed with.
-    #[error(transparent)]
-    Rejected(#[from] Rejected),
+    Rejected(Rejected),
+}
+
+impl NoCube {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::OneAxis => text!(
+                "the robot has one joint: ISO 9283 tests the poses of arms; a single axis is tested after ISO 230-2 (positions along its travel, approached from both sides: truepose plan without --iso9283, then truepose standards)"
+            ),
+            Self::Flat(joints) => text!(
+                "the robot's {joints} joints move the tool in fewer than three directions: no cube fits its workspace",
+                joints = joints
+            ),
+            Self::TooSmall { reach_mm } => text!(
+                "no test cube of ISO 9283 fits the workspace (reach {reach_mm} mm): the smallest has edges of 250 mm, and nowhere do all its corners and poses lie within the joint limits in one configuration",
+                reach_mm = format!("{:.0}", reach_mm)
+            ),
+            Self::Joints(joints) => text!(
+                "a robot with {joints} joints; poses are looked for with at most {most}",
+                joints = joints,
+                most = MOST_JOINTS
+            ),
+            Self::Rejected(inner) => inner.says(),
+        }
+    }
+}
+
+impl std::fmt::Display for NoCube {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(&self.says(), f)
+    }
+}
+
+impl std::error::Error for NoCube {}
+
+impl From<Rejected> for NoCube {
+    fn from(error: Rejected) -> Self {
+        Self::Rejected(error)
+    }
 }
 
 /// No machine has more, and the search takes the cube of them.
@@ -151,7 +177,7 @@ impl TestCube {
                 speed: None,
                 load_kg: None,
                 temperature_c: None,
-                why: format!("{} cycle {}", here.name, cycle + 1),
+                why: text!("{pose} cycle {cycle}", pose = &here.name, cycle = cycle + 1),
             }
         };
         let cycles = 0..STANDARD_CYCLES;

@@ -1,5 +1,7 @@
 //! The English of a sentence, with its arguments in braces by name.
 
+use std::fmt;
+
 /// The English of a sentence: what the catalogues know it by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Template {
@@ -45,6 +47,20 @@ impl Template {
     /// Whether its arguments have these names, all of them and no others. Forms of a count have the same.
     pub(crate) const fn takes(self, names: &[&str]) -> bool {
         fits(self.english, names) && (self.many.is_empty() || fits(self.many, names))
+    }
+}
+
+impl fmt::Display for Template {
+    /// The English.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.english)
+    }
+}
+
+impl serde::Serialize for Template {
+    /// Documents are English.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.english)
     }
 }
 

@@ -103,7 +103,9 @@ pub use sentence::{Argument, Text};
 pub(crate) use language::LANGUAGES;
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
-pub(crate) use speech::{current, filled, known, known_in, spoken, within};
+#[cfg(feature = "gui")]
+pub(crate) use speech::known;
+pub(crate) use speech::{current, filled, known_in, spoken, within};
 #[cfg(feature = "gui")]
 pub(crate) use speech::{letters, stretch};
 

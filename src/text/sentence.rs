@@ -18,6 +18,8 @@ enum Kind {
     Verbatim(String),
     /// Clauses one after the other.
     Joined(Vec<Text>),
+    /// What files and commands have an id for, which English says as well, and what other languages call it.
+    Named(Box<(String, Text)>),
     /// In a box: findings travel in results, which should be small.
     Sentence(Box<(Template, Vec<(&'static str, Argument)>)>),
 }
@@ -41,24 +43,38 @@ impl Text {
         Self(Kind::Verbatim(words.into()))
     }
 
-    /// In this language; words that no template made stay as they are.
-    pub fn spoken_in(&self, language: Language) -> String {
-        self.spoken_by(language, &str::to_owned)
+    /// What files and commands have an id for: English has the id, another language these words.
+    pub(crate) fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
+        Self(Kind::Named(Box::new((id.into(), words.into()))))
     }
 
-    /// In this language, with what stands for words that no template made.
-    pub(crate) fn spoken_by(&self, language: Language, words: &dyn Fn(&str) -> String) -> String {
+    /// One after the other, with this between them.
+    pub(crate) fn listed(all: impl IntoIterator<Item = impl Into<Self>>, between: &str) -> Self {
+        let mut clauses = Vec::new();
+        for one in all {
+            if !clauses.is_empty() {
+                clauses.push(Self::verbatim(between));
+            }
+            clauses.push(one.into());
+        }
+        Self(Kind::Joined(clauses))
+    }
+
+    /// In this language; words that no template made stay as they are.
+    pub fn spoken_in(&self, language: Language) -> String {
         match &self.0 {
-            Kind::Verbatim(text) => words(text),
+            Kind::Verbatim(text) => text.clone(),
             Kind::Joined(clauses) => {
                 let clauses = clauses.iter();
-                clauses.map(|one| one.spoken_by(language, words)).collect()
+                clauses.map(|one| one.spoken_in(language)).collect()
             }
+            Kind::Named(named) if language == Language::English => named.0.clone(),
+            Kind::Named(named) => named.1.spoken_in(language),
             Kind::Sentence(sentence) => {
                 let (template, arguments) = &**sentence;
                 let said: Vec<(&str, String)> = arguments
                     .iter()
-                    .map(|(name, value)| (*name, value.spoken_by(language, words)))
+                    .map(|(name, value)| (*name, value.spoken_in(language)))
                     .collect();
                 let said: Vec<(&str, &dyn fmt::Display)> = said
                     .iter()
@@ -69,15 +85,6 @@ impl Text {
         }
     }
 
-    /// The words, where no template made them.
-    #[cfg(feature = "cli")]
-    pub(crate) fn words(&self) -> Option<&str> {
-        match &self.0 {
-            Kind::Verbatim(words) => Some(words),
-            Kind::Joined(_) | Kind::Sentence(..) => None,
-        }
-    }
-
     /// Whether its English has this in it.
     pub fn contains(&self, part: &str) -> bool {
         self.to_string().contains(part)
@@ -85,14 +92,18 @@ impl Text {
 
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
-        matches!(&self.0, Kind::Verbatim(text) if text.is_empty())
+        match &self.0 {
+            Kind::Verbatim(text) => text.is_empty(),
+            Kind::Joined(clauses) => clauses.iter().all(Self::is_empty),
+            Kind::Named(_) | Kind::Sentence(_) => false,
+        }
     }
 }
 
 impl Argument {
-    fn spoken_by(&self, language: Language, words: &dyn Fn(&str) -> String) -> String {
+    fn spoken_in(&self, language: Language) -> String {
         match self {
-            Self::Text(text) => text.spoken_by(language, words),
+            Self::Text(text) => text.spoken_in(language),
             Self::Count(count) => count.to_string(),
         }
     }
@@ -102,14 +113,29 @@ impl fmt::Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Kind::Verbatim(text) => f.pad(text),
-            Kind::Joined(_) | Kind::Sentence(..) => f.pad(&self.spoken_in(Language::English)),
+            Kind::Joined(_) | Kind::Named(_) | Kind::Sentence(_) => {
+                f.pad(&self.spoken_in(Language::English))
+            }
         }
+    }
+}
+
+impl serde::Serialize for Text {
+    /// Documents are English.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
 impl From<&Text> for Text {
     fn from(text: &Text) -> Self {
         text.clone()
+    }
+}
+
+impl From<&Template> for Text {
+    fn from(template: &Template) -> Self {
+        Self::of(*template, Vec::new())
     }
 }
 
@@ -161,6 +187,12 @@ impl From<Text> for Argument {
 impl From<&Text> for Argument {
     fn from(text: &Text) -> Self {
         Self::Text(text.clone())
+    }
+}
+
+impl From<&Template> for Argument {
+    fn from(phrase: &Template) -> Self {
+        Self::Text(phrase.into())
     }
 }
 

@@ -527,6 +527,7 @@ fn a_joint_without_limits_gives_a_worked_line_with_sensible_digits() {
         .iter()
         .find(|note| note.contains("robot reached"));
     let line = line.expect("the worked line");
+    let line = line.to_string();
     let longest = line
         .split(|c: char| !c.is_ascii_digit())
         .map(str::len)

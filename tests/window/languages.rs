@@ -46,67 +46,6 @@ fn window(language: Language, size: [f32; 2], path: Option<PathBuf>) -> Window {
     window
 }
 
-/// The code in a folder of `src`, but for one folder in it.
-fn code(folder: &str, but: &str) -> String {
-    fn sources(folder: &Path, but: &Path, text: &mut String) {
-        for entry in std::fs::read_dir(folder).expect("the sources") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() && path != but {
-                sources(&path, but, text);
-            } else if path.extension().is_some_and(|e| e == "rs") {
-                *text += &read(&path);
-            }
-        }
-    }
-    let mut text = String::new();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    sources(&root.join(folder), &root.join(but), &mut text);
-    text
-}
-
-#[test]
-fn what_the_core_says_by_the_tables_is_what_it_says() {
-    // These the core puts together from parts.
-    const JOINED: [&str; 8] = [
-        "mm and leaves",
-        "the unit of x, y, z is not said",
-        "the remaining error of",
-        "load from",
-        "measure the proposed pose with",
-        "proposed poses with",
-        "add joint",
-        "subtract joint",
-    ];
-    let core = code("src", "src/gui");
-    // A sentence over two lines.
-    let mut lines = core.split("\\\n");
-    let first = lines.next().unwrap_or_default().to_owned();
-    let core = lines.fold(first, |text, line| text + line.trim_start());
-    let catalogue = read(&file("de"));
-    let said = catalogue
-        .split("msgctxt \"core\"\nmsgid \"")
-        .skip(1)
-        .filter_map(|rest| rest.split_once("\"\n"));
-    let mut count = 0;
-    for (text, _) in said {
-        for part in text.split('{').map(|part| {
-            let behind = part.split_once('}').map(|(_, behind)| behind);
-            behind.filter(|_| !text.starts_with(part)).unwrap_or(part)
-        }) {
-            let part = part.trim_matches([' ', ',', ';', ':', '(', ')']);
-            // Or it joins clauses that it says one by one.
-            let mut clauses = part.split([',', ';', ':', '(', ')']).map(str::trim);
-            let there = part.len() < 4
-                || JOINED.contains(&part)
-                || core.contains(part)
-                || clauses.all(|clause| clause.len() < 4 || core.contains(clause));
-            assert!(there, "{text}: nothing in the core says {part:?}");
-        }
-        count += 1;
-    }
-    assert!(count > 400, "{count}");
-}
-
 /// Goes to what is in the window by keys, which are the same in every language, and looks at each.
 fn visit(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     steps(window, see);

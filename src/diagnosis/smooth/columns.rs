@@ -9,6 +9,7 @@ use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
+use crate::text::Text;
 
 use super::likelihood::Sums;
 
@@ -44,7 +45,7 @@ pub(super) struct Folds {
     pub(super) of: Vec<usize>,
     pub(super) count: usize,
     /// In words.
-    pub(super) how: String,
+    pub(super) how: Text,
 }
 
 impl<'a> Columns<'a> {
@@ -150,10 +151,10 @@ impl<'a> Columns<'a> {
         let values = Folds {
             of: self.q.iter().map(|q| rank(*q) % PARTS).collect(),
             count: PARTS,
-            how: format!(
-                "every {PARTS}th value of joint {}, each left out in turn and predicted by a fit \
-                 without it",
-                joint + 1
+            how: text!(
+                "every {parts}th value of joint {joint}, each left out in turn and predicted by a fit without it",
+                parts = PARTS,
+                joint = joint + 1
             ),
         };
         let n = self.samples().max(1);
@@ -162,7 +163,10 @@ impl<'a> Columns<'a> {
             folds.push(Folds {
                 of: (0..n).map(|k| k * PARTS / n).collect(),
                 count: PARTS,
-                how: format!("{PARTS} stretches of time, as the noise is correlated in time"),
+                how: text!(
+                    "{parts} stretches of time, as the noise is correlated in time",
+                    parts = PARTS
+                ),
             });
         }
         folds

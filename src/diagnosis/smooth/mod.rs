@@ -21,6 +21,7 @@ use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 use super::prepare::Prepared;
@@ -46,28 +47,28 @@ pub(super) fn asked(
     prepared: &Prepared,
     left: &Unexplained,
     model: &Model,
-) -> Option<Result<Correction, String>> {
+) -> Option<Result<Correction, Text>> {
     let shapes: Vec<Shape> = left.shapes.iter().map(|s| s.0).collect();
     let wanted = prepared.options().correct_unexplained;
     wanted.then(|| correct(prepared, &shapes, model))
 }
 
 /// `shapes` are those of the search, largest first.
-fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Correction, String> {
+fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Correction, Text> {
     let Some(main) = shapes.first() else {
-        return Err("nothing unexplained is left".to_owned());
+        return Err(text!("nothing unexplained is left"));
     };
     let robot = &model.robot;
     let slides = |j: usize| robot.joints[j].kind == JointKind::Prismatic;
     let of_joint = |shape: &&Shape| matches!(shape.variable, Variable::Joint(_));
     let Some(over) = shapes.iter().find(of_joint) else {
-        return Err(format!(
-            "what is left follows {}, not the value of a joint: no table over a joint can correct it",
-            main.variable.column(slides)
+        return Err(text!(
+            "what is left follows {column}, not the value of a joint: no table over a joint can correct it",
+            column = main.variable.column(slides)
         ));
     };
     let Variable::Joint(joint) = over.variable else {
-        return Err("what is left follows no joint".to_owned());
+        return Err(text!("what is left follows no joint"));
     };
     let mut problem = (*prepared.problem).clone();
     let mut fitted = fitted(&problem, prepared, model, joint, over)?;
@@ -90,18 +91,21 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         best,
         curve,
     } = fitted;
-    let mut held_out: Option<([f64; 2], String)> = None;
+    let mut held_out: Option<([f64; 2], Text)> = None;
     for folds in columns.folds(joint) {
         let gap = best.held_out(&columns, &folds);
         if gap[1] >= gap[0] {
-            return Err(format!(
-                "a smooth curve would not help in the cross-validation ({:.4} → {:.4} mm; {})",
-                gap[0], gap[1], folds.how
+            return Err(text!(
+                "a smooth curve would not help in the cross-validation ({without} → {with} mm; {how})",
+                without = format!("{:.4}", gap[0]),
+                with = format!("{:.4}", gap[1]),
+                how = folds.how
             ));
         }
         held_out.get_or_insert((gap, folds.how));
     }
-    let (held_out_mm, how) = held_out.ok_or("there are too few samples to hold any out")?;
+    let none = || text!("there are too few samples to hold any out");
+    let (held_out_mm, how) = held_out.ok_or_else(none)?;
     let others: Vec<String> = shapes
         .iter()
         .filter(|shape| !of_joint(shape))
@@ -166,20 +170,21 @@ fn fitted<'a>(
     model: &Model,
     joint: usize,
     over: &Shape,
-) -> Result<LikeliestCurve<'a>, String> {
+) -> Result<LikeliestCurve<'a>, Text> {
     let columns = Columns::new(problem, &prepared.regression.noise, model, joint);
     let values = columns.values.len();
     if values < FEWEST_VALUES {
-        return Err(format!(
-            "joint {} was measured at {values} different values; a curve needs at least \
-             {FEWEST_VALUES}",
-            joint + 1
+        return Err(text!(
+            "joint {joint} was measured at {values} different values; a curve needs at least {needed}",
+            joint = joint + 1,
+            values = values,
+            needed = FEWEST_VALUES
         ));
     }
     let none = || {
-        format!(
-            "no smooth curve over the value of joint {} makes what is left likelier",
-            joint + 1
+        text!(
+            "no smooth curve over the value of joint {joint} makes what is left likelier",
+            joint = joint + 1
         )
     };
     let best = likeliest(&columns, over).ok_or_else(none)?;
@@ -321,13 +326,7 @@ impl Choice {
     }
 }
 
-fn says(
-    curve: &Curve,
-    joint: usize,
-    slides: bool,
-    held_out: [f64; 2],
-    others: &[String],
-) -> String {
+fn says(curve: &Curve, joint: usize, slides: bool, held_out: [f64; 2], others: &[String]) -> Text {
     let (unit, outer): (&str, fn(f64) -> f64) = if slides {
         (" mm", |v| v)
     } else {
@@ -337,32 +336,51 @@ fn says(
     let [motion, radial, axial] = curve.largest();
     let mut parts = Vec::new();
     if motion > 0.0 {
-        parts.push(format!("up to {:.4}{unit} along its motion", outer(motion)));
+        parts.push(text!(
+            "up to {size} along its motion",
+            size = format!("{:.4}{unit}", outer(motion))
+        ));
     }
-    for (size, way) in [(radial, "across it"), (axial, "along its axis")] {
-        if size > 0.0 {
-            let table = ", which no table over the joint can correct";
-            parts.push(format!("up to {size:.4} mm {way}{table}"));
-        }
+    if radial > 0.0 {
+        parts.push(text!(
+            "up to {size} mm across it, which no table over the joint can correct",
+            size = format!("{radial:.4}")
+        ));
     }
-    let repeats = knots.period.map_or_else(String::new, |period| {
-        format!(", repeating every {:.4}{unit}", outer(period))
-    });
-    let rest = if others.is_empty() {
-        String::new()
+    if axial > 0.0 {
+        parts.push(text!(
+            "up to {size} mm along its axis, which no table over the joint can correct",
+            size = format!("{axial:.4}")
+        ));
+    }
+    let mut curve = text!(
+        "a smooth correction over joint {joint} from {from} to {to} with {knots} knots",
+        joint = joint + 1,
+        from = format!("{:.2}", outer(knots.from)),
+        to = format!("{:.2}{unit}", outer(knots.to)),
+        knots = knots.count
+    );
+    if let Some(period) = knots.period {
+        curve = text!(
+            "{curve}, repeating every {period}",
+            curve = curve,
+            period = format!("{:.4}{unit}", outer(period))
+        );
+    }
+    let says = text!(
+        "{curve}: {sizes}; held-out gap {without} → {with} mm; outside that range its end values are held and nothing is known; it has no name and no cause",
+        curve = curve,
+        sizes = Text::listed(parts, ", "),
+        without = format!("{:.4}", held_out[0]),
+        with = format!("{:.4}", held_out[1])
+    );
+    if others.is_empty() {
+        says
     } else {
-        format!("; what follows {} stays", others.join(", "))
-    };
-    format!(
-        "a smooth correction over joint {} from {:.2} to {:.2}{unit} with {} knots{repeats}: {}; \
-         held-out gap {:.4} → {:.4} mm; outside that range its end values are held and nothing is \
-         known; it has no name and no cause{rest}",
-        joint + 1,
-        outer(knots.from),
-        outer(knots.to),
-        knots.count,
-        parts.join(", "),
-        held_out[0],
-        held_out[1],
-    )
+        text!(
+            "{says}; what follows {others} stays",
+            says = says,
+            others = others.join(", ")
+        )
+    }
 }

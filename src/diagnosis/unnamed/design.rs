@@ -1,5 +1,6 @@
 //! The columns of the geometry and of the families on the samples, and their products, fold by fold.
 
+use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::curve::DIRECTIONS;
@@ -350,7 +351,7 @@ impl<'a> Design<'a> {
     }
 
     /// The terms of a model with these strengths, and what they follow.
-    pub(super) fn terms(&self, strengths: &[f64]) -> Option<(Vec<Term>, Vec<String>)> {
+    pub(super) fn terms(&self, strengths: &[f64]) -> Option<(Vec<Term>, Vec<Text>)> {
         let solved = self.solved(&self.total, strengths)?;
         let joints = self.model.robot.joints.len();
         let own = &solved.as_slice()[self.geometry..];

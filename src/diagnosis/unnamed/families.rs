@@ -4,6 +4,7 @@
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
 //! along it: harmonics of its own value (a bearing that runs out or wobbles).
 
+use crate::text::Text;
 use nalgebra::DMatrix;
 
 use crate::effects::curve::DIRECTIONS;
@@ -273,25 +274,25 @@ fn harmonics(joint: usize, count: usize) -> Vec<(Source, f64)> {
 
 impl Family {
     /// In words: the joint and what it follows.
-    pub(super) fn in_words(&self) -> String {
+    pub(super) fn in_words(&self) -> Text {
         let own = self.joint + 1;
         let what = match self.what {
-            What::Gravity => "gravity".to_owned(),
+            What::Gravity => text!("gravity"),
             What::Condition(k) => [
-                "load",
-                "measured torque",
-                "approach direction",
-                "speed",
-                "temperature",
+                phrase!("load"),
+                phrase!("measured torque"),
+                phrase!("approach direction"),
+                phrase!("speed"),
+                phrase!("temperature"),
             ][k]
-                .to_owned(),
-            What::Harmonics => "harmonics".to_owned(),
-            What::Curve => "smooth curve".to_owned(),
-            What::Over(other) => format!("over joint {}", other + 1),
-            What::Across(1) => "radial harmonics".to_owned(),
-            What::Across(_) => "axial harmonics".to_owned(),
-            What::Order(order) => format!("{order:.1} cycles per turn"),
+                .into(),
+            What::Harmonics => text!("harmonics"),
+            What::Curve => text!("smooth curve"),
+            What::Over(other) => text!("over joint {joint}", joint = other + 1),
+            What::Across(1) => text!("radial harmonics"),
+            What::Across(_) => text!("axial harmonics"),
+            What::Order(order) => text!("{count} cycles per turn", count = format!("{order:.1}")),
         };
-        format!("joint {own} ({what})")
+        text!("joint {joint} ({what})", joint = own, what = what)
     }
 }

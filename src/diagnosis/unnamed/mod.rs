@@ -17,6 +17,7 @@ use crate::fit::base_model;
 use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
+use crate::text::Text;
 
 use super::handed_out::HandedOut;
 use super::prepare::Prepared;
@@ -96,7 +97,7 @@ struct Fitted {
     terms: Vec<Term>,
     /// In cells of the workspace, without and with it, mm.
     held_out_mm: [f64; 2],
-    over: Vec<String>,
+    over: Vec<Text>,
 }
 
 fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitted> {

@@ -28,9 +28,12 @@ pub(super) fn write(
     chain: &Chain,
     reference: Reference,
 ) -> Result<Written, ExportError> {
-    let refused = |error: Rejected| ExportError::Refused(error.to_string());
+    let refused = |error: Rejected| ExportError::Refused(error.says());
     let text = std::str::from_utf8(reference.bytes).map_err(|_| {
-        ExportError::Refused(format!("{}: expected a URDF file in UTF-8", reference.name))
+        ExportError::Refused(text!(
+            "{file}: expected a URDF file in UTF-8",
+            file = reference.name
+        ))
     })?;
     let file = Path::new(reference.name);
     let nominal = &job.calibration.model.robot;
@@ -50,20 +53,23 @@ pub(super) fn write(
     let read_back = |error: Rejected| ExportError::ReadBack(error.to_string());
     let robot = robot_from_urdf(&written, file, &own.base, &tip).map_err(read_back)?;
     chain.check(job, &robot)?;
-    let mut notes = vec![format!(
-        "the file is {} with the origins of {} joints changed; everything else in it is as it was",
-        reference.name,
-        origins.len()
+    let mut notes = vec![text!(
+        "the file is {file} with the origins of {joints} joints changed; everything else in it is as it was",
+        file = reference.name,
+        joints = origins.len()
     )];
     if !added.is_empty() {
-        notes.push(format!(
-            "the corrected tool is the added link {tip}: no link of the file can be moved for it, as the tool {}",
-            if own.ends_in_tool {
-                "is the link behind the last joint"
-            } else {
-                "was stated beside the file"
-            }
-        ));
+        notes.push(if own.ends_in_tool {
+            text!(
+                "the corrected tool is the added link {tip}: no link of the file can be moved for it, as the tool is the link behind the last joint",
+                tip = &tip
+            )
+        } else {
+            text!(
+                "the corrected tool is the added link {tip}: no link of the file can be moved for it, as the tool was stated beside the file",
+                tip = &tip
+            )
+        });
     }
     Ok(Written {
         ends: Some([own.base, tip]),

@@ -1,6 +1,8 @@
 //! The standards' figures of the session, as the window shows them: worked out in the background,
 //! once for each identification.
 
+use crate::language::spoken;
+use crate::text::Text;
 use std::sync::Arc;
 
 use super::identified::Outcome;
@@ -23,11 +25,11 @@ pub(crate) struct Figures {
 #[derive(Debug, Clone)]
 pub(crate) struct StandardsFigures {
     /// The deviation that is held against the tolerance, or why there is none.
-    pub(crate) measured: Result<Measured, String>,
+    pub(crate) measured: Result<Measured, Text>,
     /// One for each axis, and one for the poses.
     pub(crate) groups: Vec<Group>,
     /// What else there is to say.
-    pub(crate) notes: Vec<String>,
+    pub(crate) notes: Vec<Text>,
 }
 
 impl Figures {
@@ -46,7 +48,7 @@ fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<StandardsFigures, St
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
     let figures =
-        pipeline::standards(session, Some(&answer.calibration)).map_err(|e| e.to_string())?;
+        pipeline::standards(session, Some(&answer.calibration)).map_err(|e| spoken(e.says()))?;
     let found = &answer.identification;
     let fitted = Fitted {
         fit_mm: found.gap.after.rms_mm,
@@ -68,9 +70,9 @@ pub(crate) fn as_text(made: &StandardsFigures) -> String {
         for row in &group.rows {
             table.row([
                 group.standard.into(),
-                group.title().into(),
+                group.title.to_string().into(),
                 row.symbol.into(),
-                row.name.into(),
+                row.name.english().into(),
                 group.unit.into(),
                 row.before.into(),
                 Cell::from(row.after),

@@ -1,5 +1,6 @@
 //! An answer to a question, made ready for drawing.
 
+use crate::language::spoken;
 use std::sync::{Arc, OnceLock};
 
 use crate::compensation::VerifiedCalibration;
@@ -80,7 +81,7 @@ impl Outcome {
             }
             let session = &self.question.subject.session;
             let verified = pipeline::hand_out(&answer.calibration, session);
-            verified.map(Arc::new).map_err(|error| error.to_string())
+            verified.map(Arc::new).map_err(|error| spoken(error.says()))
         };
         self.handed_out.get_or_init(verified).clone()
     }

@@ -1,11 +1,12 @@
 //! An export as it would be written: made ready to be looked at before it is saved.
 
+use crate::language::spoken;
 use std::sync::Arc;
 
 use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
-use crate::export::{Document, Export, Job};
+use crate::export::{Export, Job};
 use crate::fit::gap::Spread;
 use crate::pipeline;
 
@@ -36,20 +37,11 @@ pub(crate) struct ExportPreview {
     /// Name of the joint whose table it is.
     pub(crate) joint: String,
     pub(crate) export: Export,
-    /// The sign convention in words, as the sidecar has it.
-    pub(crate) sign: Option<String>,
-    /// A worked line, as the sidecar has it.
-    pub(crate) example: Option<String>,
-    /// What else the sidecar says: what to enter, how sure it is, notes.
-    pub(crate) said: Vec<String>,
     /// What no joint can remove.
     pub(crate) remainder: Remainder,
     /// The gap that this table leaves, with the controller's own interpolation.
     pub(crate) gap: Option<Spread>,
 }
-
-/// Ending of the file that says what the table means.
-const SIDECAR: &str = ".meta.json";
 
 impl Preview {
     /// Makes the export in memory.
@@ -79,40 +71,12 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     } else {
         Inputs::new(session, JointValues::Commanded)
     };
-    let made = pipeline::export_for(choice.format, &job, session).map_err(|e| e.to_string())?;
+    let made = pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.says()))?;
     let export = made.export;
-    let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
-    let said: Option<serde_json::Value> =
-        sidecar.and_then(|d: &Document| serde_json::from_slice(&d.bytes).ok());
-    let text = |pointer: &str| {
-        let said = said.as_ref()?.pointer(pointer)?;
-        said.as_str().map(str::to_owned)
-    };
     Ok(ExportPreview {
-        sign: text("/sign"),
-        example: text("/example/says"),
         remainder: Remainder::new(calibration, &inputs),
         gap: made.gaps.map(|[_, after]| after),
         joint: session.robot.joints[choice.joint].name.clone(),
-        said: lines(said.as_ref()),
         export,
     })
-}
-
-/// The sidecar's lines that are neither its sign nor its example nor what no joint removes.
-fn lines(said: Option<&serde_json::Value>) -> Vec<String> {
-    let mut lines = Vec::new();
-    for key in ["in_the_controller", "tried", "left_out", "notes"] {
-        match said.and_then(|said| said.get(key)) {
-            Some(serde_json::Value::String(line)) => lines.push(line.clone()),
-            Some(serde_json::Value::Array(some)) => {
-                lines.extend(
-                    some.iter()
-                        .filter_map(|line| line.as_str().map(str::to_owned)),
-                );
-            }
-            _ => {}
-        }
-    }
-    lines
 }

@@ -1,6 +1,7 @@
 //! The targets of a table or of a robot program, corrected by a model: what became of them, and the lines
 //! that changed.
 
+use crate::language::spoken;
 use std::path::{Path, PathBuf};
 
 use crate::compensation::VerifiedCalibration;
@@ -143,11 +144,11 @@ fn corrected(
     wanted: &CompensationRequest,
 ) -> Result<Corrected, NotCorrected> {
     let path: &Path = &wanted.path;
-    let lines = |error: &dyn std::fmt::Display| NotCorrected {
-        says: error.to_string().lines().map(str::to_owned).collect(),
+    let lines = |says: &str| NotCorrected {
+        says: says.lines().map(str::to_owned).collect(),
         differs: Vec::new(),
     };
-    let bytes = read_document(path).map_err(|error| lines(&error))?;
+    let bytes = read_document(path).map_err(|error| lines(&spoken(error.says())))?;
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
         lines(&say!(
@@ -173,7 +174,7 @@ fn corrected(
         measured_frame: wanted.measured_frame,
     })
     .map_err(|error| {
-        let mut not_corrected = lines(&error);
+        let mut not_corrected = lines(&spoken(error.says()));
         if let CompensateError::Differs(differences) = &error {
             let what = differences.0.iter().map(|difference| difference.what);
             not_corrected.differs = what.collect();
@@ -189,7 +190,8 @@ fn corrected(
         language.id,
         &Pose::identity(),
     );
-    let mut sidecar = serde_json::to_vec_pretty(&json).map_err(|error| lines(&error))?;
+    let mut sidecar =
+        serde_json::to_vec_pretty(&json).map_err(|error| lines(&error.to_string()))?;
     sidecar.push(b'\n');
     Ok(Corrected {
         language: language.title,

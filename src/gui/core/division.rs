@@ -1,6 +1,7 @@
 //! How the joint's range came to be divided, and what the adaptive division decided and why.
 
 use crate::effects::JointValues;
+use crate::language::spoken;
 use crate::pipeline::{Method, identify};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
@@ -59,7 +60,7 @@ impl Decision {
 pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
     let regions = RegionChoice::Adaptive
         .resolve(session)
-        .map_err(|e| e.to_string())?;
+        .map_err(|e| spoken(e.says()))?;
     let left = |choice| {
         let method = Method::Regional(choice);
         let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;

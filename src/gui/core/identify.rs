@@ -1,5 +1,6 @@
 //! The work behind an answer: the identification that a question asks for.
 
+use crate::language::spoken;
 use std::cell::Cell;
 
 use crate::compensation::Regional;
@@ -40,7 +41,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         }
         Asks::Regional(regions) => {
             let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
-            identify(session, &method, values).map_err(|e| e.to_string())?
+            identify(session, &method, values).map_err(|e| spoken(e.says()))?
         }
     };
     let after_mm = if let Asks::Regional(_) = &question.asks {
@@ -105,7 +106,7 @@ fn fitted(
         with: with.to_vec(),
         priors: true,
     };
-    identify_unless(session, &method, JointValues::Commanded, &go_on).map_err(|e| e.to_string())
+    identify_unless(session, &method, JointValues::Commanded, &go_on).map_err(|e| spoken(e.says()))
 }
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of

@@ -5,6 +5,7 @@ use crate::compensation::Verification;
 use crate::fit::gap::Spread;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
+use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
 use crate::pipeline::verify;
 use crate::sessions::Region;
@@ -35,7 +36,7 @@ pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String>
             suspected: Vec::new(),
         });
     }
-    let verification = verify(&calibration, &subject.session).map_err(|e| e.to_string())?;
+    let verification = verify(&calibration, &subject.session).map_err(|e| spoken(e.says()))?;
     let identification = identification(given, subject, Some(&verification));
     let mut suspected = vec![false; subject.len()];
     for outlier in &verification.outliers {
@@ -98,7 +99,7 @@ fn identification(
         noise: None,
         kinds: Vec::new(),
         quality: Quality {
-            stopped: "read from a file",
+            stopped: phrase!("read from a file"),
             converged: true,
             passes: 0,
             coefficients,

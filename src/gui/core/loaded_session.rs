@@ -52,7 +52,7 @@ pub(crate) struct NotTestable {
     /// The effect's name.
     pub(crate) effect: &'static str,
     /// Why.
-    pub(crate) because: String,
+    pub(crate) because: crate::text::Text,
 }
 
 named! {

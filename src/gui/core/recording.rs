@@ -27,7 +27,7 @@ impl RecordingRequest {
     /// Why it cannot be recorded. Asks the disk whether the files are there already.
     pub(crate) fn problem(&self) -> Option<String> {
         if let Err(wrong) = Address::parse(self.address.trim()) {
-            return Some(wrong);
+            return Some(crate::language::spoken(wrong));
         }
         let path = &self.path;
         if path.extension().is_none_or(|ending| ending != "csv") {
@@ -92,7 +92,10 @@ impl Heard {
         let state = match &self.state {
             State::Connecting => say!("connecting").to_owned(),
             State::Connected => say!("connected").to_owned(),
-            State::Waiting(why) => say!("not connected, tries again: {why}", why = why),
+            State::Waiting(why) => say!(
+                "not connected, tries again: {why}",
+                why = crate::language::spoken(why)
+            ),
         };
         say!(
             "recording · {lines}{left_out} · {state}",

@@ -92,7 +92,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let says = say!(
             "{file} is excluded: {because}",
             file = file.file,
-            because = file.because
+            because = crate::language::spoken(&file.because)
         );
         widgets::wrong(ui, &says);
     }

@@ -44,7 +44,7 @@ impl Recording {
         wanted: RecordingRequest,
         tell: impl Fn() + Send + 'static,
     ) -> Result<Self, String> {
-        let address = Address::parse(wanted.address.trim())?;
+        let address = Address::parse(wanted.address.trim()).map_err(crate::language::spoken)?;
         let shared = Arc::new(Shared::default());
         let (own, path, columns) = (Arc::clone(&shared), wanted.path.clone(), wanted.columns());
         let listen = move || {

@@ -1,5 +1,6 @@
 //! What is said where a file was not read or written, and what to do about it.
 
+use crate::language::spoken;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -26,7 +27,7 @@ pub(super) fn advice(error: &WriteError) -> String {
                 path = path.display()
             );
         }
-        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return spoken(error.says()),
         WriteError::Cancelled(_) => return cancelled(),
     };
     let what_to_do = match source.kind() {
@@ -43,7 +44,7 @@ pub(super) fn advice(error: &WriteError) -> String {
                 "the name is too long, or has a sign in it that no name may have: choose another name"
             )
         }
-        _ => return error.to_string(),
+        _ => return spoken(error.says()),
     };
     format!("{what_to_do} ({source})")
 }

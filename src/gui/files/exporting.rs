@@ -1,5 +1,6 @@
 //! Writing tables, models and lists, whole or not at all.
 
+use crate::language::spoken;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::{
@@ -50,7 +51,8 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
         ..Job::new(&verified, name)
     };
     let session = &wanted.outcome.question.subject.session;
-    let export = pipeline::export_for(choice.format, &job, session).map_err(|e| e.to_string())?;
+    let export =
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.says()))?;
     Ok(export.export.documents)
 }
 

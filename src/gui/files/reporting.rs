@@ -1,6 +1,7 @@
 //! The calibration report, written in the background: of the session as a search sees it, or of the
 //! model at hand. The ending of the file's name says whether it is HTML or PDF.
 
+use crate::language::spoken;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -59,7 +60,7 @@ fn make(
     watch: &Watch,
     details: &mut Vec<String>,
 ) -> Result<(), String> {
-    let kind = Kind::of(path)?;
+    let kind = Kind::of(path).map_err(spoken)?;
     // A long search is not begun for a file that cannot be written.
     files::can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
@@ -84,13 +85,13 @@ fn make(
             } else {
                 details.push(say!("The diagnosis was run for it").to_owned());
                 made = pipeline::diagnose(&session, &options, &search::told(watch))
-                    .map_err(|e| e.to_string())?;
+                    .map_err(|e| spoken(e.says()))?;
                 &made
             };
             let in_use = in_use.as_ref().filter(|o| o.answer.is_ok());
             let in_use = in_use.map(|o| o.handed_out()).transpose()?;
             pipeline::report_of_diagnosis(&session, found, in_use.as_deref(), &options, &extras)
-                .map_err(|e| e.to_string())?
+                .map_err(|e| spoken(e.says()))?
         }
     };
     let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;

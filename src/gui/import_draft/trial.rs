@@ -58,7 +58,12 @@ impl Trial {
         let appearance = seen(said.robot.chain(), &mut findings);
         let notes = findings
             .iter()
-            .map(|finding| (finding.severity, in_the_sheets_words(&finding.to_string())))
+            .map(|finding| {
+                (
+                    finding.severity,
+                    in_the_sheets_words(&crate::language::finding(finding)),
+                )
+            })
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
@@ -99,7 +104,7 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
     let errors: Vec<&Diagnostic> = findings.iter().filter(is_error).collect();
     let shown = errors.iter().take(MOST);
     let mut lines: Vec<String> = shown
-        .map(|finding| in_the_sheets_words(&finding.to_string()))
+        .map(|finding| in_the_sheets_words(&crate::language::finding(finding)))
         .collect();
     if errors.len() > MOST {
         lines.push(say!(in "common", "and {more} more", more = errors.len() - MOST));
@@ -148,6 +153,6 @@ pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
     let mut own: Vec<_> = own.map(|option| (option.name, option.title)).collect();
     own.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
     own.into_iter().fold(said, |said, (name, title)| {
-        said.replace(&format!("--{name}"), &format!("“{title}”"))
+        said.replace(&format!("--{name}"), &format!("“{}”", spoken(title)))
     })
 }

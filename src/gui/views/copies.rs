@@ -181,7 +181,7 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
             pose.target.as_deref().into(),
         ]);
         cells.extend((0..3).map(|axis| Cell::from(pose.target_mm.map(|at| at[axis]))));
-        cells.push(pose.why.as_str().into());
+        cells.push(pose.why.to_string().into());
         table.rows.push(cells);
     }
     table.tabbed()

@@ -1,8 +1,8 @@
 //! What is known before anything is identified: what the samples cover, what can be seen in them,
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
-use crate::language::of_core;
-use crate::text::{Template, spoken};
+use crate::language::spoken;
+use crate::text::Template;
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
@@ -232,7 +232,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
             for one in &subject.not_testable {
                 ui.label(name(one.effect));
-                widgets::hint(ui, of_core(&one.because));
+                widgets::hint(ui, spoken(&one.because));
             }
         });
     });
@@ -278,7 +278,7 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
         ui.add_space(space::TIGHT);
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            ui.label(of_core(format.title));
+            ui.label(spoken(format.title));
         }
     });
 }

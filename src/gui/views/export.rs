@@ -1,6 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::language::{names, of_core};
+use crate::language::{names, spoken};
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
@@ -124,7 +124,7 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.spacing_mut().item_spacing.y = 0.0;
         let robot = &workbench.subject().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            let response = ui.radio(format.id == choice.format, of_core(format.title));
+            let response = ui.radio(format.id == choice.format, spoken(format.title));
             if response.clicked() && format.id != choice.format {
                 commands.push(Command::Edit(Edit::Export(ExportChoice {
                     format: format.id,
@@ -285,15 +285,14 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
             }
         }
         for line in made.remainder.says() {
-            widgets::hint(ui, with_minus_signs(&of_core(&line)));
+            widgets::hint(ui, with_minus_signs(&spoken(&line)));
         }
     });
     widgets::card(ui, |ui| {
         title(ui, say!("What the numbers mean"));
         // The export's own notes, which the terminal prints, are these and what stands above.
-        let said = [&made.sign, &made.example].into_iter().flatten();
-        for line in said.chain(&made.said) {
-            widgets::hint(ui, with_minus_signs(&of_core(line)));
+        for line in &made.export.meaning {
+            widgets::hint(ui, with_minus_signs(&spoken(line)));
         }
     });
     widgets::card(ui, |ui| {

@@ -1,7 +1,6 @@
 //! Step 3: how the robot is identified.
 
-use crate::language::of_core;
-use crate::text::spoken;
+use crate::language::spoken;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
 use crate::effects::find;
@@ -136,7 +135,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             for one in &subject.not_testable {
                 ui.label(crate::language::names::title(one.effect));
-                widgets::hint(ui, of_core(&one.because));
+                widgets::hint(ui, spoken(&one.because));
             }
         });
 }

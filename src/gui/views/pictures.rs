@@ -1,6 +1,7 @@
 //! Plots as SVG files: the drawings of the report, of the samples as they are shown now, and the
 //! charts as they are on the screen.
 
+use crate::language::spoken;
 use std::sync::Arc;
 
 use crate::gui::cache::identified::Outcome;
@@ -95,7 +96,7 @@ fn draw(wanted: &PlotRequest) -> Result<(Drawing, String), String> {
         None => as_measured(&session, wanted.floor_mm),
         Some(answer) => {
             let calibration = &answer.calibration;
-            let verification = verify(calibration, &session).map_err(|e| e.to_string())?;
+            let verification = verify(calibration, &session).map_err(|e| spoken(e.says()))?;
             stages(&session, calibration, &verification, wanted.floor_mm)
                 .map_err(|e| e.to_string())?
         }

@@ -13,7 +13,6 @@ use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::language::names::{parameter, title_on};
-use crate::language::of_core;
 use crate::present::decision::title as title_of_decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::present::units::Units;
@@ -182,10 +181,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     match workbench.decision() {
         None => {}
         Some(Err(because)) => {
-            widgets::hint(
-                ui,
-                say!("No decision: {because}", because = of_core(&because)),
-            );
+            widgets::hint(ui, say!("No decision: {because}", because = because));
         }
         Some(Ok((outcome, says))) => {
             let color = match outcome {
@@ -218,12 +214,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
         }
         let (name, unit) = parameter(one.name);
         let (value, half, unit) = units.estimate(one, unit);
-        estimate(
-            ui,
-            &name,
-            &value,
-            format!("{} {unit}", of_core(&half)).trim_end(),
-        );
+        estimate(ui, &name, &value, format!("{half} {unit}").trim_end());
     }
     implausible(ui, estimates);
     widgets::hint(ui, say!("± half the 95 % interval"));

@@ -8,7 +8,6 @@ use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Part;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{widgets, workspace};
-use crate::language::of_core;
 
 use super::{chart, disk};
 
@@ -164,9 +163,7 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     let title = title.font(strong(size::BODY)).color(color);
                     ui.add(egui::Label::new(title).wrap());
                     for line in &message.details {
-                        ui.add(
-                            egui::Label::new(RichText::new(of_core(line)).size(size::NOTE)).wrap(),
-                        );
+                        ui.add(egui::Label::new(RichText::new(line).size(size::NOTE)).wrap());
                     }
                 });
             });

@@ -1,13 +1,12 @@
 //! Accuracy and repeatability as the standards state them, before and after.
 
-use crate::language::of_core;
+use crate::language::spoken;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{StandardsFigures, as_text};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
-use crate::present::names::word;
 use crate::present::standards::Group;
 
 use super::copies;
@@ -33,12 +32,9 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
     }
     let mut explained = "";
     for group in &made.groups {
-        widgets::section(
-            ui,
-            &format!("{}, {}", of_core(&group.title()), group.standard),
-        );
+        widgets::section(ui, &format!("{}, {}", spoken(&group.title), group.standard));
         if !group.rows.is_empty() {
-            widgets::hint(ui, of_core(&group.says));
+            widgets::hint(ui, spoken(&group.says));
         }
         if !group.rows.is_empty() {
             table(ui, group);
@@ -48,11 +44,11 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
             }
         }
         for line in &group.missing {
-            widgets::hint(ui, say!("missing: {line}", line = of_core(line)));
+            widgets::hint(ui, say!("missing: {line}", line = spoken(line)));
         }
     }
     for line in &made.notes {
-        widgets::hint(ui, of_core(line));
+        widgets::hint(ui, spoken(line));
     }
 }
 
@@ -61,7 +57,7 @@ fn legend(group: &Group) -> String {
     let sides = |symbol: &str| symbol.ends_with(['↑', '↓']);
     let rows = group.rows.iter().filter(|row| !sides(row.symbol));
     let mut names: Vec<String> = rows
-        .map(|row| format!("{} {}", row.symbol, word(row.name)))
+        .map(|row| format!("{} {}", row.symbol, spoken(row.name)))
         .collect();
     if group.rows.iter().any(|row| sides(row.symbol)) {
         names.push(say!("↑ from below, ↓ from above").to_owned());
@@ -72,7 +68,7 @@ fn legend(group: &Group) -> String {
 fn table(ui: &mut Ui, group: &Group) {
     let palette = Palette::of(ui);
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-    Grid::new(("standards", &group.of))
+    Grid::new(("standards", group.title.to_string()))
         .num_columns(3)
         .spacing([20.0, 3.0])
         .show(ui, |ui| {
@@ -87,7 +83,7 @@ fn table(ui: &mut Ui, group: &Group) {
                 let after = row.after.map_or_else(|| "–".to_owned(), |v| group.shown(v));
                 ui.label(row.symbol).on_hover_ui(|ui| {
                     ui.set_max_width(space::TIP);
-                    ui.label(RichText::new(word(row.name)).font(strong(size::BODY)));
+                    ui.label(RichText::new(spoken(row.name)).font(strong(size::BODY)));
                     ui.label(help::figure(row.symbol).unwrap_or_default());
                 });
                 widgets::cell_right(ui, RichText::new(before));

@@ -6,7 +6,6 @@ use egui::{WidgetInfo, vec2};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Message;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::of_core;
 
 /// So long it stands unless the pointer is on it, seconds.
 const STANDS_S: f64 = 12.0;
@@ -49,9 +48,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 title.on_hover_text(file.display().to_string());
             }
             for line in &message.details {
-                let line = RichText::new(of_core(line))
-                    .size(size::NOTE)
-                    .color(palette.muted);
+                let line = RichText::new(line).size(size::NOTE).color(palette.muted);
                 ui.add(Label::new(line).wrap());
             }
             ui.horizontal(|ui| buttons(ui, message, commands));

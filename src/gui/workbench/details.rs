@@ -8,6 +8,7 @@ use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::{self, Machine, Of};
 use crate::gui::file_state::settings;
 use crate::gui::files;
+use crate::language::spoken;
 use crate::present::decision::rests_on;
 
 use super::Workbench;
@@ -89,7 +90,7 @@ impl Workbench {
         let (rule, tolerance) = self.rule_and_tolerance()?;
         let made = self.figures()?.made.as_ref()?;
         let measured = match made {
-            Ok(made) => made.measured.clone(),
+            Ok(made) => made.measured.clone().map_err(spoken),
             Err(because) => Err(because.clone()),
         };
         Some(measured.map(|m| (m.decided(rule, tolerance), rests_on(&m, rule, tolerance))))

@@ -13,6 +13,7 @@ use crate::gui::core::loaded_session::Subject;
 use crate::gui::file_state::watcher::Order;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
+use crate::language::finding;
 use crate::sessions::{Growing, Growth, Samples};
 
 use super::Workbench;
@@ -74,7 +75,7 @@ impl Workbench {
             }
             Err(rejected) => {
                 self.set_followed(None);
-                let lines = rejected.diagnostics.iter().take(5).map(ToString::to_string);
+                let lines = rejected.diagnostics.iter().take(5).map(finding);
                 let mut details: Vec<String> = lines.collect();
                 details.push(
                     say!("What was read before is here still; mend the file, then follow it again")

@@ -7,6 +7,7 @@ use crate::gui::core::past::Past;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Message, Sheet};
+use crate::language::finding;
 use crate::pipeline;
 use crate::progress::ReadError;
 
@@ -64,7 +65,7 @@ impl Workbench {
                 Err(ReadError::Rejected(rejected)) => {
                     let lines = rejected.diagnostics.iter().take(5);
                     let title = say!("There are no sessions to compare").to_owned();
-                    let details = lines.map(ToString::to_string).collect();
+                    let details = lines.map(finding).collect();
                     bench.view.message = Some(Message::wrong(title, details));
                 }
             },

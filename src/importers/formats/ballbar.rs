@@ -19,28 +19,32 @@ const NOMINAL_LENGTH: &str = "nominal-length";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "ballbar",
-    plainly: "a ballbar, a draw-wire or an interferometer: distances",
+    plainly: phrase!("a ballbar, a draw-wire or an interferometer: distances"),
     asks: Asks::TABLE,
     options: &[
         OwnOption {
             name: ANCHOR,
-            title: "Anchor",
+            title: phrase!("Anchor"),
             value: "NAME",
-            help: "the anchor of all distances, where no column names it [default: A]",
+            help: phrase!("the anchor of all distances, where no column names it [default: A]"),
             values: &[],
         },
         OwnOption {
             name: ANCHOR_OFFSET,
-            title: "Constant offset",
+            title: phrase!("Constant offset"),
             value: "MM",
-            help: "what the instrument shows beyond the true distance, mm: 0 for a calibrated ballbar [default: unknown, and fitted]",
+            help: phrase!(
+                "what the instrument shows beyond the true distance, mm: 0 for a calibrated ballbar [default: unknown, and fitted]"
+            ),
             values: &[],
         },
         OwnOption {
             name: NOMINAL_LENGTH,
-            title: "Nominal length",
+            title: phrase!("Nominal length"),
             value: "MM",
-            help: "the length, mm, that is to be added to every reading of a log of deviations",
+            help: phrase!(
+                "the length, mm, that is to be added to every reading of a log of deviations"
+            ),
             values: &[],
         },
     ],

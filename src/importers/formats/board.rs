@@ -30,13 +30,15 @@ const CAMERA: &str = "camera";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "board",
-    plainly: "a camera that sees a calibration board: rvec and tvec of each image",
+    plainly: phrase!("a camera that sees a calibration board: rvec and tvec of each image"),
     asks: Asks::TABLE,
     options: &[OwnOption {
         name: CAMERA,
-        title: "Camera",
+        title: phrase!("Camera"),
         value: "WHERE",
-        help: "the camera stands still and sees the board on the tool, or sits on the tool and sees a board that stands still",
+        help: phrase!(
+            "the camera stands still and sees the board on the tool, or sits on the tool and sees a board that stands still"
+        ),
         values: &["fixed", "on-tool"],
     }],
     known_by: KnownBy::Reading {

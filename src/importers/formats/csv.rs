@@ -15,7 +15,7 @@ use crate::sessions::columns::{Heading, Quantity};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
-    plainly: "any program: a table with a header, or with columns chosen below",
+    plainly: phrase!("any program: a table with a header, or with columns chosen below"),
     asks: Asks::TABLE,
     options: &[
         EULER_OPTION,

@@ -4,6 +4,7 @@
 //! asks about them and which options are its own; terminal, window, tests of damaged files and
 //! fuzzers find all of that here. `docs/extending.md` goes through an example.
 
+use crate::text::Template;
 use std::fmt;
 
 use crate::importers::columns::Columns;
@@ -37,7 +38,7 @@ pub struct Importer {
     /// Its name for `--as`.
     pub id: &'static str,
     /// What it is, for somebody who has only the file.
-    pub plainly: &'static str,
+    pub plainly: Template,
     /// What is asked about its files.
     pub asks: Asks,
     /// Options that only this format has.
@@ -108,11 +109,11 @@ pub struct OwnOption {
     /// Its name without the dashes.
     pub name: &'static str,
     /// What the window calls it.
-    pub title: &'static str,
+    pub title: Template,
     /// What stands for its value in the help, such as `TOPIC`.
     pub value: &'static str,
     /// What it says.
-    pub help: &'static str,
+    pub help: Template,
     /// The values that it can have; empty: any.
     pub values: &'static [&'static str],
 }
@@ -120,10 +121,12 @@ pub struct OwnOption {
 /// The order of the angles of an orientation, in tables that a person explains.
 pub(crate) const EULER_OPTION: OwnOption = OwnOption {
     name: EULER,
-    title: "Angles of the orientation",
+    title: phrase!("Angles of the orientation"),
     value: "ORDER",
-    help: "how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, \
-           such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec",
+    help: phrase!(
+        "how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, \
+           such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec"
+    ),
     values: &[],
 };
 

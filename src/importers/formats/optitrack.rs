@@ -26,7 +26,7 @@ const MOST_HEADER_LINES: usize = 16;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
-    plainly: "OptiTrack Motive",
+    plainly: phrase!("OptiTrack Motive"),
     asks: Asks {
         table: false,
         columns: Meanings::Fixed,

@@ -37,7 +37,7 @@ const POINTING_AXIS: &str = "pointing-axis";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tpoint",
-    plainly: "a pointing run for TPOINT: where the mount was and where the star was",
+    plainly: phrase!("a pointing run for TPOINT: where the mount was and where the star was"),
     asks: Asks {
         table: false,
         columns: Meanings::Fixed,
@@ -45,9 +45,9 @@ pub(crate) static IMPORTER: Importer = Importer {
     },
     options: &[OwnOption {
         name: POINTING_AXIS,
-        title: "Axis of the tool that points",
+        title: phrase!("Axis of the tool that points"),
         value: "AXIS",
-        help: "the axis of the tool frame that looks at the sky [default: x]",
+        help: phrase!("the axis of the tool frame that looks at the sky [default: x]"),
         values: &["x", "y", "z"],
     }],
     known_by: KnownBy::Text(is),

@@ -16,7 +16,7 @@ use crate::sessions::columns::Quantity;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
-    plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
+    plainly: phrase!("a laser tracker or SpatialAnalyzer: names, x, y, z"),
     asks: Asks::TABLE,
     options: &[EULER_OPTION],
     known_by: KnownBy::Reading {

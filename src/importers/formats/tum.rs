@@ -14,7 +14,7 @@ const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"]
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
-    plainly: "a TUM trajectory: time, position, quaternion",
+    plainly: phrase!("a TUM trajectory: time, position, quaternion"),
     asks: Asks {
         columns: Meanings::Fixed,
         ..Asks::TABLE

@@ -5,6 +5,7 @@
 //! from there to the next word that branches, and after the block they are not. A routine after the
 //! first of a file that sets one takes them from its caller.
 
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 use crate::kinematics::Pose;
@@ -50,7 +51,7 @@ impl Held {
                     routines += 1;
                     held = Self::default();
                     if routines > 1 {
-                        held.unknown(any, "another routine of this file sets it");
+                        held.unknown(any, &text!("another routine of this file sets it"));
                     }
                 }
                 "if" | "switch" | "for" | "while" | "loop" | "repeat" => {
@@ -66,7 +67,7 @@ impl Held {
                 _ => {}
             }
             if branches(&first) {
-                held.unknown(unsure, "it is set in a branch or a loop");
+                held.unknown(unsure, &text!("it is set in a branch or a loop"));
             }
             let [base, tool] = &sets[k];
             held.base = base.clone().unwrap_or(held.base);
@@ -76,12 +77,12 @@ impl Held {
         all
     }
 
-    fn unknown(&mut self, [base, tool]: [bool; 2], says: &str) {
+    fn unknown(&mut self, [base, tool]: [bool; 2], says: &Text) {
         if base {
-            self.base = Referred::unknown(says);
+            self.base = Referred::Unknown(says.clone());
         }
         if tool {
-            self.tool = Referred::unknown(says);
+            self.tool = Referred::Unknown(says.clone());
         }
     }
 }
@@ -170,9 +171,9 @@ fn set_by(line: &Words, numbers: &Numbers, program: &mut Program) -> Set {
         &mut program.tools
     };
     let referred = if component {
-        Referred::unknown(format!(
-            "{} is set",
-            line.shown(k.saturating_sub(2), equals)
+        Referred::Unknown(text!(
+            "{name} is set",
+            name = line.shown(k.saturating_sub(2), equals)
         ))
     } else {
         value(line, equals + 1, names)
@@ -201,7 +202,7 @@ fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
     if line.kind(k) == Some(Kind::Name) && (whole(k + 1) || indexed && whole(k + 4)) {
         return Referred::named(shown);
     }
-    Referred::unknown(format!("{shown} is worked out at run time"))
+    Referred::Unknown(text!("{name} is worked out at run time", name = shown))
 }
 
 /// `FIXTURE = {X …}`, `BASE_DATA[3] = {X …}`: what may be a base or a tool. A target has these components too,
@@ -264,7 +265,7 @@ fn set_by_numbers(name: &str, numbers: &Numbers) -> Set {
     let of = |number: Option<f64>, table: &str, zero: Referred| {
         Some(match number {
             Some(number) => numbered(table, &number.to_string(), zero),
-            None => Referred::unknown(format!("{name} has its numbers elsewhere")),
+            None => Referred::Unknown(text!("{name} has its numbers elsewhere", name = name)),
         })
     };
     [
@@ -278,7 +279,10 @@ fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
     match number.parse::<u32>() {
         Ok(0) => zero,
         Ok(number) => Referred::named(format!("{table}[{number}]")),
-        Err(_) => Referred::unknown(format!("{table}[{number}] is chosen at run time")),
+        Err(_) => Referred::Unknown(text!(
+            "{name} is chosen at run time",
+            name = format!("{table}[{number}]")
+        )),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Changes of the regions.
 
+use crate::language::spoken;
 use std::sync::Arc;
 
 use crate::document::degrees;
@@ -37,7 +38,7 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
     let subject = &document.subject;
     let resolved = |choice: RegionChoice| {
         let regions = choice.resolve(&subject.session);
-        regions.map_err(|e| e.to_string())
+        regions.map_err(|e| spoken(e.says()))
     };
     let by_hand = |regions: Option<Vec<Region>>, otherwise: &str| {
         let regions = regions.ok_or_else(|| otherwise.to_owned())?;

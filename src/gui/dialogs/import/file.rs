@@ -11,19 +11,18 @@ use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator,
 };
-use crate::language::{of_core, spoken};
+use crate::language::spoken;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &Foreign) -> String {
     let found = &now.seen.inspection;
     let mut parts = vec![say!("{rows} rows", rows = found.rows)];
-    parts.extend(found.separator.map(|s| {
-        say!(
-            "separated by {separator}",
-            separator = of_core(&s.to_string())
-        )
-    }));
-    parts.extend(found.decimal.map(|d| of_core(&d.to_string()).into_owned()));
+    parts.extend(
+        found
+            .separator
+            .map(|s| say!("separated by {separator}", separator = spoken(s.name()))),
+    );
+    parts.extend(found.decimal.map(|d| spoken(d.name())));
     parts.push(match found.header_line {
         Some(line) => say!("header in line {line}", line = line),
         None => say!("no header").to_owned(),
@@ -49,11 +48,11 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     widgets::form_row(ui, say!("Source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
-            .selected_text(of_core(kind.map_or("", |importer| importer.plainly)))
+            .selected_text(kind.map_or_else(String::new, |importer| spoken(importer.plainly)))
             .show_ui(ui, |ui| {
                 for &importer in IMPORTERS {
                     let is = kind == Some(importer);
-                    if ui.selectable_label(is, of_core(importer.plainly)).clicked() && !is {
+                    if ui.selectable_label(is, spoken(importer.plainly)).clicked() && !is {
                         reading.kind = Some(importer);
                         reading.columns.clear();
                     }
@@ -145,13 +144,13 @@ const FEW_OPTIONS: usize = 2;
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
-    let title = of_core(option.title);
+    let title = spoken(option.title);
     widgets::form_row(ui, &title, |ui| {
         let mut value = given.get(option.name).cloned().unwrap_or_default();
         let before = value.clone();
         if option.values.is_empty() {
             let field = TextEdit::singleline(&mut value).desired_width(300.0);
-            let field = ui.add(field.hint_text(of_core(option.help)));
+            let field = ui.add(field.hint_text(spoken(option.help)));
             super::parts::name(ui, &field, &title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();

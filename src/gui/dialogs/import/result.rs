@@ -1,6 +1,5 @@
 //! What the import would bring, or why it is refused.
 
-use crate::language::of_core;
 use egui::Ui;
 
 use crate::diagnostic::Severity;
@@ -61,6 +60,6 @@ fn brings(ui: &mut Ui, trial: &Trial) {
     let mut notes: Vec<_> = trial.notes.iter().collect();
     notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
     for (severity, note) in notes.iter().take(MOST) {
-        super::parts::line(ui, *severity, &of_core(note));
+        super::parts::line(ui, *severity, note);
     }
 }

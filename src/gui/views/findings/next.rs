@@ -8,7 +8,6 @@ use crate::gui::view::What;
 use crate::gui::views::copies;
 use crate::gui::widgets::{self};
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::of_core;
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 
@@ -89,7 +88,7 @@ fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cel
                 for k in shown {
                     let label = ui.label(&row[*k].shown);
                     if *k == 0 {
-                        label.on_hover_text(of_core(&row[SHOWN].shown));
+                        label.on_hover_text(&row[SHOWN].shown);
                     }
                 }
                 ui.end_row();
@@ -101,7 +100,7 @@ fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cel
 fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
     for row in rows {
         let pose = Label::new(&row[0].shown).wrap();
-        ui.add(pose).on_hover_text(of_core(&row[SHOWN].shown));
+        ui.add(pose).on_hover_text(&row[SHOWN].shown);
         let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
         let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
         widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));

@@ -30,7 +30,7 @@ use parts::{Part, headings, parts};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",
-    plainly: "an ISO 230-2 run: targets and positions of one axis",
+    plainly: phrase!("an ISO 230-2 run: targets and positions of one axis"),
     asks: Asks {
         columns: Meanings::Own(&[
             ("target", "target position"),

@@ -29,7 +29,7 @@ const JOINT_NAMES: &str = "joint-names";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
-    plainly: "an MCAP recording: joint states and measured poses",
+    plainly: phrase!("an MCAP recording: joint states and measured poses"),
     asks: Asks {
         table: false,
         columns: Meanings::Fixed,
@@ -40,30 +40,32 @@ pub(crate) static IMPORTER: Importer = Importer {
     options: &[
         OwnOption {
             name: TOPIC_JOINTS,
-            title: "Topic of the joints",
+            title: phrase!("Topic of the joints"),
             value: "TOPIC",
-            help: "the JointState topic of the joints, where there are several",
+            help: phrase!("the JointState topic of the joints, where there are several"),
             values: &[],
         },
         OwnOption {
             name: TOPIC_MEASURED,
-            title: "Measured topic",
+            title: phrase!("Measured topic"),
             value: "TOPIC",
-            help: "the topic that was measured, where there are several",
+            help: phrase!("the topic that was measured, where there are several"),
             values: &[],
         },
         OwnOption {
             name: FRAME_CHILD,
-            title: "Child frame",
+            title: phrase!("Child frame"),
             value: "FRAME",
-            help: "the child frame of the transforms that were measured",
+            help: phrase!("the child frame of the transforms that were measured"),
             values: &[],
         },
         OwnOption {
             name: JOINT_NAMES,
-            title: "Joints",
+            title: phrase!("Joints"),
             value: "A,B,…",
-            help: "the recorded joints from base to tool, where their names are not the robot's",
+            help: phrase!(
+                "the recorded joints from base to tool, where their names are not the robot's"
+            ),
             values: &[],
         },
     ],
