@@ -4,15 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::language::spoken;
+use crate::explain::standards;
 use crate::pipeline;
-use crate::present::standards::groups;
 use crate::present::standards_v1::document;
 use crate::standards::Standards as Figures;
 
 use super::failure::Failure;
-use super::output;
 use super::words::line;
+use super::{blocks, output};
 
 /// Series of an axis that the text shows; --json has more.
 const SHOWN: usize = 3;
@@ -51,26 +50,5 @@ fn in_words(s: &Figures) -> String {
         samples = s.samples
     );
     line(&mut text, samples);
-    for group in groups(s, SHOWN) {
-        let of = match &group.of {
-            poses if poses.is_empty() => String::new(),
-            joint => format!("{}, ", spoken(joint)),
-        };
-        text += &format!(
-            "\n{}, {of}{}: {}\n",
-            group.standard,
-            group.unit,
-            spoken(&group.says)
-        );
-        if !group.rows.is_empty() {
-            text += &group.table().aligned(4);
-        }
-        for missing in &group.missing {
-            line(&mut text, format!("  {}", spoken(missing)));
-        }
-    }
-    for note in &s.notes {
-        line(&mut text, say!("note: {note}", note = spoken(note)));
-    }
-    text
+    text + &blocks::sections(&standards(s, SHOWN))
 }

@@ -5,6 +5,7 @@ use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, Unusable};
 use crate::language::spoken;
 use crate::sessions::Session;
+use crate::text::ByTitles;
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.
 pub(crate) fn remarks_on_fit(
@@ -12,6 +13,7 @@ pub(crate) fn remarks_on_fit(
     session: &Session,
     detail: Detail,
 ) -> Vec<Section> {
+    let _by_titles = ByTitles::begin();
     let not_identifiable = open::not_identifiable(&answer.not_identifiable, detail, usize::MAX);
     let outliers = open::outliers(answer, detail);
     let all = [

@@ -10,6 +10,9 @@ mod identification;
 mod open;
 mod parameters;
 mod sight;
+mod standards;
+#[cfg(any(feature = "cli", feature = "gui"))]
+mod verification;
 
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{mm, plain};
@@ -24,6 +27,9 @@ pub(crate) use identification::remarks_on_fit;
 #[cfg(feature = "cli")]
 pub(crate) use open::data_problems;
 pub(crate) use parameters::{implausible, parameters};
+pub(crate) use standards::standards;
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use verification::verification;
 
 /// A part of an answer.
 #[derive(Debug, Clone, PartialEq)]

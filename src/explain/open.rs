@@ -8,13 +8,14 @@ use crate::language::names::title_of;
 use crate::present::numbers::grouped;
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;
-use crate::text::within;
+use crate::text::{ByTitles, within};
 
 /// Combinations that are listed on one page; of an arm there may be dozens.
 pub(super) const MOST_COMBINATIONS: usize = 2;
 
 /// Set-up errors and mistakes of rows: each with its evidence and what to do.
 pub(crate) fn data_problems(problems: &[DataProblem]) -> Vec<Section> {
+    let _by_titles = ByTitles::begin();
     let problems = problems.iter().enumerate();
     let sections = problems.map(|(index, problem)| {
         let title = say!("Data: {problem}", problem = cleaned(&problem.what));

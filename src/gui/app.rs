@@ -177,6 +177,7 @@ impl App {
         }
         let lacks = self.workbench.letters().lack(wanted.own_name());
         crate::text::choose(if lacks { Language::English } else { wanted });
+        crate::text::name_by_titles(true);
     }
 
     /// Where the arrangement has changed, the layout is done again before anybody sees it.

@@ -1,13 +1,13 @@
 //! What the core says, in the language of this thread.
 
 use crate::diagnostic::Diagnostic;
-use crate::text::{Text, current};
+use crate::text::{Text, by_titles, current};
 #[cfg(feature = "gui")]
 use crate::text::{known, known_in};
 
 /// A sentence of the core, in the language of this thread.
 pub(crate) fn spoken(text: impl Into<Text>) -> String {
-    text.into().spoken_in(current())
+    text.into().said(current(), by_titles())
 }
 
 /// A finding, with where it is and what was expected.

@@ -1,13 +1,11 @@
 //! The standards' figures in a report.
 
 use crate::present::poses::sides;
-use crate::present::standards::{Group, groups};
 use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
 
 use super::document::{Block, Column, Section, Table, clean};
-use super::parts::all_cleaned;
-use crate::explain::cleaned;
+use crate::explain;
 use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
@@ -20,29 +18,12 @@ pub(super) fn section(standards: &Standards) -> Section {
         )
         .to_owned(),
     )];
-    for group in groups(standards, 1) {
-        group_blocks(&group, &mut blocks);
+    for section in explain::standards(standards, 1) {
+        blocks.push(Block::Heading(section.title));
+        blocks.extend(section.blocks);
     }
     pose_blocks(&standards.poses, &mut blocks);
-    if !standards.notes.is_empty() {
-        blocks.push(Block::List(all_cleaned(&standards.notes)));
-    }
     Section::new(say!("Accuracy and repeatability"), blocks)
-}
-
-fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
-    blocks.push(Block::Heading(format!(
-        "{}, {}",
-        cleaned(&group.title),
-        group.standard
-    )));
-    if !group.rows.is_empty() {
-        blocks.push(Block::Text(cleaned(&group.says)));
-        blocks.push(Block::Table(group.table()));
-    }
-    if !group.missing.is_empty() {
-        blocks.push(Block::List(all_cleaned(&group.missing)));
-    }
 }
 
 /// The poses of the largest error.

@@ -19,6 +19,7 @@ use crate::text::current;
 impl Report {
     /// The report of a model file.
     pub fn of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Self {
+        let _by_titles = crate::text::ByTitles::begin();
         let hash = model_hash(calibration);
         let tolerance_mm = extras.details.tolerance_mm.or(calibration.tolerance_mm);
         let mut sections = vec![

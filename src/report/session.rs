@@ -61,6 +61,7 @@ impl Report {
     /// # Errors
     /// If the model is another robot's.
     pub fn of_session(evidence: &Evidence, extras: &Extras) -> Result<Self, ReportError> {
+        let _by_titles = crate::text::ByTitles::begin();
         let Evidence {
             session,
             given,

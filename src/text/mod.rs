@@ -105,9 +105,10 @@ pub(crate) use language::LANGUAGES;
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]
 pub(crate) use speech::known;
+pub(crate) use speech::{ByTitles, by_titles};
 pub(crate) use speech::{current, filled, known_in, spoken, within};
 #[cfg(feature = "gui")]
-pub(crate) use speech::{letters, stretch};
+pub(crate) use speech::{letters, name_by_titles, stretch};
 
 /// Every template of the program.
 #[cfg(test)]

@@ -43,7 +43,8 @@ impl Text {
         Self(Kind::Verbatim(words.into()))
     }
 
-    /// What files and commands have an id for: English has the id, another language these words.
+    /// What files and commands have an id for: English has the id where files and commands are near, and these words
+    /// in the window and on paper; another language always has the words.
     pub(crate) fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
         Self(Kind::Named(Box::new((id.into(), words.into()))))
     }
@@ -62,19 +63,24 @@ impl Text {
 
     /// In this language; words that no template made stay as they are.
     pub fn spoken_in(&self, language: Language) -> String {
+        self.said(language, false)
+    }
+
+    /// In this language, and whether English has words for what has an id.
+    pub(crate) fn said(&self, language: Language, by_titles: bool) -> String {
         match &self.0 {
             Kind::Verbatim(text) => text.clone(),
             Kind::Joined(clauses) => {
                 let clauses = clauses.iter();
-                clauses.map(|one| one.spoken_in(language)).collect()
+                clauses.map(|one| one.said(language, by_titles)).collect()
             }
-            Kind::Named(named) if language == Language::English => named.0.clone(),
-            Kind::Named(named) => named.1.spoken_in(language),
+            Kind::Named(named) if language == Language::English && !by_titles => named.0.clone(),
+            Kind::Named(named) => named.1.said(language, by_titles),
             Kind::Sentence(sentence) => {
                 let (template, arguments) = &**sentence;
                 let said: Vec<(&str, String)> = arguments
                     .iter()
-                    .map(|(name, value)| (*name, value.spoken_in(language)))
+                    .map(|(name, value)| (*name, value.said(language, by_titles)))
                     .collect();
                 let said: Vec<(&str, &dyn fmt::Display)> = said
                     .iter()
@@ -101,9 +107,9 @@ impl Text {
 }
 
 impl Argument {
-    fn spoken_in(&self, language: Language) -> String {
+    fn said(&self, language: Language, by_titles: bool) -> String {
         match self {
-            Self::Text(text) => text.spoken_in(language),
+            Self::Text(text) => text.said(language, by_titles),
             Self::Count(count) => count.to_string(),
         }
     }

@@ -21,6 +21,37 @@ pub(crate) fn choose(language: Language) {
     CURRENT.set(language);
 }
 
+thread_local! {
+    static BY_TITLES: Cell<bool> = const { Cell::new(false) };
+}
+
+/// While this lives, English on this thread has titles for what files and commands have ids for: in the window and on
+/// paper no id means anything.
+pub(crate) struct ByTitles(bool);
+
+impl ByTitles {
+    pub(crate) fn begin() -> Self {
+        Self(BY_TITLES.replace(true))
+    }
+}
+
+impl Drop for ByTitles {
+    fn drop(&mut self) {
+        BY_TITLES.set(self.0);
+    }
+}
+
+/// Whether English has titles on this thread.
+pub(crate) fn by_titles() -> bool {
+    BY_TITLES.get()
+}
+
+/// English has titles, or ids, on this thread from now on.
+#[cfg(feature = "gui")]
+pub(crate) fn name_by_titles(titles: bool) {
+    BY_TITLES.set(titles);
+}
+
 /// The language of this thread.
 pub(crate) fn current() -> Language {
     CURRENT.get()

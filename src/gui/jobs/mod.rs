@@ -93,6 +93,7 @@ impl<B: 'static> Jobs<B> {
         let spoken = text::current();
         let job = move || {
             text::choose(spoken);
+            text::name_by_titles(true);
             // A bug in one job must not leave the window waiting for it.
             let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();
             let outcome = made.map(|made| Box::new(|to: &mut B| then(to, made)) as Outcome<B>);

@@ -3,7 +3,9 @@
 use egui::Ui;
 
 use crate::compensation::Verification;
+use crate::explain::{Detail, verification};
 use crate::gui::core::answer::{Answer, Loaded};
+use crate::gui::views::blocks;
 use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
@@ -60,24 +62,11 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
 }
 
 /// What the model does on the session that is open.
-pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
-    let number = |mm: f64| units.length_number(mm);
-    widgets::card(ui, |ui| {
-        title(ui, say!("Held against this session"));
-        widgets::fact_of(ui, phrase!("samples"), verification.samples.to_string());
-        let model = units.length(verification.model.rms_mm);
-        widgets::fact_of(ui, phrase!("measured and model"), model);
-        if let Some(compensated) = verification.compensated {
-            let unit = units.length_name();
-            let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
-            widgets::fact_of(ui, phrase!("with corrected commands"), gap);
-            let largest = format!("{} {unit}", number(compensated.gap.max_mm));
-            widgets::fact_of(ui, phrase!("largest then"), largest);
-            let stays = format!(
-                "{} {unit}",
-                number(compensated.cannot_be_removed_by_joints_mm)
-            );
-            widgets::fact_of(ui, phrase!("not correctable by joint commands"), stays);
-        }
-    });
+pub(super) fn verified(ui: &mut Ui, units: Units, verified: &Verification) {
+    for section in verification(verified, Detail::window(units)) {
+        widgets::card(ui, |ui| {
+            title(ui, &section.title);
+            blocks::show(ui, &section.blocks);
+        });
+    }
 }
