@@ -1,14 +1,8 @@
 //! Fits of a model and shapes to the rows, by Gauss–Newton steps.
 //!
-//! Columns and their orthonormal basis are nearly all of what a step costs. They are taken anew only where that
-//! matters:
-//!
-//! - Many fits of a search start from one that is known, with a name more: the first step takes the columns of that
-//!   one, and only those of the name are new.
-//! - After a step that is small beside the noise the columns are what they were: their change is a product of that
-//!   step with the curvature, and what the next step is off by is a product with it once more.
-//!
-//! Both are so near to steps with all columns anew that as many of them are taken.
+//! Columns and their orthonormal basis are nearly all of what a step costs. After a step that is small beside the
+//! noise they are what they were: their change is a product of that step with the curvature, and what the next step
+//! is off by is a product with it once more. As many steps are taken as with columns that are always new.
 
 use std::sync::Arc;
 
@@ -17,9 +11,8 @@ use nalgebra::{DMatrix, DVector};
 use super::known_fits::TakenAt;
 use super::memo::start as start_of;
 use super::placed::Placed;
-use super::regression::{Fit, Regression, lengthened};
-use crate::effects::{Held, Term};
-use crate::linear::{Basis, along};
+use super::regression::{Fit, Regression};
+use crate::linear::Basis;
 use crate::model::Model;
 
 /// Products for each number of a fit's columns beside those of making them orthonormal.
@@ -37,13 +30,10 @@ const SMALL: f64 = 1e-5;
 
 /// Where a step was taken from.
 struct Place {
-    /// The columns of the model, where shapes stand beside them.
-    beside_shapes: Option<DMatrix<f64>>,
+    /// The columns of the model.
+    columns: DMatrix<f64>,
     basis: Arc<Basis>,
 }
-
-/// A step of the model's coefficients, and how far it moves what is predicted, squared.
-type Step = (DVector<f64>, f64);
 
 impl Regression<'_> {
     /// Fits a model and shapes, starting from their coefficients.
@@ -84,14 +74,6 @@ impl Regression<'_> {
         let mut last = f64::INFINITY;
         for round in 0..STEPS {
             products += of_a_step;
-            let known = (round == 0 && shapes.is_empty())
-                .then(|| self.first_step(&model))
-                .flatten();
-            if let Some((step, moved)) = known {
-                model = model.stepped(step.as_slice());
-                last = moved / rss.max(f64::MIN_POSITIVE);
-                continue;
-            }
             let here = place.take().filter(|_| last <= SMALL);
             let (residual, here) = if let Some(here) = here {
                 let raw = self.rows.residual(&model);
@@ -107,10 +89,7 @@ impl Regression<'_> {
             let step = here.basis.solve(&residual);
             left = here.basis.reject(&residual);
             rss = left.norm_squared();
-            let moved = match &here.beside_shapes {
-                None => along(&here.basis.q, &residual).norm_squared(),
-                Some(columns) => (columns * step.rows(0, own)).norm_squared(),
-            };
+            let moved = (&here.columns * step.rows(0, own)).norm_squared();
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;
             for shape in &mut shapes {
@@ -164,62 +143,11 @@ impl Regression<'_> {
             .then(|| self.of_base().extended(&self.base, model, &all))
             .flatten();
         let basis = Arc::new(extended.unwrap_or_else(|| Basis::new(&all)));
-        let beside_shapes = (!shapes.is_empty()).then(|| all.columns(0, own).into_owned());
+        all.resize_horizontally_mut(own, 0.0);
         let here = Place {
-            beside_shapes,
+            columns: all,
             basis,
         };
         (residual, here)
     }
-
-    /// The first step of a fit from one that is known, with absent terms more.
-    fn first_step(&self, start: &Model) -> Option<Step> {
-        let is_known = |fit: &Fit| fit.shapes.is_empty() && is_part(&fit.model, start);
-        let fit = self.fits.last(is_known)?;
-        Some(self.first_with_more(&fit, start))
-    }
-
-    fn first_with_more(&self, fit: &Fit, start: &Model) -> Step {
-        // Of what is known no column is asked for.
-        let known = |term: &Term| fit.model.terms().iter().any(|t| t.same_column(term));
-        let terms = start.terms().iter().map(|term| Term {
-            held: if known(term) { Held::ALL } else { term.held },
-            ..term.clone()
-        });
-        let asked = Model::new(start.robot.clone(), terms.collect());
-        let (raw, columns) = self.raw(&asked);
-        let residual = self.whitened_residual(start, &raw);
-        let white = lengthened(self.noise.whitened(&self.rows, &columns), self.beside);
-        let mut own = Vec::new();
-        let mut first = 0;
-        for term in start.terms() {
-            let end = first + term.coefficients.len();
-            if known(term) {
-                own.extend(first..end);
-            }
-            first = end;
-        }
-        let basis = Basis::extending(&fit.basis, &own, &white);
-        let moved = along(&basis.q, &residual);
-        let square = moved.norm_squared();
-        (basis.coefficients(moved), square)
-    }
-}
-
-/// Whether a model is a part of another, with the same values, and what the other has besides is absent.
-fn is_part(part: &Model, whole: &Model) -> bool {
-    if part.terms().len() >= whole.terms().len() {
-        return false;
-    }
-    let mut wanted = part.terms().iter().peekable();
-    let there = whole.terms().iter().all(|term| {
-        if term.curve.is_some() || term.rest.is_some() {
-            return false;
-        }
-        match wanted.next_if(|own| own.same_column(term)) {
-            Some(own) => own.coefficients == term.coefficients && own.held == term.held,
-            None => term.coefficients.iter().all(|c| *c == 0.0),
-        }
-    });
-    there && wanted.peek().is_none()
 }

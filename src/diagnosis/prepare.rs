@@ -199,6 +199,8 @@ impl<'a> Prepared<'a> {
         if same {
             self.regression = self.regression.with_noise(noise);
         } else {
+            // The fits of these samples need no room any more.
+            self.regression.forget();
             let base = crate::fit::solver::solve(&self.problem, &self.regression.base).model;
             let mut regression = bare_regression(&self.problem, &base, &self.survey, &self.options);
             regression.work = self.regression.work.clone();
@@ -351,6 +353,8 @@ fn regression<'a>(
         if problem.counted() == before {
             break;
         }
+        // Two tables of candidates need not have room at once.
+        drop(regression);
         regression = bare_regression(problem, base, survey, options);
     }
     let noise = noise_beside_many(&regression, None);

@@ -175,7 +175,7 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
 }
 
 /// Turns of the motor for one of a joint.
-pub(super) const GEAR_RATIO: Kind<f64> = Kind {
+const GEAR_RATIO: Kind<f64> = Kind {
     expected: phrase!("turns of the motor for one of the joint, a number above 0"),
     read: |at| {
         let ratio = NUMBER.read(at.fields, at.node, at.path)?;

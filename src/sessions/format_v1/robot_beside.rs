@@ -4,7 +4,7 @@
 
 use nalgebra::Point3;
 
-use super::robot::{ENDS, GEAR_RATIO, POSE, range};
+use super::robot::{ENDS, POSE, range};
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, point};
 use crate::document::object::{At, Kind, Object};
@@ -52,19 +52,7 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
             at.node.value == Value::Null || at.fill(&mut joint.link, mass)
         },
     );
-    of_joints(
-        o,
-        "gear_ratios",
-        &mut robot.joints,
-        "gear ratio, or null,",
-        |joint, at| {
-            if at.node.value == Value::Null {
-                return true;
-            }
-            joint.gear_ratio = GEAR_RATIO.read(at.fields, at.node, at.path);
-            joint.gear_ratio.is_some()
-        },
-    );
+    gear_ratios(o, &mut robot.joints);
 }
 
 /// Moves everything, rows and all, with the frame that they stand in.
@@ -101,6 +89,31 @@ fn of_joints(
     let element = text!("an object with mass_kg and centre_mm, or null");
     let read = |at: &mut At<'_, '_>| at.each(own, element, take);
     o.with(key, joints, expected, read, |_| None);
+}
+
+/// Reads the ratios of the gears: a number above 0 or null, which says nothing, for each joint.
+fn gear_ratios(o: &mut Object<'_, '_>, joints: &mut Vec<Joint>) {
+    const KEY: &str = "gear_ratios";
+    if !o.is_given(KEY) {
+        return;
+    }
+    let expected = text!(
+        "an array with one {what} for each of {joints} joints",
+        what = "gear ratio, or null,",
+        joints = joints.len()
+    );
+    let mut own = joints.clone();
+    let is_one = |ratio: &f64| ratio.is_nan() || ratio.is_finite() && *ratio > 0.0;
+    let read = |at: &mut At<'_, '_>| match &at.node.value {
+        Value::Numbers(ratios) if ratios.len() == own.len() && ratios.iter().all(is_one) => {
+            for (joint, ratio) in own.iter_mut().zip(ratios) {
+                joint.gear_ratio = Some(*ratio).filter(|r| !r.is_nan()).or(joint.gear_ratio);
+            }
+            Some(own)
+        }
+        _ => at.wrong(),
+    };
+    o.with(KEY, joints, expected, read, |_| None);
 }
 
 /// A mass and its centre, unless both are null.
