@@ -9,7 +9,7 @@ use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Room;
-use crate::gui::view::{About, Plane, Sheet, Standard, Step, What};
+use crate::gui::view::{About, Edge, Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 
@@ -53,6 +53,10 @@ const fn need(there: fn(Now<'_>) -> bool, first: Template) -> Need {
 
 const NOTHING: Need = need(|_| true, phrase!(""));
 const MEASURED: Need = need(measured, phrase!("Open a session first"));
+const ROOM: Need = need(
+    |now| now.workbench.view().panes.has_room(),
+    phrase!("There are as many charts as can be read"),
+);
 const ANSWERED: Need = need(answered, phrase!("Identify the robot first"));
 
 /// Something that can be done.
@@ -227,6 +231,16 @@ actions! {
     RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
         |now| results_says(room(now.ctx, now.workbench).results()).into(),
         |now| Command::Results(!room(now.ctx, now.workbench).results());
+    CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
+        add_chart::<{ Edge::Bottom as usize }>, [when(ROOM)];
+    CHART_BESIDE: COMMAND, E, phrase!("another chart beside this plot"), |_| say!("Add chart beside").into(),
+        add_chart::<{ Edge::Right as usize }>, [when(ROOM)];
+    USUAL_PLOTS: SHIFTED, W, phrase!("plots as they usually are"), |_| say!("Usual arrangement").into(),
+        |_| Command::Panes(Box::default()),
+        [when(need(|now| !now.workbench.view().panes.are_usual(), phrase!("The plots are as they usually are")))];
+    CLOSE_CHART: COMMAND, W, phrase!("close this chart"), |_| say!("Close chart").into(), close_chart,
+        [when(need(|now| now.workbench.view().panes.active_chart().is_some(), phrase!("There is no chart")))];
+    NEXT_PLOT: PLAIN, F6, phrase!("next plot"), |_| say!("Next plot").into(), |_| Command::ActivateNext;
     LOOK_XY: SHIFTED, Num1, phrase!("workspace from above"), |_| say!("Workspace from above").into(),
         |_| Command::Look(Plane::Xy), [on(|now| now.looks_at(Plane::Xy))];
     LOOK_XZ: SHIFTED, Num2, phrase!("workspace from the side"), |_| say!("Workspace from the side").into(),
@@ -288,6 +302,21 @@ fn go_to<const N: usize>(now: Now<'_>) -> Command {
 
 fn is_at<const N: usize>(now: Now<'_>) -> bool {
     step::<N>(now) == Some(now.workbench.view().step)
+}
+
+/// At an edge of the active plot.
+fn add_chart<const EDGE: usize>(now: Now<'_>) -> Command {
+    let key = now.workbench.view().panes.active();
+    Command::Panes(Box::new(now.workbench.with_chart(key, Edge::ALL[EDGE])))
+}
+
+/// The one that is active, or was so last.
+fn close_chart(now: Now<'_>) -> Command {
+    let mut panes = now.workbench.view().panes.clone();
+    if let Some(key) = panes.active_chart().map(|(key, _)| key) {
+        panes.close(key);
+    }
+    Command::Panes(Box::new(panes))
 }
 
 fn open_latest(now: Now<'_>) -> Command {

@@ -208,7 +208,7 @@ impl App {
     /// Opens the sheet in which the path of an export is typed, with this path in it: what the
     /// window does by itself where the system has no dialog. The export is `table`, `model`, `poses`,
     /// `report`, `report of the model` or `targets`; for a picture the name of a plot, such as
-    /// `workspace`. Another name does nothing.
+    /// `workspace`; `data of` a chart for its numbers. Another name does nothing.
     pub fn type_path(&mut self, export: &str, path: &Path) {
         let what = match export {
             "table" => What::Table,
@@ -217,6 +217,13 @@ impl App {
             "report" => What::Report(About::Session),
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
+            data if data.starts_with("data of ") => {
+                let chart = data.trim_start_matches("data of ");
+                let Some(chart) = crate::gui::charts::find(chart) else {
+                    return;
+                };
+                What::Numbers(chart.about().id)
+            }
             plot => {
                 let chart = crate::gui::charts::find(plot).map(|c| Plot::Chart(c.about().id));
                 let others = [Plot::Workspace, Plot::Space, Plot::Polar].into_iter();
@@ -288,7 +295,7 @@ impl App {
                         views::results::show(ui, workbench, room, commands);
                     });
                 } else {
-                    views::stage::show(ui, workbench, commands);
+                    views::panes::show(ui, workbench, commands);
                 }
             });
         views::grips::show(ui, workbench, room, middle, commands);

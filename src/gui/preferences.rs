@@ -44,8 +44,6 @@ pub(crate) struct Sizes {
     pub(crate) left: Option<f32>,
     /// Width of the results, points.
     pub(crate) right: Option<f32>,
-    /// The chart's share of the middle, 0 to 1.
-    pub(crate) chart: Option<f32>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -94,7 +92,7 @@ impl Preferences {
     #[must_use]
     pub(crate) fn sound(mut self) -> Self {
         let sizes = &mut self.sizes;
-        for size in [&mut sizes.left, &mut sizes.right, &mut sizes.chart] {
+        for size in [&mut sizes.left, &mut sizes.right] {
             *size = size.filter(|size| size.is_finite() && *size > 0.0);
         }
         self.decimals = self.decimals.map(|d| d.min(MOST_DECIMALS));

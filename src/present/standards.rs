@@ -10,9 +10,7 @@ use crate::text::{Template, Text, spoken};
 /// The figures of one test.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Group {
-    /// What was tested: a joint, or nothing where it is the poses …
-    pub of: Text,
-    /// … and as a heading.
+    /// What was tested, a joint or the poses, as a heading.
     pub title: Text,
     /// After which standard.
     pub standard: &'static str,
@@ -75,10 +73,6 @@ pub(crate) fn groups(standards: &Standards, most: usize) -> Vec<Group> {
 
 fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
     let empty = Group {
-        of: text!(
-            "joint {joint}",
-            joint = format!("{} ({})", axis.joint + 1, axis.name)
-        ),
         title: text!(
             "Joint {joint} ({name})",
             joint = axis.joint + 1,
@@ -145,7 +139,6 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
     };
     let [poses, turned, paths] = [test.poses.len(), test.variations.len(), test.paths.len()];
     Group {
-        of: Text::default(),
         title: text!("Poses"),
         standard: "ISO 9283",
         unit: "mm",

@@ -159,6 +159,32 @@ impl Table {
         text
     }
 
+    /// As a CSV file (RFC 4180), numbers with all their digits: commas between the columns, or semicolons
+    /// where the user writes decimals with a comma, as spreadsheets then read it.
+    pub fn csv(&self) -> String {
+        let comma = plain_number(0.5).contains(',');
+        let between = if comma { ";" } else { "," };
+        let quoted = |text: &str| {
+            let text = cell(text);
+            if text.contains([',', ';', '"']) {
+                format!("\"{}\"", text.replace('"', "\"\""))
+            } else {
+                text
+            }
+        };
+        let line = |cells: Vec<String>| cells.join(between) + "\n";
+        let headings = self.columns.iter().map(|column| quoted(&column.heading));
+        let mut text = line(headings.collect());
+        for row in &self.rows {
+            let cells = row.iter().map(|one| match one.value {
+                Some(value) => plain_number(value),
+                None => quoted(&one.shown),
+            });
+            text += &line(cells.collect());
+        }
+        text
+    }
+
     /// As text for a spreadsheet: tabs between the columns, numbers with all their digits and the decimal
     /// sign that the user chose, nothing where a number is not finite.
     pub fn tabbed(&self) -> String {
@@ -228,6 +254,14 @@ mod tests {
         let mut table = Table::new(["误差", ">mm"]);
         table.row(["ab", "1"]);
         assert_eq!(table.aligned(0), "误差  mm\nab     1\n");
+    }
+
+    #[test]
+    fn a_csv_file_has_quotes_around_what_has_commas() {
+        assert_eq!(
+            table().csv(),
+            "name,\"value, mm\"\n'=sum,-1.23456\ngrößer,\n"
+        );
     }
 
     #[test]

@@ -2,11 +2,10 @@
 
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
-use crate::text::Text;
 
 use super::document::{Block, Section, clean};
 use super::{Details, Extras};
-use crate::explain::{cleaned, fact};
+use crate::explain::fact;
 use crate::language::spoken;
 use crate::present::numbers::{plain, short};
 
@@ -148,11 +147,6 @@ pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
         subject = subject,
         hash = hash
     )
-}
-
-/// Lines in the language of this thread.
-pub(super) fn all_cleaned(lines: &[Text]) -> Vec<String> {
-    lines.iter().map(cleaned).collect()
 }
 
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {

@@ -9,7 +9,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::exporting::{admitted, export, identified, known, one_joint, text};
+use crate::exporting::{admitted, export, identified, joined, known, one_joint, text};
 use crate::rig::{Design, Hidden, Random, Rig};
 use truepose::effects::Term;
 use truepose::export::{Export, gap_after_export};
@@ -171,7 +171,7 @@ fn the_urdf_of_an_arm_leads_where_the_arm_leads() {
             .fold(0.0, f64::max);
         assert!(off < 1e-9, "{q:?}: {tool} {wanted:?}");
     }
-    let says = made.notes.join("\n");
+    let says = joined(&made.notes);
     assert!(
         says.contains("backlash of joint 2 has no place in a URDF: it leaves"),
         "{says}"

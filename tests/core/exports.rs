@@ -4,7 +4,7 @@
 
 use crate::controllers::{Controller, load};
 use crate::exporting::{
-    ONE_SIDED, TWO_SIDED, export, identified, known, one_joint, sidecar, text, try_export,
+    ONE_SIDED, TWO_SIDED, export, identified, joined, known, one_joint, sidecar, text, try_export,
 };
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use proptest::prelude::*;
@@ -163,7 +163,7 @@ fn a_backlash_that_does_not_matter_is_averaged_and_said() {
         for [_, up, down] in controller.entries() {
             assert!(up == down && (up + 0.1).abs() < 1e-6, "{up} {down}");
         }
-        let says = made.notes.join("\n");
+        let says = joined(&made.notes);
         assert!(says.contains("their mean leaves 0.0011 mm"), "{says}");
         assert!(made.left.expect("a table").met());
     }
@@ -303,7 +303,7 @@ fn where_the_limit_is_too_small_the_entries_go_where_they_help_and_that_is_said(
     let left = made.left.clone().expect("a table");
     assert!(!left.met(), "{left:?}");
     assert!(
-        made.notes.join("\n").contains("takes at most 256 entries"),
+        joined(&made.notes).contains("takes at most 256 entries"),
         "{:?}",
         made.notes
     );
@@ -337,7 +337,7 @@ fn without_a_tolerance_the_models_own_gap_stands_in() {
         .left
         .expect("a table");
     assert!((left.allowance.mm - 0.005).abs() < 1e-15);
-    assert!(left.allowance.is.contains("RMS error") && left.met());
+    assert!(left.allowance.is.english().contains("RMS error") && left.met());
     calibration.history.clear();
     let left = export(&calibration, "linuxcnc", None)
         .left
@@ -405,7 +405,7 @@ fn the_files_of_a_small_robot() {
     ];
     let made = export(&known(&session, &geometry), "urdf", None);
     insta::assert_snapshot!("urdf", text(&made));
-    insta::assert_snapshot!("urdf notes", made.notes.join("\n"));
+    insta::assert_snapshot!("urdf notes", joined(&made.notes));
 }
 
 proptest! {

@@ -18,6 +18,7 @@ use truepose::pipeline::{self, diagnose};
 use truepose::report::svg::svg_file;
 use truepose::report::{Extras, Report, ReportError, html, pdf, pdf_with, plots, stages};
 use truepose::sessions::{Session, load, parse};
+use truepose::text::Text;
 
 fn bundled(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -428,8 +429,8 @@ fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
     assert!(!said.contains("did not converge"));
     found.identification.quality.converged = false;
     found.identification.not_identifiable = vec![NotIdentifiable {
-        combination: "offset_deg with about_z_mrad".to_owned(),
-        because: "the samples show only their sum".to_owned(),
+        combination: Text::verbatim("offset_deg with about_z_mrad"),
+        because: Text::verbatim("the samples show only their sum"),
     }];
     let said = page(&found);
     for part in ["the fit did not converge", "offset_deg with about_z_mrad"] {

@@ -16,6 +16,12 @@ use truepose::sessions::{Session, parse};
 pub const TWO_SIDED: [&str; 3] = ["csv", "linuxcnc", "twincat-cnc"];
 pub const ONE_SIDED: [&str; 2] = ["twincat-nc", "sinumerik"];
 
+/// Notes, each on a line of its own.
+pub fn joined(notes: &[truepose::text::Text]) -> String {
+    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+    notes.join("\n")
+}
+
 pub fn identified(session: &Session, effects: &[&str]) -> Calibration {
     let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
     let found = identify_exact(session, &effects, JointValues::default()).expect("identified");

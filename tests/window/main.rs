@@ -32,6 +32,7 @@ mod letters;
 mod many;
 mod models;
 mod one_voice;
+mod panes;
 mod pictures;
 mod preferences;
 mod record;

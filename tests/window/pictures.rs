@@ -161,6 +161,38 @@ fn the_compensation_of_a_program_in_light() {
     looks_like(&mut window, "compensation-light");
 }
 
+/// A scatter and a histogram below the workspace.
+fn several_charts(theme: Theme, name: &str) {
+    let Some(mut window) = window(theme, None) else {
+        return;
+    };
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "Hide results");
+    press(&mut window, "Arrange Deviation over angle");
+    press(&mut window, "Add chart beside");
+    for (list, chart) in [
+        ("Choose chart, 1", "Histogram"),
+        ("Choose chart, 2", "Scatter"),
+    ] {
+        press(&mut window, list);
+        let all = window.get_all_by_label(chart);
+        all.last().expect("an entry of the list").click();
+        window.run_steps(6);
+    }
+    looks_like(&mut window, name);
+}
+
+#[test]
+fn several_charts_in_light() {
+    several_charts(Theme::Light, "charts-light");
+}
+
+#[test]
+fn several_charts_in_dark() {
+    several_charts(Theme::Dark, "charts-dark");
+}
+
 /// An arm in three dimensions, identified.
 fn an_arm_in_space(theme: Theme, name: &str) {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");

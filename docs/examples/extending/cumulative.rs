@@ -5,7 +5,7 @@
 //! share_i = i / n,      |e|_1 ≤ |e|_2 ≤ …
 //! ```
 
-use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands};
@@ -30,8 +30,7 @@ impl Kind for Cumulative {
                     "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
                 ),
             },
-            of_component: true,
-            of_joint: false,
+            of: Of::Component,
         }
     }
 

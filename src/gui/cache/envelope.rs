@@ -9,8 +9,8 @@
 use crate::numeric::single;
 use std::sync::{Arc, Mutex};
 
-use crate::gui::cache::over::Over;
 use crate::gui::cache::work::Given;
+use crate::gui::core::over::Over;
 
 /// How many of one level make one of the next.
 const FAN: usize = 16;
@@ -281,9 +281,9 @@ fn widest(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::cache::over::Variable;
     use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
+    use crate::gui::core::over::Variable;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::{Command, Workbench};
 

@@ -7,7 +7,6 @@ pub(crate) mod figures;
 pub(crate) mod heat;
 pub(crate) mod identified;
 pub(crate) mod nearest;
-pub(crate) mod over;
 pub(crate) mod plot_cache;
 pub(crate) mod preview;
 pub(crate) mod uncertain;

@@ -1,5 +1,5 @@
 //! What plots of many samples stand on, worked out in the background: which sample is where, the
-//! heat map, what the chart is made of.
+//! heat map, what the charts are made of.
 //!
 //! A few samples are simply looked at anew in every frame, so that nothing has to be waited for.
 
@@ -10,11 +10,11 @@ use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::nearest::Nearest;
-use crate::gui::cache::over::{Over, Variable};
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::cache::work::{Given, Work, WorkedOut};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
 
@@ -37,10 +37,10 @@ pub(crate) struct Scenery {
     pub(crate) thins: bool,
     /// Whether the deviation is looked at around the joint's angle.
     pub(crate) polar: bool,
-    /// The component in the chart.
+    /// The component of the deviation around the joint's angle.
     pub(crate) component: Component,
-    /// What the chart needs.
-    pub(crate) chart: Option<Work>,
+    /// What the charts need, each of its own component.
+    pub(crate) charts: Vec<(Component, Work)>,
 }
 
 impl Scenery {
@@ -48,11 +48,11 @@ impl Scenery {
         self.outcome.as_ref()?.answer.as_ref().ok()
     }
 
-    fn given(&self) -> Given<'_> {
+    fn given(&self, component: Component) -> Given<'_> {
         Given {
             subject: &self.subject,
             answer: self.answer(),
-            component: self.component,
+            component,
         }
     }
 
@@ -62,7 +62,7 @@ impl Scenery {
 
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.uncertain || self.many() || self.chart.is_some()
+        self.heat || self.uncertain || self.many() || !self.charts.is_empty()
     }
 }
 
@@ -76,8 +76,8 @@ pub(crate) struct Backdrop {
     pub(crate) heat: Option<Arc<Heat>>,
     /// How sure the model is at each sample.
     pub(crate) uncertain: Option<Arc<Uncertain>>,
-    /// What the chart is made of.
-    pub(crate) charted: Option<WorkedOut>,
+    /// What the charts are made of, in the scenery's order.
+    pub(crate) charted: Vec<WorkedOut>,
     /// Samples that are drawn where not all can be.
     pub(crate) thinned: Option<Arc<Thinned>>,
     /// The extremes around the joint's angle, where the polar view shows them.
@@ -85,15 +85,18 @@ pub(crate) struct Backdrop {
 }
 
 impl Backdrop {
+    /// What was worked out for a chart.
+    pub(crate) fn charted_for(&self, wanted: &(Component, Work)) -> Option<&WorkedOut> {
+        let here = self.scenery.charts.iter().position(|one| one == wanted)?;
+        self.charted.get(here)
+    }
+
     /// Works it out; what the last one has already is taken from there.
     pub(crate) fn of(scenery: Scenery, last: Option<&Self>) -> Self {
         let last = last.filter(|l| l.scenery.subject == scenery.subject);
         let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
         let same_answer = last.filter(|l| l.scenery.outcome == scenery.outcome);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
-        let chart_of = same_answer.filter(|l| {
-            l.scenery.component == scenery.component && l.scenery.chart == scenery.chart
-        });
         let subject = &*scenery.subject;
         let nearest = || {
             let axes = scenery.plane.axes();
@@ -118,10 +121,13 @@ impl Backdrop {
             let answer = scenery.answer().filter(|_| scenery.uncertain)?;
             Uncertain::of(subject, answer).map(Arc::new)
         });
-        let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
-            let work = scenery.chart.as_ref()?;
-            Some(work.done(scenery.given()))
+        let charted = scenery.charts.iter().map(|wanted| {
+            let known = same_answer.and_then(|last| last.charted_for(wanted));
+            known
+                .cloned()
+                .unwrap_or_else(|| wanted.1.done(scenery.given(wanted.0)))
         });
+        let charted = charted.collect();
         // A boundary that is dragged later finds its sums made.
         if many && subject.single_revolute() {
             subject.tally();
@@ -136,7 +142,7 @@ impl Backdrop {
                 variable: Variable::Joint,
                 joint: 0,
             };
-            Arc::new(Envelope::of(scenery.given(), angle))
+            Arc::new(Envelope::of(scenery.given(scenery.component), angle))
         };
         let polar = many && scenery.polar;
         let around = polar.then(|| known.unwrap_or_else(around));

@@ -2,7 +2,7 @@
 //! the smallest to the largest value that was measured, all at one height. What depends on one joint shows
 //! in its panel and is spread over the others.
 
-use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
@@ -97,8 +97,7 @@ impl Kind for ByJoint {
                     "The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"
                 ),
             },
-            of_component: true,
-            of_joint: false,
+            of: Of::Component,
         }
     }
 

@@ -1,6 +1,6 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
-use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::compensation::SortedTable;
 use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
@@ -21,8 +21,7 @@ impl Kind for Correction {
             short: phrase!("table"),
             name: phrase!("Correction table"),
             word: help::CORRECTION,
-            of_component: false,
-            of_joint: false,
+            of: Of::All,
         }
     }
 

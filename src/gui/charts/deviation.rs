@@ -1,12 +1,12 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and
 //! after. Of many samples the extremes in each column of the screen are shown.
 
-use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::envelope::{Column, Envelope};
-use crate::gui::cache::over::{Over, Scale, Variable};
 use crate::gui::cache::work::Work;
 use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
+use crate::gui::core::over::{Over, Scale, Variable};
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::numeric::whole;
@@ -38,8 +38,7 @@ const fn along(variable: Variable, id: &'static str, names: [Template; 2], word:
         short,
         name,
         word,
-        of_component: true,
-        of_joint: true,
+        of: Of::Joint,
     };
     Along { variable, about }
 }

@@ -1,7 +1,7 @@
 //! The gap step by step: the nominal robot, the identification, each effect that was added, and
 //! the noise floor below which no model can come.
 
-use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::model::GapStep;
@@ -26,8 +26,7 @@ impl Kind for Gap {
             short: phrase!("gap"),
             name: phrase!("Gap by step"),
             word: help::GAP,
-            of_component: false,
-            of_joint: false,
+            of: Of::All,
         }
     }
 

@@ -1,6 +1,6 @@
 //! How many samples deviate by how much.
 
-use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
+use super::{About, Bars, Facts, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
@@ -30,8 +30,7 @@ impl Kind for Histogram {
             short: phrase!("histogram"),
             name: phrase!("Histogram"),
             word: help::HISTOGRAM,
-            of_component: true,
-            of_joint: false,
+            of: Of::Component,
         }
     }
 

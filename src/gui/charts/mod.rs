@@ -1,4 +1,4 @@
-//! What is charted below the workspace: a chart is one file and one line of the register. It says
+//! What is charted: a chart is one file and one line of the register. It says
 //! what it is called, when it is offered, what the background works out for it, and makes a
 //! [`Chart`] of that, which the window, a picture and a table for a spreadsheet show. Nothing here
 //! draws.
@@ -31,6 +31,7 @@ register! {
     gap: GAP;
     effect: EFFECT;
     correction: CORRECTION;
+    scatter: SCATTER;
 }
 
 /// What a chart says of itself.
@@ -43,10 +44,21 @@ pub(crate) struct About {
     name: Template,
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
-    /// Whether it shows one component of the deviation.
-    pub(crate) of_component: bool,
-    /// Whether it is about one joint.
-    pub(crate) of_joint: bool,
+    /// What is chosen for it.
+    pub(crate) of: Of,
+}
+
+/// What is chosen for a chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Of {
+    /// Nothing: it shows all there is.
+    All,
+    /// A component of the deviation.
+    Component,
+    /// A component, and a joint.
+    Joint,
+    /// What stands across and what upwards.
+    Quantities,
 }
 
 impl About {

@@ -1,8 +1,8 @@
 //! How large the deviation is at each whole number of cycles per turn.
 
-use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
-use crate::gui::cache::over::{Over, Variable};
+use super::{About, Bars, Facts, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::gui::cache::work::{Given, Work};
+use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::numeric::whole;
@@ -29,8 +29,7 @@ impl Kind for Orders {
             short: phrase!("orders"),
             name: phrase!("Order spectrum"),
             word: help::ORDERS,
-            of_component: true,
-            of_joint: true,
+            of: Of::Joint,
         }
     }
 

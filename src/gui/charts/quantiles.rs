@@ -7,7 +7,7 @@
 
 use statrs::function::erf::erf_inv;
 
-use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
@@ -39,8 +39,7 @@ impl Kind for Quantiles {
                     "Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"
                 ),
             },
-            of_component: true,
-            of_joint: false,
+            of: Of::Component,
         }
     }
 

@@ -9,6 +9,7 @@ use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::quantity::Quantity;
 use crate::gui::core::search::Search;
 use crate::gui::view::ViewState;
 use crate::present::chart::Lengths;
@@ -20,6 +21,12 @@ pub(crate) struct Scene<'a> {
     pub(crate) document: &'a Document,
     pub(crate) subject: &'a Arc<Subject>,
     pub(crate) view: &'a ViewState,
+    /// The component of the deviation that the chart shows.
+    pub(crate) component: Component,
+    /// The joint that it is about, counted from 0.
+    pub(crate) joint: usize,
+    /// What a scatter has across and upwards.
+    pub(crate) axes: Option<[Quantity; 2]>,
     pub(crate) units: Units,
     pub(crate) answer: Option<&'a Answer>,
     /// The search of this session.
@@ -32,7 +39,7 @@ pub(crate) struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     pub(crate) fn component(&self) -> Component {
-        self.view.component
+        self.component
     }
 
     pub(crate) fn diagnosis(&self) -> Option<&'a Diagnosis> {
@@ -47,7 +54,7 @@ impl<'a> Scene<'a> {
     /// The joint that charts are about.
     pub(crate) fn joint(&self) -> usize {
         let joints = self.subject.session.robot.joints.len();
-        self.view.joint.min(joints.saturating_sub(1))
+        self.joint.min(joints.saturating_sub(1))
     }
 
     /// What the background has worked out, if it is that.

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use nalgebra::Isometry3;
+use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
@@ -57,7 +58,8 @@ pub(crate) struct NotTestable {
 
 named! {
     /// A component of a deviation.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
     pub(crate) enum Component {
         Length = say!("length"),
         /// In the direction of motion of joint 1.

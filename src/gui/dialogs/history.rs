@@ -148,8 +148,8 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     ui.allocate_ui_with_layout(room, layout, |ui| {
         ui.set_min_height(CHART);
         legend::show(ui, &chart, None, &mut Vec::new());
-        let id = (&*row.name, false);
-        let (response, _) = chart::show(ui, id, &chart, workbench.view(), |_, _| {});
+        let id = (&*row.name, false, workbench.view().fitted.charts);
+        let (response, _) = chart::show(ui, id, &chart, |_, _| {});
         figure(
             &response,
             &say!("{parameter} over the sessions", parameter = row.name),

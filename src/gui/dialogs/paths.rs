@@ -121,6 +121,10 @@ pub(super) fn export(
             say!("Save picture"),
             say!("A name that ends in .svg or .png"),
         ),
+        What::Numbers(_) => (
+            say!("Save data"),
+            say!("A CSV table of what the chart shows, with all digits"),
+        ),
         What::Targets => (
             say!("Save corrected file"),
             say!("What was changed is written beside it, as NAME.meta.json"),

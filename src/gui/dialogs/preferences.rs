@@ -106,10 +106,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     );
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        let reset = now != Preferences::default();
+        let arranged = !workbench.view().panes.are_usual();
+        let reset = now != Preferences::default() || arranged;
         let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, say!("Reset all")));
         if button.inner.clicked() {
             next = Preferences::default();
+            commands.push(Command::Panes(Box::default()));
         }
         let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
         if done || super::ends::entered(&columns[1]) {

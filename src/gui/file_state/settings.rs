@@ -7,13 +7,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::machines::{Machine, remember};
 use super::meshes::{self, DrawnFrom};
 use crate::atomic::{WriteError, write_atomically};
 use crate::gui::core::robot_table::{self, RobotTable};
 use crate::gui::preferences::Preferences;
+use crate::gui::view::Panes;
 
 /// Recent files that are kept.
 const MOST_RECENT: usize = 10;
@@ -37,6 +38,15 @@ pub(crate) struct Settings {
     /// Whose meshes saved sessions are drawn from, newest first.
     #[serde(default)]
     pub(crate) meshes: Vec<DrawnFrom>,
+    /// Workspace and charts as they were arranged.
+    #[serde(default, deserialize_with = "panes")]
+    pub(crate) panes: Panes,
+}
+
+/// Panes as they were kept; the usual ones where they cannot be read, which costs nothing else.
+fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
+    let kept = serde_json::Value::deserialize(reader)?;
+    Ok(serde_json::from_value(kept).unwrap_or_default())
 }
 
 impl Default for Settings {
@@ -48,6 +58,7 @@ impl Default for Settings {
             machines: Vec::new(),
             robots: Vec::new(),
             meshes: Vec::new(),
+            panes: Panes::default(),
         }
     }
 }
@@ -107,6 +118,11 @@ pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
 /// Keeps other preferences.
 pub(crate) fn keep_preferences(folder: &Path, preferences: Preferences) -> Result<(), WriteError> {
     change(folder, |settings| settings.preferences = preferences)
+}
+
+/// Keeps how workspace and charts are arranged.
+pub(crate) fn keep_panes(folder: &Path, panes: Panes) -> Result<(), WriteError> {
+    change(folder, |settings| settings.panes = panes)
 }
 
 /// Keeps a change of the recent files.
@@ -216,6 +232,40 @@ mod tests {
             assert_eq!(fs::read_to_string(aside).unwrap(), damaged);
         }
         assert_eq!(read(folder.path()).1, None, "said once");
+    }
+
+    #[test]
+    fn panes_that_cannot_be_read_cost_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let kept = |panes: &str| {
+            let text = format!(
+                r#"{{"format":"truepose-settings/1","preferences":{{"decimals":2}},"panes":{panes}}}"#
+            );
+            fs::write(file(folder.path()), text).unwrap();
+            let (settings, says) = read(folder.path());
+            assert!(says.is_none(), "{panes}");
+            assert_eq!(settings.preferences.decimals, Some(2), "{panes}");
+            settings.panes.sound(|_| true)
+        };
+        for damaged in [
+            "null",
+            "7",
+            r#"{"root":{"beside":[]}}"#,
+            r#"{"root":"pane"}"#,
+        ] {
+            assert_eq!(kept(damaged), Panes::default(), "{damaged}");
+        }
+        let chart = r#"{"pane":{"shows":{"chart":{"chart":"histogram"}}}}"#;
+        let workspace = r#"{"pane":{"shows":"workspace"}}"#;
+        let panes = kept(&format!(
+            r#"{{"root":{{"beside":[{{"share":null,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
+        ));
+        assert_eq!(panes, Panes::default(), "a share is a number");
+        let panes = kept(&format!(
+            r#"{{"root":{{"beside":[{{"share":2,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
+        ));
+        assert_eq!(panes.charts().count(), 1);
+        assert!(panes.outline().starts_with('['), "side by side");
     }
 
     #[test]

@@ -109,6 +109,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Poses => say!("Save measuring list"),
         What::Report(_) => say!("Save report"),
         What::Picture(_) => say!("Save picture"),
+        What::Numbers(_) => say!("Save data"),
         What::Targets => say!("Save corrected file"),
         What::Robot(_) | What::TypedRobot => say!("Save robot file"),
     };
@@ -122,7 +123,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
             .add_filter(say!("PNG pictures"), &["png"]),
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
         What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
-        What::Poses => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
+        What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {
                 let name = if what == What::Table {

@@ -8,7 +8,6 @@ use egui::{
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::view::ViewState;
 use crate::present::chart::{Bar, Chart, Item, Stands, Ticks};
 use crate::present::drawing::Anchor;
 
@@ -31,9 +30,8 @@ pub(super) fn color(stands: Stands, palette: &Palette) -> Color32 {
 /// `id` are looked at anew.
 pub(crate) fn show<'a>(
     ui: &mut Ui,
-    id: (&str, bool),
+    id: (&str, bool, u64),
     chart: &'a Chart,
-    view: &ViewState,
     more: impl Fn(&Canvas<'_>, &mut Vec<Shape>) + 'a,
 ) -> (Response, PlotTransform) {
     let palette = Palette::of(ui);
@@ -46,7 +44,7 @@ pub(crate) fn show<'a>(
     // No closer than their numbers need, which are left out otherwise.
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
-    let plot = plot((id, view.fitted.chart), chart, beside, most, &palette);
+    let plot = plot(id, chart, beside, most, &palette);
     let plotted = gestures::show(ui, plot, |plot| {
         let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let canvas = Canvas {

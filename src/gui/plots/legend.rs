@@ -16,13 +16,26 @@ use super::{chart, marks};
 const HEIGHT: f32 = 18.0;
 /// Width of a mark, points.
 const MARK: f32 = 16.0;
+/// Between names, points.
+const BETWEEN: f32 = 12.0;
 
 /// Shows it. What was before can be left out where there is something after: `shown` says whether
 /// it is there.
 pub(crate) fn show(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
+    let font = FontId::proportional(size::SMALL);
+    let wide = |one: &Entry| {
+        let color = Palette::of(ui).muted;
+        let name = ui
+            .painter()
+            .layout_no_wrap(one.name.clone(), font.clone(), color);
+        MARK + name.size().x + BETWEEN
+    };
+    if chart.legend.iter().map(wide).sum::<f32>() > ui.available_width() {
+        return in_lines(ui, chart, shown, commands);
+    }
     let room = vec2(ui.available_width(), HEIGHT);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
-        ui.spacing_mut().item_spacing.x = 12.0;
+        ui.spacing_mut().item_spacing.x = BETWEEN;
         for one in chart.legend.iter().rev() {
             let shown = shown.filter(|_| one.may_go);
             if entry(ui, one, shown) {
@@ -30,16 +43,36 @@ pub(crate) fn show(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &m
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let muted = Palette::of(ui).muted;
-            let text = egui::RichText::new(&chart.note)
-                .size(size::SMALL)
-                .color(muted);
             if !chart.note.is_empty() {
-                ui.add(egui::Label::new(text).truncate());
+                ui.add(note(ui, chart).truncate());
             }
         });
     });
     ui.add_space(-space::TIGHT);
+}
+
+/// The same in a narrow chart: as many lines as it takes, and the note below them.
+fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = HEIGHT;
+        ui.spacing_mut().item_spacing = vec2(BETWEEN, 0.0);
+        ui.horizontal_wrapped(|ui| {
+            for one in &chart.legend {
+                let shown = shown.filter(|_| one.may_go);
+                if entry(ui, one, shown) {
+                    commands.push(Command::OnlyAfter(shown == Some(true)));
+                }
+            }
+        });
+    });
+    if !chart.note.is_empty() {
+        ui.add(note(ui, chart).wrap());
+    }
+}
+
+fn note(ui: &Ui, chart: &Chart) -> egui::Label {
+    let text = egui::RichText::new(&chart.note);
+    egui::Label::new(text.size(size::SMALL).color(Palette::of(ui).muted))
 }
 
 /// A name with its mark; whether it was pressed.

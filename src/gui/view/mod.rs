@@ -5,12 +5,14 @@ mod camera;
 mod looking;
 mod message;
 mod output;
+mod panes;
 mod sheet;
 
 pub(crate) use camera::{Ball, Camera, Facing, Standard};
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
 pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
+pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, Part, Tile};
 pub(crate) use sheet::{Sheet, Then};
 
 use crate::text::Language;
@@ -65,16 +67,6 @@ pub(crate) enum Side {
     Samples,
 }
 
-/// A part of the middle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Part {
-    /// Where the robot was.
-    #[default]
-    Workspace,
-    /// The chart below it.
-    Chart,
-}
-
 /// A file that is open and is not on the disk as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OnDisk {
@@ -87,9 +79,10 @@ pub(crate) struct OnDisk {
 /// had in the pass before.
 #[derive(Clone, PartialEq)]
 pub(crate) struct Arrangement {
-    pub(crate) view: (Step, Side, Part, Aspect, Option<bool>),
+    pub(crate) view: (Step, Side, Aspect, Option<bool>),
     pub(crate) language: Option<Language>,
-    pub(crate) chart: &'static str,
+    /// The panes, and which chart stands in which of them.
+    pub(crate) panes: (String, Vec<&'static str>),
     pub(crate) sheet: Option<Discriminant<Sheet>>,
     pub(crate) message: Option<Message>,
     /// Whether the file changed on the disk, there is an answer, a search runs, there is a diagnosis,
@@ -103,14 +96,14 @@ pub(crate) struct Arrangement {
 pub(crate) struct Fitted {
     /// The upper plot.
     pub(crate) workspace: u64,
-    /// The chart below it.
-    pub(crate) chart: u64,
+    /// The charts.
+    pub(crate) charts: u64,
 }
 
 impl Fitted {
     pub(crate) fn everywhere(&mut self) {
         self.workspace += 1;
-        self.chart += 1;
+        self.charts += 1;
     }
 }
 
@@ -137,7 +130,7 @@ pub(crate) struct ViewState {
     pub(crate) heat: bool,
     /// What draws them.
     pub(crate) canvas: Canvas,
-    /// The component in the deviation chart.
+    /// The component that is looked at, where a chart has none of its own.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
     pub(crate) only_after: bool,
@@ -148,11 +141,9 @@ pub(crate) struct ViewState {
     pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
-    /// What is shown where workspace and chart would both be too low.
-    pub(crate) part: Part,
-    /// The chart by its name; `None`: what suits the step.
-    pub(crate) chart: Option<&'static str>,
-    /// The joint that charts are about, counted from 0.
+    /// Workspace and charts.
+    pub(crate) panes: Panes,
+    /// The joint that charts are about that have none of their own, counted from 0.
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
@@ -180,6 +171,12 @@ impl ViewState {
     /// Whether the deviation around the joint's angle is shown.
     pub(crate) fn polar(&self) -> bool {
         self.aspect == Aspect::Around
+    }
+
+    /// Shows the workspace like this, and brings it into sight.
+    pub(crate) fn look(&mut self, aspect: Aspect) {
+        self.aspect = aspect;
+        self.panes.activate(self.panes.workspace());
     }
 
     /// Whether the workspace is looked at in three dimensions.
@@ -217,8 +214,7 @@ impl Default for ViewState {
             selected: None,
             marked: Vec::new(),
             side: Side::default(),
-            part: Part::default(),
-            chart: None,
+            panes: Panes::default(),
             joint: 0,
             effect: 0,
             results: None,

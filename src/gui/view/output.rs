@@ -14,6 +14,8 @@ pub(crate) enum What {
     /// The calibration report.
     Report(About),
     Picture(Plot),
+    /// What the chart of this name shows, as a table.
+    Numbers(&'static str),
     /// A table of targets or a robot program, corrected.
     Targets,
     /// A robot of the library, by its name.
@@ -61,8 +63,8 @@ impl Plot {
     }
 
     /// What its file is called unless the user says otherwise.
-    pub(crate) fn file_name(self, session: &str) -> String {
+    pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
         let session = plain(session);
-        format!("{session}-{}.svg", plain(self.name()))
+        format!("{session}-{}.{ending}", plain(self.name()))
     }
 }

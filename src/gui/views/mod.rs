@@ -1,7 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
 mod blocks;
-mod chart;
 mod compensate;
 mod copies;
 mod coverage;
@@ -15,13 +14,14 @@ mod identify;
 pub(super) mod menu;
 mod model;
 mod names;
+mod notices;
+pub(super) mod panes;
 pub(super) mod pictures;
 mod regions;
 pub(super) mod results;
 mod samples;
 pub(super) mod session;
 mod setup;
-pub(super) mod stage;
 mod standards;
 pub(super) mod status;
 mod step;

@@ -48,7 +48,7 @@ pub(in crate::gui::views) fn curve_link(
     commands: &mut Vec<Command>,
 ) {
     let view = workbench.view();
-    let shown = workbench.chart().about().id == effect::ID && view.effect == index;
+    let shown = workbench.shows(effect::ID) && view.effect == index;
     let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, say!("Show its curve")));
     if button.inner.clicked() {
         commands.push(Command::ShowEffect(index));

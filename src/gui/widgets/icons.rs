@@ -100,8 +100,13 @@ impl Sign {
 
 /// Room for a sign, called by its name.
 pub(crate) fn sign(ui: &mut Ui, name: &str) -> Sign {
+    sign_that(ui, name, Sense::click())
+}
+
+/// The same for one that is dragged as well.
+pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> Sign {
     let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), sense);
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     let lit = response.hovered() || response.has_focus();
@@ -133,6 +138,20 @@ pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
         at(6.5, 6.0),
         at(6.5, 2.5),
     ]);
+    sign.response.on_hover_text(name)
+}
+
+/// A small table over the tray of what is saved: saves the numbers of what stands beside it.
+pub(crate) fn data_button(ui: &mut Ui, name: &str) -> Response {
+    let sign = sign(ui, name);
+    let table = egui::Rect::from_min_max(sign.at(-6.5, -6.0), sign.at(6.5, 6.0));
+    let painter = ui.painter();
+    let stroke = sign.stroke();
+    painter.rect_stroke(table, 1.5, stroke, StrokeKind::Middle);
+    painter.hline(table.x_range(), table.top() + 4.0, stroke);
+    let thin = Stroke::new(1.0, sign.color);
+    painter.hline(table.x_range(), table.top() + 8.0, thin);
+    painter.vline(sign.rect.center().x, table.y_range(), thin);
     sign.response.on_hover_text(name)
 }
 

@@ -9,8 +9,10 @@ mod text;
 
 pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
 pub(crate) use fields::{cell_number, form_row, number, or_none, row};
-pub(crate) use grip::{Gripped, grip};
-pub(crate) use icons::{copy_button, history_button, save_button, side_button, sign};
+pub(crate) use grip::{Gripped, grip, grip_between};
+pub(crate) use icons::{
+    copy_button, data_button, history_button, save_button, side_button, sign, sign_that,
+};
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
     caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,

@@ -280,7 +280,7 @@ impl Workbench {
             thins: self.view.canvas == Canvas::Shapes,
             polar: self.view.polar(),
             component: self.view.component,
-            chart: self.chart().work(&self.scene()),
+            charts: self.works(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there {

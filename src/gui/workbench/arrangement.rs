@@ -10,10 +10,12 @@ impl Workbench {
     /// Which panels there are now.
     pub(crate) fn arrangement(&self) -> Arrangement {
         let view = self.view();
+        let shown = view.panes.charts();
+        let shown = shown.map(|(_, pane)| self.kind(pane).about().id);
         Arrangement {
-            view: (view.step, view.side, view.part, view.aspect, view.results),
+            view: (view.step, view.side, view.aspect, view.results),
             language: view.preferences.language,
-            chart: self.chart().about().id,
+            panes: (view.panes.outline(), shown.collect()),
             sheet: view.sheet.as_ref().map(discriminant),
             message: view.message.clone(),
             has: [

@@ -1,20 +1,29 @@
-//! Which chart stands below the workspace, and what it is made of.
+//! Which charts there are, and what they are made of.
 
 use std::sync::Arc;
 
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::plot_cache::Backdrop;
+use crate::gui::cache::work::Work;
 use crate::gui::charts::{CHARTS, Kind, Scene, effect, find};
-
-use crate::gui::view::Step;
+use crate::gui::core::loaded_session::Component;
+use crate::gui::file_state::settings;
+use crate::gui::view::{ChartPane, Edge, Key, Panes, Step};
 
 use super::Workbench;
 
 impl Workbench {
-    /// The chart below the workspace: the chosen one, else what suits the step.
+    /// The chart that is active, or was so last.
+    #[cfg(test)]
     pub(crate) fn chart(&self) -> &'static dyn Kind {
+        let pane = self.view.panes.active_chart();
+        pane.map_or_else(|| self.suiting(), |(_, pane)| self.kind(pane))
+    }
+
+    /// The chart in a pane: the chosen one, else what suits the step.
+    pub(crate) fn kind(&self, pane: &ChartPane) -> &'static dyn Kind {
         let scene = self.scene();
-        let chosen = self.view.chart.and_then(find);
+        let chosen = pane.chart.as_deref().and_then(find);
         let chosen = chosen.filter(|chart| chart.is_offered(&scene));
         chosen.unwrap_or_else(|| self.suiting())
     }
@@ -26,6 +35,18 @@ impl Workbench {
         *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
     }
 
+    /// The pane with this chart: the active one where it has it, else the first.
+    fn pane_of(&self, id: &str) -> Option<(Key, &ChartPane)> {
+        let here = |(_, pane): &(Key, &ChartPane)| self.kind(pane).about().id == id;
+        let active = self.view.panes.active_chart().filter(here);
+        active.or_else(|| self.view.panes.charts().find(here))
+    }
+
+    /// Whether one of the charts is this one.
+    pub(crate) fn shows(&self, id: &str) -> bool {
+        self.pane_of(id).is_some()
+    }
+
     /// What any chart is made of, except what the background works out for it.
     pub(crate) fn scene(&self) -> Scene<'_> {
         let search = self.searched.as_ref();
@@ -33,6 +54,9 @@ impl Workbench {
             document: self.document(),
             subject: self.subject(),
             view: &self.view,
+            component: self.view.component,
+            joint: self.view.joint,
+            axes: None,
             units: self.units(),
             answer: self.answer(),
             search: search.filter(|search| Arc::ptr_eq(&search.subject, self.subject())),
@@ -41,39 +65,114 @@ impl Workbench {
         }
     }
 
-    /// What a chart is made of. While the answer is a newer one, what was worked out for it is that
-    /// of the answer before; nothing until it is there.
-    pub(crate) fn scene_of(&self, chart: &dyn Kind) -> Scene<'_> {
-        let mut scene = self.scene();
-        let work = chart.work(&scene);
-        let backdrop = self
-            .backdrop()
-            .filter(|b| self.is_of_what_is_seen(b) && work.is_some() && b.scenery.chart == work);
-        scene.worked_out = backdrop.and_then(|b| b.charted.as_deref());
+    /// The same as it is looked at in a pane.
+    fn scene_at(&self, pane: &ChartPane) -> Scene<'_> {
+        let scene = self.scene();
+        Scene {
+            component: pane.component.unwrap_or(scene.component),
+            joint: pane.joint.unwrap_or(scene.joint),
+            axes: pane.axes,
+            ..scene
+        }
+    }
+
+    /// What the chart in a pane is made of. While the answer is a newer one, what was worked out for
+    /// it is that of the answer before; nothing until it is there.
+    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene<'_> {
+        let mut scene = self.scene_at(pane);
+        let seen = |b: &&Backdrop| b.scenery.outcome.is_some() == self.outcome().is_some();
+        let work = self.kind(pane).work(&scene);
+        let wanted = work.map(|work| (scene.component, work));
+        let backdrop = self.backdrop().filter(seen);
+        let found = wanted.and_then(|wanted| backdrop?.charted_for(&wanted));
+        scene.worked_out = found.map(|found| &**found);
         scene
     }
 
-    fn is_of_what_is_seen(&self, backdrop: &Backdrop) -> bool {
-        let scenery = &backdrop.scenery;
-        scenery.component == self.view.component
-            && scenery.outcome.is_some() == self.outcome().is_some()
+    /// What a chart is made of, in the pane where it is shown.
+    pub(crate) fn scene_of(&self, chart: &dyn Kind) -> Scene<'_> {
+        let pane = self.pane_of(chart.about().id);
+        let unseen = ChartPane::default();
+        self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
     }
 
-    /// The joint that charts are about.
-    pub(crate) fn chart_joint(&self) -> usize {
-        self.scene().joint()
+    /// What all charts have worked out in the background.
+    pub(super) fn works(&self) -> Vec<(Component, Work)> {
+        let mut all = Vec::new();
+        for (_, pane) in self.view.panes.charts() {
+            let scene = self.scene_at(pane);
+            let work = self.kind(pane).work(&scene);
+            let wanted = work.map(|work| (scene.component, work));
+            all.extend(wanted.filter(|wanted| !all.contains(wanted)));
+        }
+        all
     }
 
     /// The extremes around the joint's angle of many samples; `None` where they are few, or until
     /// they are found.
     pub(crate) fn around(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| self.is_of_what_is_seen(b);
+        let seen = |b: &&Backdrop| {
+            let scenery = &b.scenery;
+            scenery.component == self.view.component
+                && scenery.outcome.is_some() == self.outcome().is_some()
+        };
         self.backdrop().filter(seen)?.around.as_deref()
     }
 
-    pub(super) fn choose_chart(&mut self, chart: &'static str) {
+    /// The first chart that no pane shows yet, for a pane beside this one.
+    pub(crate) fn beside(&self, key: Key) -> ChartPane {
+        let scene = self.scene();
+        let offered = |chart: &&&dyn Kind| chart.is_offered(&scene);
+        let mut new = CHARTS.iter().filter(offered);
+        let new = new.find(|chart| !self.shows(chart.about().id));
+        let like = self.view.panes.charts().find(|(one, _)| *one == key);
+        ChartPane {
+            chart: new.map(|chart| chart.about().id.to_owned()),
+            ..like.map(|(_, pane)| pane.clone()).unwrap_or_default()
+        }
+    }
+
+    /// The panes with another chart at an edge of one of them.
+    pub(crate) fn with_chart(&self, key: Key, edge: Edge) -> Panes {
+        let mut panes = self.view.panes.clone();
+        panes.split(key, edge, self.beside(key));
+        panes
+    }
+
+    /// The panes with another chart in one of them.
+    pub(crate) fn with_choice(&self, key: Key, chart: &str) -> Panes {
+        let mut panes = self.view.panes.clone();
         // Whoever chooses what suits the step is content with what suits the next.
-        self.view.chart = (chart != self.suiting().about().id).then_some(chart);
+        let suits = chart == self.suiting().about().id;
+        let others = |(one, pane): (Key, &ChartPane)| one != key && pane.chart.is_none();
+        let suits = suits && !panes.charts().any(others);
+        if let Some(pane) = panes.chart_mut(key) {
+            pane.chart = (!suits).then(|| chart.to_owned());
+        }
+        panes.activate(key);
+        panes
+    }
+
+    /// Arranges the panes like this, tomorrow as well.
+    pub(super) fn arrange(&mut self, panes: Panes) {
+        self.view.panes = panes.sound(|chart| find(chart).is_some());
+        if let Some(home) = self.desk.home.clone() {
+            let panes = self.view.panes.clone();
+            self.jobs.quietly(
+                move || settings::keep_panes(&home, panes).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+    }
+
+    /// The pane in which a chart is shown next; there is one then.
+    fn next_pane(&mut self, id: &str) -> Key {
+        let panes = &mut self.view.panes;
+        if panes.charts().next().is_none() {
+            panes.split(panes.workspace(), Edge::Bottom, ChartPane::default());
+        }
+        let active = self.view.panes.active_chart().map_or(0, |(key, _)| key);
+        self.pane_of(id).map_or(active, |(key, _)| key)
     }
 
     pub(super) fn show_effect(&mut self, index: usize) {
@@ -81,12 +180,21 @@ impl Workbench {
         let strongest = self
             .diagnosis()
             .and_then(|d| effect::strongest(&subject, d, index));
-        if let Some(component) = strongest {
-            self.view.component = component;
-            self.view.effect = index;
-            self.view.step = Step::Gap;
-            self.view.chart = Some(effect::ID);
+        let Some(component) = strongest else {
+            return;
+        };
+        self.view.effect = index;
+        self.view.step = Step::Gap;
+        let key = self.next_pane(effect::ID);
+        let mut panes = self.with_choice(key, effect::ID);
+        let alone = panes.charts().count() < 2;
+        if let Some(pane) = panes.chart_mut(key) {
+            pane.component = (!alone).then_some(component);
         }
+        if alone {
+            self.view.component = component;
+        }
+        self.arrange(panes);
     }
 }
 
@@ -116,7 +224,9 @@ mod tests {
     }
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
-        workbench.execute(Command::Chart(chart));
+        let key = workbench.view().panes.active_chart().map(|(key, _)| key);
+        let panes = workbench.with_choice(key.expect("a chart"), chart);
+        workbench.execute(Command::Panes(Box::new(panes)));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, chart);
     }
@@ -155,7 +265,7 @@ mod tests {
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
             let backdrop = workbench.backdrop().expect("it is made");
-            Arc::clone(backdrop.charted.as_ref().expect("it is charted"))
+            Arc::clone(backdrop.charted.first().expect("it is charted"))
         };
         let first = made(&workbench);
         workbench.execute(Command::Hover(Some(3)));
@@ -178,6 +288,43 @@ mod tests {
         );
         choose(&mut workbench, ORDERS);
         assert!(is_worked_out(&workbench));
+    }
+
+    #[test]
+    fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
+        let mut workbench = workbench();
+        choose(&mut workbench, HISTOGRAM);
+        let made = |workbench: &Workbench| workbench.backdrop().expect("made").charted.clone();
+        let add = |workbench: &mut Workbench, chart: &str| {
+            let key = workbench.view().panes.active();
+            let panes = workbench.with_chart(key, Edge::Right);
+            let mut panes = panes.clone();
+            let key = panes.active();
+            panes.chart_mut(key).expect("it is new").chart = Some(chart.to_owned());
+            workbench.execute(Command::Panes(Box::new(panes)));
+            workbench.receive();
+        };
+        let first = made(&workbench);
+        add(&mut workbench, ORDERS);
+        let both = made(&workbench);
+        assert_eq!((first.len(), both.len()), (1, 2));
+        assert!(Arc::ptr_eq(&first[0], &both[0]), "it was there already");
+        // The same in the same component is there once.
+        add(&mut workbench, ORDERS);
+        assert_eq!(made(&workbench).len(), 2);
+        let key = workbench.view().panes.active();
+        let mut panes = workbench.view().panes.clone();
+        panes.chart_mut(key).expect("a chart").component = Some(Component::Radial);
+        workbench.execute(Command::Panes(Box::new(panes)));
+        workbench.receive();
+        let three = made(&workbench);
+        assert_eq!(three.len(), 3);
+        assert!(Arc::ptr_eq(&both[1], &three[1]));
+        for (_, pane) in workbench.view().panes.charts() {
+            assert!(workbench.scene_in(pane).worked_out.is_some());
+        }
+        let radial = workbench.view().panes.active_chart().expect("a chart").1;
+        assert_eq!(workbench.scene_in(radial).component(), Component::Radial);
     }
 
     #[test]

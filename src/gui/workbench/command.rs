@@ -17,7 +17,7 @@ use crate::gui::core::stated::Stated;
 use crate::gui::import_draft::{Beside, Said};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
-    Camera, Canvas, Colouring, Part, Plane, Sheet, Side, Standard, Step, Then, What,
+    Camera, Canvas, Colouring, Key, Panes, Plane, Sheet, Side, Standard, Step, Then, What,
 };
 
 /// What a field sends that can be dragged: what it changes, and at the end of a drag that it was let
@@ -185,10 +185,14 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
-    /// Show this part of the middle where there is no room for both.
-    Part(Part),
-    /// Show the chart of this name below the workspace.
-    Chart(&'static str),
+    /// Arrange workspace and charts like this.
+    Panes(Box<Panes>),
+    /// The same while it is pulled; remembered only once it is let go.
+    Pull(Box<Panes>),
+    /// Keys are for this pane; where there is room for one only, it is shown.
+    Activate(Key),
+    /// The same for the next pane.
+    ActivateNext,
     /// Let charts be about this joint, counted from 0.
     ChartJoint(usize),
     /// Show the curve of an effect that was found, by its place in the answer.
@@ -211,6 +215,6 @@ pub(crate) enum Command {
     Fit,
     /// The upper plot shows everything again.
     FitWorkspace,
-    /// The chart shows everything again.
-    FitChart,
+    /// The chart in this pane shows everything again.
+    FitChart(Key),
 }

@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use crate::export::find;
 use crate::gui::cache::preview::PreviewRequest;
+use crate::gui::charts;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;
 use crate::gui::jobs::Watch;
-use crate::gui::view::{About, What};
+use crate::gui::view::{About, Plot, What};
 use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::robots::named;
@@ -31,7 +32,8 @@ impl Workbench {
             What::Report(About::Model) => {
                 format!("{}-model-report.html", plain(session))
             }
-            What::Picture(plot) => plot.file_name(session),
+            What::Picture(plot) => plot.file_name(session, "svg"),
+            What::Numbers(chart) => Plot::Chart(chart).file_name(session, "csv"),
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
                 let name = self.desk.robots.first().map(|table| table.name.as_str());
@@ -59,6 +61,7 @@ impl Workbench {
         match what {
             What::Report(about) => return self.write_report(about, path, replace),
             What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Numbers(chart) => return self.write_numbers(chart, path, replace),
             What::Targets => return self.write_targets(path, replace),
             What::Robot(id) => {
                 let robot = named(id).ok().map(|found| found.robot.clone());
@@ -100,6 +103,16 @@ impl Workbench {
             files::export(&wanted, what, path, replace)
         };
         self.write(path, work, Self::take_exported);
+    }
+
+    /// Writes what a chart shows as a table.
+    fn write_numbers(&mut self, chart: &str, path: PathBuf, replace: bool) {
+        let Some(kind) = charts::find(chart) else {
+            return;
+        };
+        let table = kind.numbers(&self.scene_of(kind)).csv();
+        let work = move |path: &Path, _: &Watch| files::write_list(table, path, replace);
+        self.write(path, work, Self::take_written);
     }
 
     /// Writes a robot as a file of its own.

@@ -57,9 +57,7 @@ use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::preferences::Preferences;
 use crate::gui::style::font_fallback::Letters;
-use crate::gui::view::{
-    Aspect, Camera, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState,
-};
+use crate::gui::view::{Aspect, Camera, Message, Plane, Plot, Sheet, Side, Step, Then, ViewState};
 use crate::present::drawing::Drawing;
 use crate::present::units::Units;
 use crate::sessions::Samples;
@@ -274,17 +272,18 @@ impl Workbench {
         match command {
             Command::GoTo(step) => view.step = step,
             Command::Look(plane) => {
-                (view.plane, view.aspect, view.part) = (plane, Aspect::Plane, Part::Workspace);
+                view.plane = plane;
+                view.look(Aspect::Plane);
             }
             Command::LookFrom(from) => {
-                (view.aspect, view.part) = (Aspect::Space, Part::Workspace);
+                view.look(Aspect::Space);
                 if let Some(from) = from {
                     view.camera = view.camera.seen_from(from);
                 }
             }
             Command::Turn(camera) => view.camera = camera.sound(),
             Command::Pose(q) => view.pose = q,
-            Command::LookAround => (view.aspect, view.part) = (Aspect::Around, Part::Workspace),
+            Command::LookAround => view.look(Aspect::Around),
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -308,15 +307,12 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
-            Command::Chart(chart) => {
-                view.part = Part::Chart;
-                self.choose_chart(chart);
-            }
+            Command::Panes(panes) => self.arrange(*panes),
+            Command::Pull(panes) => view.panes = *panes,
+            Command::Activate(key) => view.panes.activate(key),
+            Command::ActivateNext => view.panes.activate_next(),
             Command::ChartJoint(joint) => view.joint = joint,
-            Command::ShowEffect(index) => {
-                view.part = Part::Chart;
-                self.show_effect(index);
-            }
+            Command::ShowEffect(index) => self.show_effect(index),
             Command::Results(open) => view.results = Some(open),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
@@ -365,8 +361,11 @@ impl Workbench {
                 view.fitted.workspace += 1;
                 view.camera = view.camera.fitted();
             }
-            Command::Part(part) => view.part = part,
-            Command::FitChart => view.fitted.chart += 1,
+            Command::FitChart(key) => {
+                if let Some(pane) = view.panes.chart_mut(key) {
+                    pane.fitted += 1;
+                }
+            }
             _ => {}
         }
         self.forget_missing_samples();

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::gui::charts::find;
 use crate::gui::core::disk::{Fate, Print};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Origin, Subject};
@@ -23,6 +24,7 @@ impl Workbench {
     pub(crate) fn at_home(&mut self, home: PathBuf) {
         let (settings, damaged) = settings::read(&home);
         self.view.preferences = settings.preferences;
+        self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
         self.desk.recent = settings.recent;
         self.desk.machines = settings.machines;
         self.desk.robots = settings.robots;

@@ -13,6 +13,12 @@ use crate::present::numbers::{significant, trimmed};
 
 use super::model::{magnification as magnification_of, offers, readable};
 
+/// What stands at the beginning of the bar.
+pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
+
+/// Room for it, points.
+const FIRST: f32 = 32.0;
+
 /// Something else that stands in the bar.
 pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
@@ -27,11 +33,12 @@ enum Fold {
     Tight,
 }
 
-/// Shows the bar; `beside` stands at its beginning.
+/// Shows the bar; `beside` stands above it, `first` at its beginning.
 pub(crate) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
     beside: Option<Beside>,
+    first: First<'_>,
     commands: &mut Vec<Command>,
 ) {
     let view = workbench.view();
@@ -41,8 +48,9 @@ pub(crate) fn show(
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
     room.x /= stretch();
+    let beside_first = room.x - FIRST;
     let fold = match room {
-        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
+        _ if room.y < TIGHT || view.in_space() && beside_first < SPACE_NARROW => Fold::Tight,
         _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
         _ => Fold::Open,
     };
@@ -51,7 +59,7 @@ pub(crate) fn show(
     } else {
         ROOMY
     };
-    let roomy = room.x > least && beside.is_none();
+    let roomy = beside_first > least && beside.is_none();
     if let Some(beside) = beside {
         widgets::row(ui, |ui| {
             beside(ui, workbench, commands);
@@ -63,6 +71,7 @@ pub(crate) fn show(
         });
     }
     widgets::row(ui, |ui| {
+        first(ui, commands);
         let least = if blends { WITH_BLEND } else { TITLED };
         if ui.available_width() > least * stretch() && beside.is_none() {
             title(ui, say!("Workspace"));
@@ -165,6 +174,8 @@ const WIDE: f32 = 590.0;
 /// The same in space, where there is more of it, and below which all of it does.
 const SPACE_WIDE: f32 = 760.0;
 const SPACE_NARROW: f32 = 510.0;
+/// With less room the list of colours goes without its name, points.
+const COLOUR: f32 = 172.0;
 /// With less height all of it does, points.
 const TIGHT: f32 = 270.0;
 
@@ -390,7 +401,9 @@ fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the colour of the vectors says.
 fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let shown = coloured(workbench);
-    caption(ui, say!("colour"));
+    if ui.available_width() > COLOUR {
+        caption(ui, say!("colour"));
+    }
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
     let list = list.width(112.0).truncate().height(280.0);

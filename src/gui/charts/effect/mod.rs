@@ -4,8 +4,8 @@ mod curve;
 
 use std::sync::Arc;
 
-use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
-use crate::gui::cache::over::Scale;
+use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
+use crate::gui::core::over::Scale;
 use crate::gui::cache::work::Work;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
@@ -32,8 +32,7 @@ impl Kind for Effect {
             short: phrase!("effect"),
             name: phrase!("Effect's own curve"),
             word: help::EFFECT_CURVE,
-            of_component: true,
-            of_joint: false,
+            of: Of::Component,
         }
     }
 

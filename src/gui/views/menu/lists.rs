@@ -21,8 +21,9 @@ pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
 
 pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     use actions::{
-        FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE, FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY,
-        LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH, OTHER_THEME, RESULTS,
+        CHART_BELOW, CHART_BESIDE, CLOSE_CHART, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE,
+        FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
+        NEXT_PLOT, OTHER_THEME, RESULTS, USUAL_PLOTS,
     };
     ui.set_min_width(260.0);
     menu.items(ui, &actions::STEPS[..menu.workbench.steps().len()]);
@@ -32,6 +33,12 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.menu_button(say!("Standard 3-D views"), |ui| {
         ui.set_min_width(220.0);
         menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP]);
+    });
+    ui.menu_button(say!("Charts"), |ui| {
+        ui.set_min_width(220.0);
+        menu.items(ui, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
+        ui.separator();
+        menu.items(ui, &[NEXT_PLOT, USUAL_PLOTS]);
     });
     menu.items(ui, &[FIT]);
     ui.separator();

@@ -15,6 +15,7 @@ use crate::gui::core::compensated::{CompensationRequest, Whose};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::quantity::Quantity;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
@@ -22,7 +23,8 @@ use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{
-    About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
+    About, Camera, Canvas, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side,
+    Standard, Step, Then, Tile, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -255,6 +257,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         5 => (What::Poses, "csv"),
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
+        8 if random.random() => (What::Numbers(chart(random)), "csv"),
         _ => (What::Picture(plot(random)), pick(random, &["svg", "png"])),
     }
 }
@@ -367,8 +370,8 @@ fn look(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..4) {
         0 => Command::Fit,
         1 => Command::FitWorkspace,
-        2 => Command::FitChart,
-        _ => Command::Part(pick(random, &[Part::Workspace, Part::Chart])),
+        2 => Command::FitChart(random.random_range(0..9)),
+        _ => Command::ActivateNext,
     }
 }
 
@@ -395,6 +398,56 @@ fn way_to_look(random: &mut ChaCha8Rng) -> Command {
         }),
         _ => Command::Pose(one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned()),
     }
+}
+
+/// Another arrangement of the plots: split, moved, closed, pulled, looked at in another way.
+fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
+    let mut panes = workbench.view().panes.clone();
+    let keys: Vec<Key> = panes
+        .panes()
+        .iter()
+        .map(|pane| pane.key)
+        .chain([99])
+        .collect();
+    let key = pick(random, &keys);
+    match random.random_range(0..8) {
+        0 => return Command::Activate(key),
+        1 | 2 => {
+            return Command::Panes(Box::new(
+                workbench.with_chart(key, pick(random, &Edge::ALL)),
+            ));
+        }
+        3 => panes.close(key),
+        4 => panes.move_to(key, pick(random, &Edge::ALL)),
+        5 => return Command::Pull(Box::new(panes.arranged(shares(random, panes.root.clone())))),
+        6 if random.random_range(0..4) == 0 => panes = Panes::default(),
+        _ => {
+            let quantities = Quantity::offered(workbench.subject());
+            let [across, upwards] = [0, 1].map(|_| one_of(random, &quantities).copied());
+            if let Some(pane) = panes.chart_mut(key) {
+                *pane = ChartPane {
+                    chart: Some(chart(random).to_owned()),
+                    component: one_of(random, &Component::ALL).copied(),
+                    joint: Some(random.random_range(0..9)),
+                    axes: across
+                        .zip(upwards)
+                        .map(|(across, upwards)| [across, upwards]),
+                    fitted: 0,
+                };
+            }
+        }
+    }
+    Command::Panes(Box::new(panes))
+}
+
+/// The same tiles with other shares, which may be no numbers.
+fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
+    if let Tile::Beside(parts) | Tile::Below(parts) = &mut tile {
+        for part in parts {
+            part.share = pick(random, &[0.0, -1.0, f32::NAN, 1e30, 0.2, 3.0]);
+        }
+    }
+    tile
 }
 
 /// What the chart is about.
@@ -481,9 +534,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         126..=129 => Command::Select(sample(random)),
         130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
         132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
-        134 | 135 => Command::Chart(chart(random)),
         152 | 153 => chart_of(random),
         154 => way_to_look(random),
+        134 | 135 | 156 | 157 => arrangement(random, workbench),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137 | 138 => Command::Prefer(preferences(random)),

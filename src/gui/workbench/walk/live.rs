@@ -19,7 +19,6 @@ const LINES: usize = 120;
 /// What is done meanwhile: nothing that opens another session, ends the recording or asks the system.
 const MEANWHILE: [&str; 17] = [
     "Blend",
-    "Chart",
     "Colour",
     "Component",
     "Drag",
@@ -32,6 +31,7 @@ const MEANWHILE: [&str; 17] = [
     "Look",
     "Magnify",
     "Mark",
+    "Panes",
     "Prefer",
     "Redo",
     "Select",

@@ -1,11 +1,14 @@
 //! What a chart of samples stands over: the value of a joint, time, load, temperature; for an
 //! effect also the joint's speed and its travel since the last reversal.
 
+use serde::{Deserialize, Serialize};
+
 use crate::gui::core::loaded_session::Subject;
 use crate::present::numbers::trimmed;
 use crate::present::units::{AngleUnit, Units};
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum Variable {
     /// Commanded value of the joint, rad or mm.
     Joint,
@@ -22,7 +25,7 @@ pub(crate) enum Variable {
 }
 
 /// A variable, and the joint that it is about; its side is what the marks point to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Over {
     pub(crate) variable: Variable,
     /// The joint, counted from 0.

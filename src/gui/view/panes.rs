@@ -1,0 +1,436 @@
+//! What stands in the middle of the window: the workspace and charts, beside and below each other.
+//!
+//! A tree: its leaves are panes, a split divides its room among its parts by their shares. It is a
+//! document of its own beside the preferences, so whatever is read is brought into a form that can
+//! be shown: one workspace, not too many charts, shares that are numbers.
+
+use serde::{Deserialize, Serialize};
+
+use crate::gui::core::loaded_session::Component;
+use crate::gui::core::quantity::Quantity;
+
+/// Charts at once, at most.
+pub(crate) const MOST_CHARTS: usize = 6;
+/// The workspace's share of what it shares with the first chart.
+const WORKSPACE: f32 = 0.66;
+/// Splits within splits, at most.
+const DEEPEST: usize = 8;
+
+/// A pane by its number: it keeps it while it is moved.
+pub(crate) type Key = u32;
+
+/// How a chart is looked at.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub(crate) struct ChartPane {
+    /// The chart by its name; `None`: what suits the step.
+    pub(crate) chart: Option<String>,
+    /// `None`: that of the view.
+    pub(crate) component: Option<Component>,
+    /// The joint that it is about, counted from 0; `None`: that of the view.
+    pub(crate) joint: Option<usize>,
+    /// What a scatter has across and upwards; `None`: as it begins.
+    pub(crate) axes: Option<[Quantity; 2]>,
+    /// Counts up when it is to show everything.
+    #[serde(skip)]
+    pub(crate) fitted: u64,
+}
+
+/// What stands in a pane.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Content {
+    Workspace,
+    Chart(ChartPane),
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Pane {
+    #[serde(skip)]
+    pub(crate) key: Key,
+    pub(crate) shows: Content,
+}
+
+/// A part of a split, and how much of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Part {
+    pub(crate) share: f32,
+    pub(crate) tile: Tile,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Tile {
+    Pane(Pane),
+    /// Side by side.
+    Beside(Vec<Part>),
+    /// One below the other.
+    Below(Vec<Part>),
+}
+
+/// An edge of a pane, or of the whole middle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Edge {
+    Left,
+    Right,
+    Top,
+    Bottom,
+}
+
+impl Edge {
+    pub(crate) const ALL: [Self; 4] = [Self::Left, Self::Right, Self::Top, Self::Bottom];
+
+    fn beside(self) -> bool {
+        matches!(self, Self::Left | Self::Right)
+    }
+}
+
+/// All panes, and which of them the keys are for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Panes {
+    pub(crate) root: Tile,
+    #[serde(skip)]
+    active: Key,
+    /// The chart that was active last.
+    #[serde(skip)]
+    chart: Key,
+}
+
+impl Default for Panes {
+    /// The workspace, and below it the chart that suits the step.
+    fn default() -> Self {
+        let part = |share, shows| Part {
+            share,
+            tile: Tile::Pane(Pane { key: 0, shows }),
+        };
+        let chart = Content::Chart(ChartPane::default());
+        let parts = vec![
+            part(WORKSPACE, Content::Workspace),
+            part(1.0 - WORKSPACE, chart),
+        ];
+        Self::of(Tile::Below(parts))
+    }
+}
+
+impl Tile {
+    fn parts(&self) -> &[Part] {
+        match self {
+            Self::Pane(_) => &[],
+            Self::Beside(parts) | Self::Below(parts) => parts,
+        }
+    }
+
+    fn split(beside: bool, parts: Vec<Part>) -> Self {
+        if beside {
+            Self::Beside(parts)
+        } else {
+            Self::Below(parts)
+        }
+    }
+
+    /// Whether its parts stand side by side, and which they are.
+    fn into_parts(self) -> Result<(bool, Vec<Part>), Self> {
+        match self {
+            Self::Beside(parts) => Ok((true, parts)),
+            Self::Below(parts) => Ok((false, parts)),
+            pane @ Self::Pane(_) => Err(pane),
+        }
+    }
+
+    fn gather<'a>(&'a self, all: &mut Vec<&'a Pane>) {
+        match self {
+            Self::Pane(pane) => all.push(pane),
+            split => split.parts().iter().for_each(|p| p.tile.gather(all)),
+        }
+    }
+
+    fn find(&mut self, key: Key) -> Option<&mut Pane> {
+        match self {
+            Self::Pane(pane) => (pane.key == key).then_some(pane),
+            Self::Beside(parts) | Self::Below(parts) => {
+                parts.iter_mut().find_map(|part| part.tile.find(key))
+            }
+        }
+    }
+
+    /// The same with every pane exchanged for what `of` makes of it, nothing that is empty or alone in
+    /// a split, and no split within one of its own direction.
+    fn map(self, depth: usize, of: &mut impl FnMut(Pane) -> Option<Self>) -> Option<Self> {
+        let (beside, parts) = match self.into_parts() {
+            Err(Self::Pane(pane)) => return of(pane),
+            Err(_) => return None,
+            Ok(split) => split,
+        };
+        if depth == 0 {
+            return None;
+        }
+        let mut kept: Vec<Part> = Vec::new();
+        for Part { share, tile } in parts {
+            let Some(tile) = tile.map(depth - 1, of) else {
+                continue;
+            };
+            let share = if share.is_finite() && share > 0.0 {
+                share.clamp(1e-3, 1e6)
+            } else {
+                1.0
+            };
+            match tile.into_parts() {
+                Ok((same, inner)) if same == beside => {
+                    let all: f32 = inner.iter().map(|part| part.share).sum();
+                    kept.extend(inner.into_iter().map(|part| Part {
+                        share: share * part.share / all,
+                        ..part
+                    }));
+                }
+                Ok((other, inner)) => kept.push(Part {
+                    share,
+                    tile: Self::split(other, inner),
+                }),
+                Err(tile) => kept.push(Part { share, tile }),
+            }
+        }
+        if kept.len() < 2 {
+            return kept.pop().map(|part| part.tile);
+        }
+        let all: f32 = kept.iter().map(|part| part.share).sum();
+        for part in &mut kept {
+            part.share /= all;
+        }
+        Some(Self::split(beside, kept))
+    }
+}
+
+impl Panes {
+    /// These tiles, brought into a form that can be shown.
+    pub(crate) fn of(root: Tile) -> Self {
+        let panes = Self {
+            root,
+            active: 0,
+            chart: 0,
+        };
+        panes.sound(|_| true)
+    }
+
+    /// Brought into a form that can be shown; of charts only those that are `known`.
+    pub(crate) fn sound(self, known: impl Fn(&str) -> bool) -> Self {
+        let (mut workspaces, mut charts, mut keys) = (0, 0, Vec::new());
+        let mut next = self.panes().iter().map(|pane| pane.key).max().unwrap_or(0);
+        let root = self.root.map(DEEPEST, &mut |mut pane| {
+            let fits = match &pane.shows {
+                Content::Workspace => {
+                    workspaces += 1;
+                    workspaces == 1
+                }
+                Content::Chart(chart) => {
+                    let known = chart.chart.as_deref().is_none_or(&known);
+                    charts += usize::from(known);
+                    known && charts <= MOST_CHARTS
+                }
+            };
+            if pane.key == 0 || keys.contains(&pane.key) {
+                next += 1;
+                pane.key = next;
+            }
+            keys.push(pane.key);
+            fits.then_some(Tile::Pane(pane))
+        });
+        let Some(root) = root.filter(|_| workspaces > 0) else {
+            return Self::default();
+        };
+        let mut panes = Self { root, ..self };
+        let there = |key: Key| panes.panes().iter().any(|pane| pane.key == key);
+        let workspace = |pane: &&&Pane| pane.shows == Content::Workspace;
+        if !there(panes.active) {
+            let all = panes.panes();
+            panes.active = all.iter().find(workspace).map_or(0, |pane| pane.key);
+        }
+        if panes.active_chart().is_none() {
+            let first = panes.charts().next();
+            panes.chart = first.map_or(0, |(key, _)| key);
+        }
+        panes
+    }
+
+    /// All panes, from the left to the right and down.
+    pub(crate) fn panes(&self) -> Vec<&Pane> {
+        let mut all = Vec::new();
+        self.root.gather(&mut all);
+        all
+    }
+
+    /// All charts.
+    pub(crate) fn charts(&self) -> impl Iterator<Item = (Key, &ChartPane)> {
+        self.panes()
+            .into_iter()
+            .filter_map(|pane| match &pane.shows {
+                Content::Chart(chart) => Some((pane.key, chart)),
+                Content::Workspace => None,
+            })
+    }
+
+    /// The pane of this number.
+    pub(crate) fn pane(&self, key: Key) -> Option<&Pane> {
+        self.panes().into_iter().find(|pane| pane.key == key)
+    }
+
+    /// The chart in a pane, to be changed.
+    pub(crate) fn chart_mut(&mut self, key: Key) -> Option<&mut ChartPane> {
+        match &mut self.root.find(key)?.shows {
+            Content::Chart(chart) => Some(chart),
+            Content::Workspace => None,
+        }
+    }
+
+    pub(crate) fn workspace(&self) -> Key {
+        let all = self.panes();
+        let workspace = all.iter().find(|pane| pane.shows == Content::Workspace);
+        workspace.map_or(0, |pane| pane.key)
+    }
+
+    /// The pane that keys are for.
+    pub(crate) fn active(&self) -> Key {
+        self.active
+    }
+
+    /// The chart that is active, or was so last.
+    pub(crate) fn active_chart(&self) -> Option<(Key, &ChartPane)> {
+        self.charts().find(|(key, _)| *key == self.chart)
+    }
+
+    pub(crate) fn activate(&mut self, key: Key) {
+        match self.pane(key).map(|pane| &pane.shows) {
+            Some(Content::Workspace) => self.active = key,
+            Some(Content::Chart(_)) => (self.active, self.chart) = (key, key),
+            None => {}
+        }
+    }
+
+    /// The next pane becomes the active one.
+    pub(crate) fn activate_next(&mut self) {
+        let keys: Vec<Key> = self.panes().iter().map(|pane| pane.key).collect();
+        let here = keys.iter().position(|key| *key == self.active);
+        let next = here.map_or(0, |here| (here + 1) % keys.len());
+        self.activate(keys[next]);
+    }
+
+    /// Whether there is room for another chart.
+    pub(crate) fn has_room(&self) -> bool {
+        self.charts().count() < MOST_CHARTS
+    }
+
+    /// Puts a chart at an edge of a pane, in half of its room.
+    pub(crate) fn split(&mut self, key: Key, edge: Edge, chart: ChartPane) {
+        if !self.has_room() || self.pane(key).is_none() {
+            return;
+        }
+        let shows = Content::Chart(chart);
+        let new = self.panes().iter().map(|pane| pane.key).max().unwrap_or(0) + 1;
+        let mut added = Some(Pane { key: new, shows });
+        let root = self.root.clone().map(DEEPEST, &mut |pane| {
+            let here = if pane.key == key { added.take() } else { None };
+            let pane = Tile::Pane(pane);
+            Some(match here {
+                None => pane,
+                Some(new) => at_edge(pane, 0.5, Tile::Pane(new), edge),
+            })
+        });
+        self.take(root);
+        self.activate(new);
+    }
+
+    /// Takes a chart away; its neighbours take its room.
+    pub(crate) fn close(&mut self, key: Key) {
+        let all = self.panes();
+        let here = all.iter().position(|pane| pane.key == key);
+        let charts = |pane: &&&Pane| pane.shows != Content::Workspace && pane.key != key;
+        let after = all.iter().skip(here.unwrap_or(0)).find(charts);
+        let next = after.or_else(|| all.iter().rev().find(charts));
+        let next = next.map_or(self.workspace(), |pane| pane.key);
+        if key == self.workspace() || here.is_none() {
+            return;
+        }
+        let root = self.root.clone().map(DEEPEST, &mut |pane| {
+            (pane.key != key).then_some(Tile::Pane(pane))
+        });
+        self.take(root);
+        self.activate(next);
+    }
+
+    /// Puts a pane at an edge of the whole middle.
+    pub(crate) fn move_to(&mut self, key: Key, edge: Edge) {
+        let mut moved = None;
+        let rest = self.root.clone().map(DEEPEST, &mut |pane| {
+            if pane.key == key {
+                moved = Some(pane);
+                return None;
+            }
+            Some(Tile::Pane(pane))
+        });
+        let (Some(moved), Some(rest)) = (moved, rest) else {
+            return;
+        };
+        let share = if moved.shows == Content::Workspace {
+            WORKSPACE
+        } else {
+            1.0 - WORKSPACE
+        };
+        self.take(Some(at_edge(rest, share, Tile::Pane(moved), edge)));
+        self.activate(key);
+    }
+
+    /// The same panes, arranged like this.
+    pub(crate) fn arranged(&self, root: Tile) -> Self {
+        Self {
+            root,
+            ..self.clone()
+        }
+        .sound(|_| true)
+    }
+
+    fn take(&mut self, root: Option<Tile>) {
+        if let Some(root) = root {
+            *self = self.arranged(root);
+        }
+    }
+
+    /// Whether nobody has arranged anything.
+    pub(crate) fn are_usual(&self) -> bool {
+        // As they are kept: without numbers.
+        let kept = |panes: &Self| serde_json::to_value(panes).ok();
+        kept(self) == kept(&Self::default())
+    }
+
+    /// Whether both have the same panes in the same arrangement, whatever their shares.
+    pub(crate) fn outline(&self) -> String {
+        fn of(tile: &Tile, text: &mut String) {
+            match tile {
+                Tile::Pane(pane) => *text += &format!("{} ", pane.key),
+                split => {
+                    text.push(if matches!(split, Tile::Beside(_)) {
+                        '['
+                    } else {
+                        '('
+                    });
+                    split.parts().iter().for_each(|part| of(&part.tile, text));
+                    text.push(')');
+                }
+            }
+        }
+        let mut text = String::new();
+        of(&self.root, &mut text);
+        text
+    }
+}
+
+/// A tile at an edge of another, with its share of both.
+fn at_edge(tile: Tile, share: f32, new: Tile, edge: Edge) -> Tile {
+    let part = |share, tile| Part { share, tile };
+    let mut parts = vec![part(1.0 - share, tile), part(share, new)];
+    if matches!(edge, Edge::Left | Edge::Top) {
+        parts.reverse();
+    }
+    Tile::split(edge.beside(), parts)
+}
+
+#[cfg(test)]
+mod tests;

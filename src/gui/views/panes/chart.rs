@@ -1,0 +1,390 @@
+//! A chart in its pane: a bar in which it is chosen, and the chart.
+
+use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
+use egui::{Rect, pos2};
+
+use crate::gui::charts::{self, Bars, CHARTS, Kind, Of, Pointed, Samples, Scene, Shown, scatter};
+use crate::gui::core::loaded_session::Component;
+use crate::gui::core::quantity::Quantity;
+use crate::gui::plots::chart::{self, Canvas};
+use crate::gui::plots::{figure, gestures, legend, marks, picture};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::view::{ChartPane, Key, Plot, What};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workspace::{self, marked, nearest};
+
+use super::super::copies;
+use super::change::changed;
+
+/// Room for the handle, and for the marks at the right end of the bar, points.
+const HANDLE: f32 = 32.0;
+const MARKS: f32 = 148.0;
+/// What a list has beside the name that is chosen, points.
+const ARROW: f32 = 42.0;
+/// A sample is under the pointer within this many points.
+const REACH: f32 = 14.0;
+
+/// Where a chart stands.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) key: Key,
+    pub(super) pane: &'a ChartPane,
+    /// Which of the charts it is, where there are several.
+    pub(super) number: Option<usize>,
+}
+
+impl Place<'_> {
+    /// What something of this chart is called, where others have the same.
+    fn own(self, name: &str) -> String {
+        match self.number {
+            None => name.to_owned(),
+            Some(number) => format!("{name}, {number}"),
+        }
+    }
+}
+
+/// What stands at the beginning of a bar.
+pub(super) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
+
+/// Shows it; `first` stands at the beginning of its bar.
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    place: Place<'_>,
+    first: First<'_>,
+    commands: &mut Vec<Command>,
+) {
+    let kind = workbench.kind(place.pane);
+    let scene = workbench.scene_in(place.pane);
+    bar(ui, workbench, (place, kind, &scene), first, commands);
+    match charts::shown(kind, &scene) {
+        Ok(shown) => plotted(ui, workbench, (place, kind), &shown, commands),
+        Err(missing) => legend::empty(ui, &missing.title, missing.why),
+    }
+}
+
+fn plotted(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (place, kind): (Place<'_>, &dyn Kind),
+    shown: &Shown<'_>,
+    commands: &mut Vec<Command>,
+) {
+    let view = workbench.view();
+    let before = workbench.answer().map(|_| !view.only_after);
+    legend::show(ui, &shown.chart, before, commands);
+    let title = format!("{} {}", kind.about().id, shown.chart.title);
+    let fitted = view.fitted.charts + place.pane.fitted;
+    let id = (&*title, workbench.only_after(), fitted);
+    let emphasised = view.hovered.or(view.selected);
+    let usable = |sample: &usize| workbench.subject().usable[*sample];
+    let more = |canvas: &Canvas<'_>, shapes: &mut Vec<Shape>| match &shown.pointed {
+        Pointed::Nothing => {}
+        Pointed::Samples(samples) => {
+            let there = marked(view, workbench.subject().len()).chain(emphasised);
+            drawn_samples(&**samples, there.filter(usable), canvas, shapes);
+        }
+        Pointed::Bars(bars) => {
+            let bar = emphasised.filter(usable).and_then(|sample| bars.of(sample));
+            shapes.extend(bar.map(|bar| framed(bar, canvas)));
+        }
+    };
+    let (response, transform) = chart::show(ui, id, &shown.chart, more);
+    figure(&response, &shown.name, shown.says.clone());
+    match &shown.pointed {
+        Pointed::Nothing => {}
+        Pointed::Samples(samples) => {
+            let under = response.hover_pos().and_then(|pointer| {
+                let ends = [pointer.x - REACH, pointer.x + REACH];
+                let place = |x: f32| transform.value_from_position(pos2(x, pointer.y)).x;
+                let candidates = samples
+                    .near(ends.map(place))
+                    .into_iter()
+                    .flat_map(|sample| {
+                        let marks = samples.marks(sample).into_iter();
+                        marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
+                    });
+                let candidates = candidates.map(|(sample, point)| {
+                    let here = transform.position_from_point(&point);
+                    (sample, [here.x, here.y])
+                });
+                nearest(candidates, [pointer.x, pointer.y], REACH)
+            });
+            workspace::hover(&response, workbench, under, commands);
+        }
+        Pointed::Bars(bars) => pointed(response, &transform, &**bars, commands),
+    }
+}
+
+/// What is in sight of many samples, and a ring around some.
+fn drawn_samples(
+    samples: &dyn Samples,
+    ringed: impl Iterator<Item = usize>,
+    canvas: &Canvas<'_>,
+    shapes: &mut Vec<Shape>,
+) {
+    let bounds = canvas.transform.bounds();
+    let width = f64::from(canvas.transform.frame().width());
+    for item in samples.in_sight([bounds.min()[0], bounds.max()[0]], width) {
+        canvas.draw(&item, shapes);
+    }
+    let stroke = Stroke::new(2.5, canvas.palette.accent);
+    for place in ringed.filter_map(|sample| samples.marks(sample).pop()) {
+        shapes.push(marks::ring(canvas.at(place), 8.0, stroke));
+    }
+}
+
+fn framed(ends: [f64; 2], canvas: &Canvas<'_>) -> Shape {
+    let [from, to] = ends.map(|x| canvas.at([x, 0.0]).x);
+    let rect = Rect::from_x_y_ranges(from..=to, canvas.transform.frame().y_range());
+    let stroke = Stroke::new(2.0, canvas.palette.accent);
+    Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside)
+}
+
+/// Says what the bar under the pointer is; a click marks its samples.
+fn pointed(
+    response: egui::Response,
+    transform: &egui_plot::PlotTransform,
+    bars: &dyn Bars,
+    commands: &mut Vec<Command>,
+) {
+    let pointer = response.hover_pos();
+    let under = pointer.map(|pointer| transform.value_from_position(pointer).x);
+    let Some(facts) = under.and_then(|x| bars.at(x)) else {
+        return;
+    };
+    let response = if facts.samples.is_empty() {
+        response
+    } else {
+        if response.clicked() {
+            commands.push(Command::Mark(facts.samples.clone()));
+        }
+        response.on_hover_cursor(CursorIcon::PointingHand)
+    };
+    response.on_hover_ui_at_pointer(|ui| {
+        widgets::facts(ui, &(facts.title, facts.lines));
+    });
+}
+
+/// What is chosen in a list.
+struct Choice<'a, T> {
+    /// What the list is called.
+    of: String,
+    /// What can be chosen: itself, its name where there is little room, its name.
+    offered: Vec<(T, &'a str, &'a str)>,
+    current: T,
+}
+
+impl<T: Copy + PartialEq> Choice<'_, T> {
+    fn names(&self) -> (&str, &str) {
+        let current = self.offered.iter().find(|(one, ..)| *one == self.current);
+        current.map_or(("", ""), |(_, short, name)| (*short, *name))
+    }
+
+    /// How wide it is, points.
+    fn width(&self, ui: &Ui, short: bool) -> f32 {
+        let (small, name) = self.names();
+        let name = if short { small } else { name };
+        let font = egui::FontId::proportional(size::SMALL);
+        let color = Palette::of(ui).text;
+        let galley = ui.painter().layout_no_wrap(name.to_owned(), font, color);
+        galley.size().x + ARROW
+    }
+
+    fn show(&self, ui: &mut Ui, short: bool) -> Option<T> {
+        let mut chosen = None;
+        let (small, name) = self.names();
+        let shown = if short { small } else { name };
+        let list = ComboBox::from_id_salt(&self.of)
+            .selected_text(egui::RichText::new(shown).size(size::SMALL))
+            .width(0.0)
+            .height(360.0);
+        let list = list.show_ui(ui, |ui| {
+            for (one, _, name) in &self.offered {
+                if ui.selectable_label(*one == self.current, *name).clicked() {
+                    chosen = Some(*one);
+                }
+            }
+        });
+        widgets::label(&list.response, self.of.as_str());
+        chosen.filter(|one| *one != self.current)
+    }
+}
+
+/// What is chosen in the bar beside the chart itself.
+enum Other<'a> {
+    Component(Choice<'a, Component>),
+    Joint(Choice<'a, usize>),
+    /// What a scatter has across, 0, or upwards, 1.
+    Axis(usize, Choice<'a, Quantity>),
+}
+
+impl Other<'_> {
+    fn width(&self, ui: &Ui) -> f32 {
+        match self {
+            Self::Component(choice) => choice.width(ui, false),
+            Self::Joint(choice) => choice.width(ui, false),
+            Self::Axis(_, choice) => choice.width(ui, false),
+        }
+    }
+
+    /// Shows it, and says what was chosen. Of a chart that is alone the view keeps it, so that the
+    /// workspace shows the same; of one of several its pane.
+    fn show(&self, ui: &mut Ui, workbench: &Workbench, place: Place<'_>) -> Option<Command> {
+        let alone = place.number.is_none();
+        match self {
+            Self::Component(choice) => choice.show(ui, false).map(|component| {
+                if alone && place.pane.component.is_none() {
+                    return Command::Component(component);
+                }
+                changed(workbench, place.key, |pane| {
+                    pane.component = Some(component);
+                })
+            }),
+            Self::Joint(choice) => choice.show(ui, false).map(|joint| {
+                if alone && place.pane.joint.is_none() {
+                    return Command::ChartJoint(joint);
+                }
+                changed(workbench, place.key, |pane| pane.joint = Some(joint))
+            }),
+            Self::Axis(k, choice) => choice.show(ui, false).map(|quantity| {
+                let mut axes = scatter::axes(&workbench.scene_in(place.pane));
+                axes[*k] = quantity;
+                changed(workbench, place.key, |pane| pane.axes = Some(axes))
+            }),
+        }
+    }
+}
+
+fn charts<'a>(
+    workbench: &Workbench,
+    current: &dyn Kind,
+    place: Place<'_>,
+) -> Choice<'a, &'static str> {
+    let scene = workbench.scene();
+    let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
+    let offered = offered.map(|chart| chart.about());
+    Choice {
+        of: place.own(say!("Choose chart")),
+        offered: offered.map(|a| (a.id, a.short(), a.name())).collect(),
+        current: current.about().id,
+    }
+}
+
+fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> {
+    let planar = scene.subject.session.samples.z_mm.is_none();
+    let offered = Component::ALL.into_iter();
+    let offered = offered.filter(|c| !(planar && c.out_of_plane()));
+    Choice {
+        of: place.own(say!("Component")),
+        offered: offered.map(|c| (c, c.name(), c.name())).collect(),
+        current: scene.component(),
+    }
+}
+
+/// The joints, where there are several.
+fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> {
+    let joints = &scene.subject.session.robot.joints;
+    let offered = joints.iter().enumerate();
+    (joints.len() > 1).then(|| Choice {
+        of: place.own(say!("Joint of the chart")),
+        offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
+        current: scene.joint(),
+    })
+}
+
+fn bar(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (place, kind, scene): (Place<'_>, &dyn Kind, &Scene<'_>),
+    first: First<'_>,
+    commands: &mut Vec<Command>,
+) {
+    let about = kind.about();
+    let charts = charts(workbench, kind, place);
+    let quantities = match about.of {
+        Of::Quantities => scatter::named(scene),
+        Of::Component | Of::Joint | Of::All => Vec::new(),
+    };
+    let mut others = Vec::new();
+    match about.of {
+        Of::All => {}
+        Of::Component => others.push(Other::Component(components(scene, place))),
+        Of::Joint => {
+            others.push(Other::Component(components(scene, place)));
+            others.extend(joints(scene, place).map(Other::Joint));
+        }
+        Of::Quantities => {
+            let axes = scatter::axes(scene);
+            for (k, of) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
+                let offered = quantities.iter();
+                let choice = Choice {
+                    of: place.own(of),
+                    offered: offered.map(|(q, name)| (*q, &**name, &**name)).collect(),
+                    current: axes[k],
+                };
+                others.push(Other::Axis(k, choice));
+            }
+        }
+    }
+    let beside = others.iter().map(|other| other.width(ui) + space::ROW);
+    let beside: f32 = beside.sum();
+    // What there is no room for stands below, and the marks are in the menu of the handle as well.
+    let room = ui.available_width() - HANDLE;
+    let with =
+        |marks: f32, beside: f32, short: bool| charts.width(ui, short) + beside + marks <= room;
+    let short = !with(MARKS, beside, false);
+    let one_row = with(0.0, beside, true);
+    let marks = with(MARKS, if one_row { beside } else { 0.0 }, true);
+    let mut chosen = Vec::new();
+    widgets::row(ui, |ui| {
+        ui.spacing_mut().item_spacing.x = space::ROW;
+        first(ui, commands);
+        if let Some(chart) = charts.show(ui, short) {
+            let panes = workbench.with_choice(place.key, chart);
+            commands.push(Command::Panes(Box::new(panes)));
+        }
+        if one_row {
+            let others = others.iter();
+            chosen.extend(others.filter_map(|other| other.show(ui, workbench, place)));
+        }
+        if marks {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.x = space::TIGHT;
+                signs(ui, (place, kind, scene), commands);
+            });
+        }
+    });
+    if !one_row {
+        ui.horizontal_wrapped(|ui| {
+            let others = others.iter();
+            chosen.extend(others.filter_map(|other| other.show(ui, workbench, place)));
+        });
+    }
+    commands.extend(chosen);
+}
+
+/// What is done with a chart: what it means, its numbers, its picture.
+fn signs(
+    ui: &mut Ui,
+    (place, kind, scene): (Place<'_>, &dyn Kind, &Scene<'_>),
+    commands: &mut Vec<Command>,
+) {
+    let about = kind.about();
+    let before = commands.len();
+    picture(ui, Plot::Chart(about.id), commands);
+    let plot = Plot::Chart(about.id).said();
+    let says = say!("Save data of the {plot}…", plot = plot);
+    if widgets::data_button(ui, &says).clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Numbers(about.id)));
+    }
+    let fit = place.own(say!("Fit chart to view"));
+    gestures::fit(ui, &fit, Command::FitChart(place.key), commands);
+    if commands.len() > before {
+        // Of two that show the same it is this one.
+        commands.insert(before, Command::Activate(place.key));
+    }
+    copies::chart_button(ui, about.name(), || kind.numbers(scene).tabbed());
+    widgets::question(ui, about.word);
+}
