@@ -12,8 +12,8 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
-use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::scale::stride;
 use crate::gui::core::search::{Search, terms};
 use crate::lanes::minus;
