@@ -57,7 +57,7 @@ fn geometry_alone_comes_as_near_to_the_truth_as_a_least_squares_of_everything() 
             .unwrap();
             for answer in [&with, &without] {
                 assert!(answer.quality.converged, "{name}: {:?}", answer.quality);
-                assert_eq!(answer.notes, Vec::<String>::new(), "{name}");
+                assert_eq!(answer.notes, [], "{name}");
                 let unseen = answer.held_out.unwrap().after.rms_mm;
                 assert!(
                     unseen <= 1.05 * from_truth_mm,
@@ -80,7 +80,7 @@ fn what_is_shared_with_the_frame_belongs_to_the_frame_and_two_sessions_agree() {
         let said = |a: &Identification| -> Vec<String> {
             let first = |n: &str| n.split(" with ").next().unwrap().to_owned();
             let all = a.not_identifiable.iter();
-            all.map(|n| first(&n.combination)).collect()
+            all.map(|n| first(&n.combination.to_string())).collect()
         };
         // The arms are not the same, what cannot be told is.
         assert_eq!(said(&answers[0]), said(&answers[1]), "{kind}");

@@ -345,6 +345,7 @@ fn a_search_that_is_stopped_says_what_is_proven_until_then_where_that_is_wanted(
         stopped
             .unexplained
             .says
+            .to_string()
             .starts_with("the search was stopped")
     );
     assert_eq!(stopped.verdict, Verdict::PartlyExplained);

@@ -171,7 +171,12 @@ fn the_urdf_of_an_arm_leads_where_the_arm_leads() {
             .fold(0.0, f64::max);
         assert!(off < 1e-9, "{q:?}: {tool} {wanted:?}");
     }
-    let says = made.notes.join("\n");
+    let says = made
+        .notes
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("\n");
     assert!(
         says.contains("backlash of joint 2 has no place in a URDF: it leaves"),
         "{says}"

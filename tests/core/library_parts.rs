@@ -110,7 +110,7 @@ fn a_pose_of_another_robot_is_nowhere() {
             speed: Some(vec![]),
             load_kg: Some(f64::NAN),
             temperature_c: None,
-            why: "a,b\n".into(),
+            why: truepose::text::Text::verbatim("a,b\n"),
         };
         let _ = measuring_list(&[pose.clone()], &robot);
         for language in LANGUAGES {

@@ -169,10 +169,10 @@ fn every_kind_finds_the_same_robot_as_a_least_squares_of_everything() {
 fn what_is_open_is_counted_and_said() {
     for name in CASES {
         let answer = identified(&session(name));
-        let said: Vec<&str> = answer
+        let said: Vec<String> = answer
             .not_identifiable
             .iter()
-            .map(|n| n.combination.as_str())
+            .map(|n| n.combination.to_string())
             .collect();
         let frame = said
             .iter()

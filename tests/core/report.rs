@@ -428,8 +428,8 @@ fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
     assert!(!said.contains("did not converge"));
     found.identification.quality.converged = false;
     found.identification.not_identifiable = vec![NotIdentifiable {
-        combination: "offset_deg with about_z_mrad".to_owned(),
-        because: "the samples show only their sum".to_owned(),
+        combination: truepose::text::Text::verbatim("offset_deg with about_z_mrad"),
+        because: truepose::text::Text::verbatim("the samples show only their sum"),
     }];
     let said = page(&found);
     for part in ["the fit did not converge", "offset_deg with about_z_mrad"] {

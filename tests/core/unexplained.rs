@@ -39,9 +39,9 @@ fn correction(d: &Diagnosis) -> &Correction {
     }
 }
 
-fn refused(d: &Diagnosis) -> &str {
+fn refused(d: &Diagnosis) -> String {
     match &d.unexplained.correction {
-        Some(Err(because)) => because,
+        Some(Err(because)) => because.to_string(),
         other => panic!("not refused: {other:?}"),
     }
 }
@@ -268,7 +268,7 @@ fn a_table_with_it_brings_the_real_robot_closer() {
     )
     .unwrap();
     assert_eq!(table.forward[0], table.forward[5]);
-    let part = |note: &&String| note.contains("unexplained smooth correction");
+    let part = |note: &&truepose::text::Text| note.contains("unexplained smooth correction");
     assert_eq!(
         table.notes.iter().filter(part).count(),
         1,
