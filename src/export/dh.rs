@@ -27,6 +27,7 @@ use crate::kinematics::{DhConvention, DhRow, JointKind, Pose, Robot, RobotSource
 use crate::sessions::format_v1::robot::{POSE, outer};
 use crate::sessions::format_v1::robot_source::DH_ROWS;
 use crate::sessions::parse_robot;
+use crate::text::Text;
 use crate::units::rad_from_deg;
 
 pub(super) const FORMAT: Format = Format {
@@ -72,7 +73,7 @@ impl Exporter for Dh {
             } else {
                 text!(
                     "rows cannot say how parallel axes are turned against each other about y (joints {joints}): {far} mm remain at most over the measured range",
-                    joints = parallels.join(", "),
+                    joints = Text::listed(parallels, ", "),
                     far = far
                 )
             });
@@ -103,11 +104,11 @@ impl Exporter for Dh {
 }
 
 /// Neighbouring joints whose axes are parallel, counted from 1.
-fn parallels(robot: &Robot) -> Vec<String> {
+fn parallels(robot: &Robot) -> Vec<Text> {
     let pairs = robot.joints.windows(2).enumerate();
     pairs
         .filter(|(_, pair)| parallel(&pair[0].axis, &pair[1].axis))
-        .map(|(k, _)| format!("{} and {}", k + 1, k + 2))
+        .map(|(k, _)| text!("{a} and {b}", a = k + 1, b = k + 2))
         .collect()
 }
 
