@@ -78,7 +78,7 @@ pub fn filled_in(window: &mut Window) {
     type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");
-    press(window, "the one in this file");
+    press(window, "from this file");
     type_into(window, "File of the robot", "robot.json");
     type_into(window, "File of the commands", "commands.csv");
     press(window, "by name");
@@ -94,7 +94,7 @@ pub fn filled_in(window: &mut Window) {
 pub fn arm_asked(window: &mut Window) {
     open(window, Path::new("tracker.csv"));
     type_into(window, "Name of the session", "cell arm");
-    for answer in ["The columns are right", "the one in this file"] {
+    for answer in ["The columns are right", "from this file"] {
         if there(window, answer) {
             press(window, answer);
         }

@@ -120,7 +120,7 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
                 text!("the samples do not depend on it: it is held at zero")
             } else {
                 text!(
-                    "the samples show only their sum: {own} is held at zero, the others carry it",
+                    "only the combination is observable: {own} is held at zero, the others carry it",
                     own = own
                 )
             },

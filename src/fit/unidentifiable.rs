@@ -26,7 +26,7 @@ pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifia
         let because = if listed.len() == 1 {
             text!("the samples do not depend on it")
         } else {
-            text!("the samples show only their sum: a change of one can be undone by the others")
+            text!("only the combination is observable: a change of one can be undone by the others")
         };
         NotIdentifiable {
             combination: together(listed.into_iter().cloned()),

@@ -184,7 +184,7 @@ actions! {
     EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
     ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |_| sheet(Sheet::ROBOTS);
-    NEW: COMMAND, N, phrase!("new by simulation"), |_| say!("New by simulation…").into(),
+    NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
         |_| sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
         |_| Command::ChooseWhereToSave, [when(MEASURED)];
@@ -206,7 +206,7 @@ actions! {
     RECORD: SHIFTED, L, phrase!("record from an instrument"), |_| say!("Record from instrument…").into(),
         |_| sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, phrase!("read the file again"), |_| say!("Read the file again").into(),
-        |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), phrase!("The session is in no file yet")))];
+        |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), phrase!("The session has not been saved yet")))];
     FOLLOW: COMMAND, L, phrase!("follow the file, or stop"), follow_says,
         |now| Command::Follow(now.workbench.following().is_none()),
         [when(need(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some(), phrase!("The samples are in no file of their own")))];

@@ -165,7 +165,7 @@ const NAMES: &[(&[Template], Word)] = &[
         LIBRARY,
     ),
     (&[phrase!("samples")], SAMPLES),
-    (&[phrase!("came from")], DIRECTION),
+    (&[phrase!("approach")], DIRECTION),
     (&[phrase!("speed")], SPEED),
     (&[phrase!("load")], LOAD),
     (&[phrase!("temperature")], TEMPERATURE),
@@ -174,7 +174,7 @@ const NAMES: &[(&[Template], Word)] = &[
     (&[phrase!("compensated")], COMPENSATED),
     (&[phrase!("measured range"), phrase!("measured")], RANGE),
     (&[phrase!("widest hole")], HOLE),
-    (&[phrase!("took")], TOOK),
+    (&[phrase!("duration")], TOOK),
     (&[phrase!("testable effects")], SHOWS),
     (&[phrase!(in "export", "without it")], WITHOUT),
     (

@@ -191,7 +191,7 @@ impl KrlReader<'_> {
             self.run_time(
                 at,
                 text!(
-                    "{command} moves by a way from where the robot is",
+                    "{command} is a relative motion",
                     command = command
                 ),
             );

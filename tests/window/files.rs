@@ -96,7 +96,7 @@ fn a_simulated_session_is_asked_about_and_one_that_was_saved_is_not() {
     assert!(says(&window, "122 samples · RMS error"));
     assert!(says(&window, "not saved"));
     keys(&mut window, Modifiers::NONE, Key::F3);
-    assert!(says(&window, "is in no file"));
+    assert!(says(&window, "has not been saved"));
     press(&mut window, "Cancel");
     let path = folder.path().join("made.json");
     save_to(&mut window, &path);
@@ -270,9 +270,9 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     // Two windows start; the first one offers it, the second does not.
     let mut window = window_at(None, Some(&home));
     let mut second = window_at(None, Some(&home));
-    assert!(says(&window, "Not saved when the program ended"));
+    assert!(says(&window, "Recover unsaved work"));
     assert!(says(&window, "less than a minute ago") && says(&window, "paper-30.json"));
-    assert!(!says(&second, "Not saved when the program ended"));
+    assert!(!says(&second, "Recover unsaved work"));
     second.run_steps(2);
     press(&mut window, "Restore");
     assert!(says(&window, "30 samples · RMS error") && says(&window, "not saved"));
@@ -288,11 +288,11 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     let mut window = window_at(None, Some(&home));
     assert_eq!(window.query_all_by_label("Restore").count(), 1);
     press(&mut window, "Discard");
-    assert!(!says(&window, "Not saved when the program ended"));
+    assert!(!says(&window, "Recover unsaved work"));
     drop(window);
     drop(second);
     let window = window_at(None, Some(&home));
-    assert!(!says(&window, "Not saved when the program ended"));
+    assert!(!says(&window, "Recover unsaved work"));
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn what_was_found_comes_back_after_a_kill_although_the_session_is_saved() {
     // Killed; the session's own file was never touched.
     drop(window);
     let mut window = window_at(Some(session), Some(&home));
-    assert!(says(&window, "Not saved when the program ended"));
+    assert!(says(&window, "Recover unsaved work"));
     press(&mut window, "Restore");
     let after = |line: &str| {
         let gaps = line.split(" mm").next().unwrap_or_default();
@@ -371,7 +371,7 @@ fn what_is_saved_leaves_no_recovery_file() {
     seconds(&mut window, 4);
     drop(window);
     let window = window_at(None, Some(&home));
-    assert!(!says(&window, "Not saved when the program ended"));
+    assert!(!says(&window, "Recover unsaved work"));
 }
 
 #[test]

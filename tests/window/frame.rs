@@ -152,7 +152,7 @@ fn a_wrong_file_is_explained_and_nothing_is_lost() {
 #[test]
 fn a_session_made_by_simulation_gives_back_what_went_in() {
     let mut window = window(None);
-    press(&mut window, "New by simulation…");
+    press(&mut window, "Simulate session…");
     press(&mut window, "Simulate");
     assert!(
         status(&window).starts_with("122 samples"),
@@ -260,7 +260,7 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
 fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
     let mut window = window(None);
     let shown = |window: &Window| {
-        let items = ["Quit", "Preferences…", "Usual size", "About truepose"];
+        let items = ["Quit", "Preferences…", "Reset zoom", "About truepose"];
         items.map(|item| there(window, item))
     };
     press(&mut window, "File");

@@ -182,7 +182,7 @@ fn number(window: &Window, label: &str) -> Option<f64> {
 #[test]
 fn text_that_is_no_number_is_refused_beside_its_field_and_the_value_kept() {
     let mut window = window(None);
-    press(&mut window, "New by simulation…");
+    press(&mut window, "Simulate session…");
     for (text, because) in [
         ("abc", "'abc' is no number; the value is kept"),
         ("8 furlongs", "'furlongs' is no unit here"),

@@ -36,7 +36,7 @@ fn a_table_with_semicolons_and_commas_becomes_a_session() {
     assert!(says(&window, "Import tracker.txt"));
     assert!(says(&window, "361 rows · separated by semicolons"));
     assert!(
-        says(&window, "Say whose robot was measured"),
+        says(&window, "Choose the robot that was measured"),
         "nothing is guessed"
     );
     press(&mut window, "that of the example The paper's full run");
@@ -114,7 +114,7 @@ fn a_robot_that_cannot_be_read_is_said_on_the_sheet() {
     let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
     let mut window = window(None);
     open(&mut window, &path);
-    press(&mut window, "the one in this file");
+    press(&mut window, "from this file");
     assert!(says(&window, "Say which file the robot is in"));
     type_into(&mut window, "File of the robot", "no such robot.json");
     assert!(says(&window, "no such robot.json: no such file"));
@@ -175,7 +175,7 @@ fn guessed_columns_have_to_be_confirmed() {
     assert!(says(&window, "4 of 5 columns are guessed"));
     press(&mut window, "The columns are right");
     assert!(!says(&window, "columns are guessed"));
-    assert!(says(&window, "Say whose robot was measured"));
+    assert!(says(&window, "Choose the robot that was measured"));
     press(&mut window, "Cancel");
     assert!(says(&window, "208 samples · RMS error"));
 }
@@ -186,7 +186,7 @@ fn alignment_shows_how_far_each_point_is_off() {
     open(&mut window, &walk("tracker.txt"));
     press(&mut window, "mm");
     press(&mut window, "The columns are right");
-    press(&mut window, "the one in this file");
+    press(&mut window, "from this file");
     type_path(&mut window, "File of the robot", &walk("robot.json"));
     assert!(says(&window, "inspection column: one joint that turns"));
     assert!(
@@ -228,7 +228,7 @@ fn two_logs_are_matched_by_their_clocks() {
     let mut window = window(None);
     open(&mut window, &quirk("motive.csv"));
     assert!(there(&window, "y points up: turn it so that z does"));
-    press(&mut window, "the one in this file");
+    press(&mut window, "from this file");
     type_path(&mut window, "File of the robot", &quirk("robot.json"));
     type_path(
         &mut window,
@@ -347,7 +347,7 @@ fn a_robot_of_a_urdf_file_is_named_by_its_links() {
     fs::write(&urdf, text).expect("written");
     let mut window = window(None);
     open(&mut window, &path);
-    press(&mut window, "the one in this file");
+    press(&mut window, "from this file");
     type_path(&mut window, "File of the robot", &urdf);
     type_into(&mut window, "Link of the base", "base");
     type_into(&mut window, "Link of the tool", "tool");

@@ -492,7 +492,7 @@ fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() 
         "1 Session",
         "5 Export",
         "Open…",
-        "New by simulation…",
+        "Simulate session…",
         "Continue to regions",
         "Hide results",
         "heat map",

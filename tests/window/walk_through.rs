@@ -46,7 +46,7 @@ fn import(window: &mut Window) {
     type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");
-    press(window, "the one in this file");
+    press(window, "from this file");
     type_path(window, "File of the robot", &raw("robot.json"));
     type_path(window, "File of the commands", &raw("commands.csv"));
     press(window, "by name");

@@ -30,7 +30,7 @@ fn language(
     let languages = LANGUAGES
         .iter()
         .map(|(one, _, own)| (Some(*one), name(own)));
-    let languages: Vec<_> = std::iter::once((None, say!("as the system")))
+    let languages: Vec<_> = std::iter::once((None, say!("System")))
         .chain(languages)
         .collect();
     choice(ui, say!("Language"), &languages, &mut next.language);
@@ -79,7 +79,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let signs = [(false, "1.5"), (true, "1,5")];
     choice(ui, say!("Decimal sign"), &signs, &mut next.decimal_comma);
     let themes = [
-        (Theme::System, say!("as the system")),
+        (Theme::System, say!("System")),
         (Theme::Light, say!("light")),
         (Theme::Dark, say!("dark")),
     ];

@@ -10,7 +10,7 @@ use crate::gui::workbench::{Command, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
-    widgets::heading(ui, say!("Not saved when the program ended"));
+    widgets::heading(ui, say!("Recover unsaved work"));
     widgets::hint(
         ui,
         say!(

@@ -11,7 +11,7 @@ use crate::gui::workbench::Command;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, say!("New by simulation"));
+    widgets::heading(ui, say!("Simulate session"));
     widgets::hint(
         ui,
         say!(

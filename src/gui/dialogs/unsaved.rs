@@ -33,12 +33,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &m
                 name = name,
                 file = file.to_string_lossy()
             ),
-            None => say!("The session {name} is in no file", name = name),
+            None => say!("The session {name} has not been saved", name = name),
         });
     }
     if losses.model {
         ui.label(say!(
-            "What was identified from {name} is in no file",
+            "What was identified from {name} has not been saved",
             name = name
         ));
     }

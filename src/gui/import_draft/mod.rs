@@ -217,7 +217,7 @@ impl Foreign {
             return so(say!("Give the session a name"));
         }
         match (&self.said.robot, &self.seen.robot) {
-            (RobotFrom::Open, _) => return so(say!("Say whose robot was measured")),
+            (RobotFrom::Open, _) => return so(say!("Choose the robot that was measured")),
             (_, None) => return so(say!("Say which file the robot is in")),
             (_, Some(Err(because))) => {
                 let reason = because.first().cloned();

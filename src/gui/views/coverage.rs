@@ -118,8 +118,8 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
             );
         }
         let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
-        of_joints(ui, phrase!("came from"), &came_from, |k| {
-            say!("came from, joint {joint}", joint = k)
+        of_joints(ui, phrase!("approach"), &came_from, |k| {
+            say!("approach, joint {joint}", joint = k)
         });
         let speeds: Vec<String> = survey.joints.iter().map(speeds).collect();
         of_joints(ui, phrase!("speed"), &speeds, |k| {
@@ -134,7 +134,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         let time = survey
             .duration_s
             .map_or_else(|| say!("not recorded").to_owned(), duration);
-        widgets::fact_of(ui, phrase!("took"), time);
+        widgets::fact_of(ui, phrase!("duration"), time);
     });
 }
 
@@ -287,9 +287,9 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
 fn sides(joint: &JointSurvey) -> String {
     match joint.from_sides {
         [0, 0] => say!("not recorded").to_owned(),
-        [0, up] => say!("{up} below, none above", up = up),
-        [down, 0] => say!("none below, {down} above", down = down),
-        [down, up] => say!("{up} below, {down} above", up = up, down = down),
+        [0, up] => say!("{up} +", up = up),
+        [down, 0] => say!("{down} −", down = down),
+        [down, up] => say!("{up} +, {down} −", up = up, down = down),
     }
 }
 

@@ -257,7 +257,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
         );
         if made.gap.is_some() {
             let says = say!(
-                "Over the samples: noise, and loads and warmth that no table knows, are in it; what the model by itself promises stands below"
+                "Includes noise, load and temperature effects that a table cannot correct; the model's own figure stands below"
             );
             widgets::hint(ui, says);
         }
@@ -280,7 +280,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
             widgets::fact_of(ui, phrase!("not correctable by joint commands"), stays);
             if gap.rms_mm < made.remainder.rms_mm {
                 let says =
-                    say!("The model says that more stays than was measured: it is not the robot");
+                    say!("The predicted residual exceeds the measured one: the model does not fit");
                 widgets::hint(ui, says);
             }
         }

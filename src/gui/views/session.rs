@@ -45,7 +45,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands.push(Command::ChooseFile);
     }
     path_field(ui, commands);
-    if widgets::secondary(ui, say!("New by simulation…")).clicked() {
+    if widgets::secondary(ui, say!("Simulate session…")).clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
     if widgets::secondary(ui, say!("Robots…")).clicked() {

@@ -145,7 +145,7 @@ pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String>
         };
         (count < scene.samples).then(|| {
             say!(
-                "1 of {one_of} {what}: {why}",
+                "showing 1 in {one_of} {what}; {why}",
                 one_of = one_of(count),
                 what = what,
                 why = why
@@ -225,7 +225,7 @@ mod tests {
         assert!(at(0.02) > at(0.1));
         assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
         let says = drawn(&scene, at(1.5));
-        assert_eq!(says[1], "1 of 667 vectors: zoom in for more");
+        assert_eq!(says[1], "showing 1 in 667 vectors; zoom in for more");
         assert!(drawn(&scene, [1_000_000; 2]).is_empty());
     }
 

@@ -88,8 +88,8 @@ fn how(guess: &ColumnGuess) -> &'static str {
     }
     match guess.known {
         Known::Said => say!("as you said"),
-        Known::Certain => say!("for certain"),
-        Known::FromHeading => say!("guessed from the header"),
+        Known::Certain => say!("certain"),
+        Known::FromHeading => say!("from header, please confirm"),
         Known::FromContent => say!("guessed from the values"),
     }
 }

@@ -58,7 +58,7 @@ pub(super) fn path(
     ui.horizontal_wrapped(|ui| {
         for path in now.neighbours.suiting(which) {
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            let text = say!("Use {file}, which lies beside it", file = file);
+            let text = say!("Use {file} from the same folder", file = file);
             let link = ui.link(RichText::new(text).size(size::SMALL));
             name(
                 ui,

@@ -34,7 +34,7 @@ pub(super) fn show(
     }
     let file = RobotFrom::Open.of_file(String::new());
     if ui
-        .radio(is(&next.robot, &file), say!("the one in this file"))
+        .radio(is(&next.robot, &file), say!("from this file"))
         .clicked()
         && !is(&next.robot, &file)
     {

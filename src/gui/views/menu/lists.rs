@@ -61,7 +61,7 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
             now > *ZOOM.start(),
         ),
         (
-            say!("Usual size"),
+            say!("Reset zoom"),
             kb_shortcuts::ZOOM_RESET,
             |ctx: &Context| ctx.set_zoom_factor(1.0),
             (now - 1.0).abs() > 1e-3,
