@@ -148,10 +148,9 @@ impl Compensate {
             measured_frame: self.measured_frame,
         })
         .map_err(|error| match error {
-            CompensateError::Differs(differences) => Failure::WrongAt(
-                self.targets.display().to_string(),
-                Text::verbatim(differences.to_string()),
-            ),
+            CompensateError::Differs(differences) => {
+                Failure::WrongAt(self.targets.display().to_string(), differences.says())
+            }
             other => other.into(),
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());

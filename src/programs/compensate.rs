@@ -115,7 +115,7 @@ impl CompensateError {
             Self::NoMeasuredFrame => text!(
                 "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
             ),
-            Self::Differs(differences) => Sentence::verbatim(differences.to_string()),
+            Self::Differs(differences) => differences.says(),
             Self::Several { what, names } => text!(
                 "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the program declares it",
                 what = what,

@@ -190,10 +190,7 @@ impl KrlReader<'_> {
         if name.ends_with("_rel") {
             self.run_time(
                 at,
-                text!(
-                    "{command} is a relative motion",
-                    command = command
-                ),
+                text!("{command} is a relative motion", command = command),
             );
             return Ok(());
         }

@@ -115,25 +115,55 @@ pub struct Difference {
     /// What the program calls it.
     pub name: String,
     /// The program's value, in words.
-    pub program: String,
+    pub program: Sentence,
     /// The model's value, in words.
-    pub model: String,
+    pub model: Sentence,
+}
+
+impl Difference {
+    /// In a sentence.
+    pub fn says(&self) -> Sentence {
+        let (line, column) = self.place;
+        // A name that is only the numbers again says nothing.
+        let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
+        let name = if named {
+            format!(" {}", self.name)
+        } else {
+            String::new()
+        };
+        let (program, model) = (&self.program, &self.model);
+        let says = match self.what {
+            Differing::Tool => text!(
+                "the program's tool{name} is {program}; the model's is {model}",
+                name = name,
+                program = program,
+                model = model
+            ),
+            Differing::Frame => text!(
+                "the program's frame{name} is {program}; the model's is {model}",
+                name = name,
+                program = program,
+                model = model
+            ),
+            Differing::Load => text!(
+                "the program's load{name} is {program}; the model's is {model}",
+                name = name,
+                program = program,
+                model = model
+            ),
+        };
+        text!(
+            "line {line}, column {column}: {says}",
+            line = line,
+            column = column,
+            says = says
+        )
+    }
 }
 
 impl std::fmt::Display for Difference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (line, column) = self.place;
-        // A name that is only the numbers again says nothing.
-        let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
-        let name = if named { self.name.as_str() } else { "" };
-        let blank = if named { " " } else { "" };
-        write!(
-            f,
-            "line {line}, column {column}: the program's {}{blank}{name} is {}; the model's is {}",
-            self.what.name(),
-            self.program,
-            self.model
-        )
+        self.says().fmt(f)
     }
 }
 
@@ -255,11 +285,11 @@ pub(super) fn settled(
     tools.extend(numeric(named, &program.tools));
     let mut notes = Vec::new();
     let mut differ = Vec::new();
-    let says = |what, name: &str, (at, pose): &(usize, Pose), model: String| Difference {
+    let says = |what, name: &str, (at, pose): &(usize, Pose), model: Sentence| Difference {
         what,
         place: text.place(*at),
         name: name.to_owned(),
-        program: in_words(pose, turns),
+        program: Sentence::verbatim(in_words(pose, turns)),
         model,
     };
 
@@ -286,9 +316,12 @@ pub(super) fn settled(
             differ.extend(others.map(|(name, found)| {
                 let words = in_words(&model, turns);
                 let own = if tool.is_some() || model != Pose::identity() {
-                    words
+                    Sentence::verbatim(words)
                 } else {
-                    format!("{words} (its tool frame is taken for the flange)")
+                    text!(
+                        "{pose} (its tool frame is taken for the flange)",
+                        pose = words
+                    )
                 };
                 says(Differing::Tool, name, found, own)
             }));
@@ -314,7 +347,10 @@ pub(super) fn settled(
                 .iter()
                 .filter(|(_, (_, pose))| !same(pose, &identity));
             differ.extend(others.map(|(name, found)| {
-                let own = format!("the robot's base, {}", in_words(&identity, turns));
+                let own = text!(
+                    "the robot's base, {pose}",
+                    pose = in_words(&identity, turns)
+                );
                 says(Differing::Frame, name, found, own)
             }));
             None
@@ -434,9 +470,9 @@ fn load(
     };
     let inside = |kg: f64| own.is_none_or(|[a, b]| kg >= a - SAME_KG && kg <= b + SAME_KG);
     let range = || match own {
-        Some([a, b]) if b - a <= SAME_KG => format!("{a} kg"),
-        Some([a, b]) => format!("{a} to {b} kg"),
-        None => "not in the model".to_owned(),
+        Some([a, b]) if b - a <= SAME_KG => Sentence::verbatim(format!("{a} kg")),
+        Some([a, b]) => text!("{least} to {most} kg", least = a, most = b),
+        None => text!("not in the model"),
     };
     match (request.frames.load, &stated[..]) {
         (Holds::Given(kg), _) => {
@@ -470,9 +506,9 @@ fn load(
         what: Differing::Load,
         place: text.place(load.at),
         name: load.name.clone(),
-        program: format!("{kg} kg"),
+        program: Sentence::verbatim(format!("{kg} kg")),
         model: if several {
-            format!("{}, and the program states several", range())
+            text!("{range}, and the program states several", range = range())
         } else {
             range()
         },
@@ -536,11 +572,9 @@ fn depends_on_load(calibration: &Calibration, stated: &[(f64, StatedLoad)]) -> b
 #[derive(Debug, Clone, PartialEq)]
 pub struct Differences(pub Vec<Difference>);
 
-impl std::fmt::Display for Differences {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for difference in &self.0 {
-            writeln!(f, "{difference}")?;
-        }
+impl Differences {
+    /// A line for each, and how to settle them.
+    pub fn says(&self) -> Sentence {
         let any = |what| self.0.iter().any(|d| d.what == what);
         let options = [
             (Differing::Tool, "--tool X,Y,Z,A,B,C"),
@@ -549,12 +583,18 @@ impl std::fmt::Display for Differences {
         ];
         let own = options.into_iter().filter(|(what, _)| any(*what));
         let own: Vec<&str> = own.map(|(_, option)| option).collect();
-        write!(
-            f,
-            "say which holds: {}, --as-programmed (as the program writes it) or --as-modelled (as in the model, \
-             whatever the program says)",
-            own.join(", ")
-        )
+        let how = text!(
+            "say which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
+            options = own.join(", ")
+        );
+        let each = self.0.iter().map(Difference::says);
+        Sentence::listed(each.chain([how]), "\n")
+    }
+}
+
+impl std::fmt::Display for Differences {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.says().fmt(f)
     }
 }
 
