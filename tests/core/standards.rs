@@ -431,8 +431,9 @@ fn the_command_prints_one_document_and_refuses_another_robots_model() {
     );
     let text = truepose(&["standards", session]);
     let text = String::from_utf8(text.stdout).unwrap();
-    assert!(text.contains("ISO 230-2, joint 1 (a), arcsec"), "{text}");
-    assert!(text.contains("ISO 9283, mm: 18 poses"), "{text}");
+    assert!(text.contains("Joint 1 (a), ISO 230-2"), "{text}");
+    assert!(text.contains("As measured, arcsec"), "{text}");
+    assert!(text.contains("Poses, ISO 9283\n  18 poses"), "{text}");
 
     let lamp = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-30.json");
     let model = folder.path().join("model.json");

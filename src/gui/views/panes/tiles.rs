@@ -20,7 +20,7 @@ use super::pane::contents;
 const GAP: f32 = 4.0;
 /// The least width and height of the workspace and of a chart with their bars, points: so much can be
 /// read.
-const WORKSPACE: [f32; 2] = [MIDDLE, 300.0];
+const WORKSPACE: [f32; 2] = [MIDDLE, 336.0];
 const CHART: [f32; 2] = [244.0, 252.0];
 /// No pane has such a number.
 const SPLITS: u64 = 1 << 32;
