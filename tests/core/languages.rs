@@ -161,6 +161,8 @@ fn whatever_the_terminal_says_is_a_sentence_of_the_catalogues() {
         "nonsense",
         "cell",
         "tspot",
+        "tspotX",
+        "X,Y,Z,A,B,C",
         "QW",
         "QX",
         "QY",

@@ -60,6 +60,8 @@ pub(crate) fn show(
         ROOMY
     };
     let roomy = beside_first > least && beside.is_none();
+    // A row of its own would take a sixth of a low plot: before that the slider stands without its words.
+    let bare = !roomy && beside_first > least - WORDS && beside.is_none();
     if let Some(beside) = beside {
         widgets::row(ui, |ui| {
             beside(ui, workbench, commands);
@@ -93,7 +95,7 @@ pub(crate) fn show(
                     everything(ui, workbench, commands);
                 });
             }
-            if blends && roomy {
+            if blends && (roomy || bare) {
                 ui.add_space(space::TIGHT);
                 blend(ui, workbench, commands);
             }
@@ -126,7 +128,7 @@ pub(crate) fn show(
             });
         }
     }
-    if blends && !roomy && beside.is_none() {
+    if blends && !roomy && !bare && beside.is_none() {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench, commands);
@@ -167,6 +169,8 @@ fn plot_of(aspect: Aspect) -> Plot {
 const TITLED: f32 = 440.0;
 const WITH_BLEND: f32 = 590.0;
 const ROOMY: f32 = 420.0;
+/// The words at the ends of the slider from before to after, points.
+const WORDS: f32 = 80.0;
 /// The same with a button for how anything is drawn.
 const ROOMY_FOLDED: f32 = 570.0;
 /// With less room what is seldom changed stands behind a button, points.
@@ -248,6 +252,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
     // Beside the switch of views in a narrow bar.
     let narrow = ui.available_width() < 320.0;
+    let bare = ui.available_width() < 160.0 * stretch();
     let palette = Palette::of(ui);
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
@@ -258,7 +263,9 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         };
         ui.label(text);
     };
-    end(ui, say!("after"), blend >= 1.0);
+    if !bare {
+        end(ui, say!("after"), blend >= 1.0);
+    }
     fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx().accesskit_node_builder(slider.id, |node| {
@@ -268,7 +275,9 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands.push(Command::Blend(blend));
     }
     slider.on_hover_text(blend_says(blend));
-    end(ui, say!("before"), blend <= 0.0);
+    if !bare {
+        end(ui, say!("before"), blend <= 0.0);
+    }
 }
 
 /// What the vectors, the marks and the heat map show.
