@@ -13,7 +13,7 @@ fn it_says_what_was_measured_and_what_that_covers() {
         assert!(says(&window, fact), "{fact}");
     }
     assert!(says(&window, "What the samples cover"));
-    assert!(says(&window, "104 below, 104 above"));
+    assert!(says(&window, "104 +, 104 −"));
     assert!(says(&window, "21 of 22"), "effects that can be tested");
     assert!(there(&window, "Continue to regions"), "what to do next");
 }
