@@ -1,5 +1,6 @@
 //! What the core says, in the language of this thread.
 
+#[cfg(any(feature = "cli", feature = "gui"))]
 use crate::diagnostic::Diagnostic;
 use crate::text::{Text, by_titles, current};
 #[cfg(feature = "gui")]
