@@ -91,6 +91,8 @@ impl Gallery {
         walk::added(&mut window);
         press(&mut window, "4 Export");
         window.state_mut().compensate(Path::new("cell.mod"));
+        window.run_steps(6);
+        press(&mut window, "Tool of the program: the model's tool or base");
         self.picture(&mut window, "arm-compensate")?;
         press(&mut window, "Cancel");
         self.report(&mut window, "arm-report.png")

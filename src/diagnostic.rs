@@ -4,7 +4,6 @@
 //! before it gives up, so that a technician mends a file once and not ten times.
 
 use crate::text::Text;
-use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -81,11 +80,7 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(Place);
 
 /// One finding: what was found, what was expected, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -168,11 +163,7 @@ impl Diagnostic {
     }
 }
 
-impl fmt::Display for Diagnostic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(Diagnostic);
 
 /// An input that was refused: at least one diagnostic is an error.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -201,11 +192,7 @@ impl Rejected {
     }
 }
 
-impl fmt::Display for Rejected {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(Rejected);
 
 /// Findings of one severity that are worth reading; the rest is counted.
 const MOST_FINDINGS: usize = 200;

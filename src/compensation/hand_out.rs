@@ -87,11 +87,7 @@ impl NotHandedOut {
     }
 }
 
-impl std::fmt::Display for NotHandedOut {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(NotHandedOut);
 
 impl std::error::Error for NotHandedOut {}
 

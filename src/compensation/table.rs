@@ -100,11 +100,7 @@ impl TableError {
     }
 }
 
-impl std::fmt::Display for TableError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(TableError);
 
 impl std::error::Error for TableError {}
 

@@ -171,11 +171,7 @@ impl VerifyError {
     }
 }
 
-impl std::fmt::Display for VerifyError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(VerifyError);
 
 impl std::error::Error for VerifyError {}
 

@@ -189,11 +189,7 @@ impl PlanError {
     }
 }
 
-impl std::fmt::Display for PlanError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(PlanError);
 
 impl std::error::Error for PlanError {}
 

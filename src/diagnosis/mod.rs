@@ -190,11 +190,7 @@ impl DiagnoseError {
     }
 }
 
-impl std::fmt::Display for DiagnoseError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(DiagnoseError);
 
 impl std::error::Error for DiagnoseError {}
 

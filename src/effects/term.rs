@@ -155,11 +155,7 @@ impl TermError {
     }
 }
 
-impl std::fmt::Display for TermError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(TermError);
 
 impl std::error::Error for TermError {}
 

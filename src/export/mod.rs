@@ -258,11 +258,7 @@ impl ExportError {
     }
 }
 
-impl std::fmt::Display for ExportError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(ExportError);
 
 impl std::error::Error for ExportError {}
 

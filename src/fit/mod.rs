@@ -77,11 +77,7 @@ impl IdentifyError {
     }
 }
 
-impl std::fmt::Display for IdentifyError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(IdentifyError);
 
 impl std::error::Error for IdentifyError {}
 

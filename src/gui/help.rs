@@ -106,14 +106,7 @@ const NAMES: &[(&[Template], Word)] = &[
         ],
         GAP,
     ),
-    (
-        &[
-            phrase!("largest deviation"),
-            phrase!("largest"),
-            phrase!("largest then"),
-        ],
-        LARGEST,
-    ),
+    (&[phrase!("largest deviation"), phrase!("largest")], LARGEST),
     (
         &[phrase!("tolerance"), phrase!("within tolerance")],
         TOLERANCE,
@@ -177,13 +170,7 @@ const NAMES: &[(&[Template], Word)] = &[
     (&[phrase!("duration")], TOOK),
     (&[phrase!("testable effects")], SHOWS),
     (&[phrase!(in "export", "without it")], WITHOUT),
-    (
-        &[
-            phrase!("model and measurement"),
-            phrase!("measured and model"),
-        ],
-        MODELLED,
-    ),
+    (&[phrase!("model and measurement")], MODELLED),
     (&[phrase!("with corrected commands")], CORRECTED),
     (&[phrase!("entries")], ENTRIES),
     (&[phrase!("file"), phrase!("identified from")], SOURCE),

@@ -134,11 +134,7 @@ impl CompensateError {
     }
 }
 
-impl std::fmt::Display for CompensateError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(CompensateError);
 
 impl std::error::Error for CompensateError {}
 

@@ -161,11 +161,7 @@ impl Difference {
     }
 }
 
-impl std::fmt::Display for Difference {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.says().fmt(f)
-    }
-}
+displays_what_it_says!(Difference);
 
 /// A load that a program states.
 #[derive(Debug, Clone, PartialEq)]
@@ -592,11 +588,7 @@ impl Differences {
     }
 }
 
-impl std::fmt::Display for Differences {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.says().fmt(f)
-    }
-}
+displays_what_it_says!(Differences);
 
 /// A pose as a person types it for a language: mm, and its own angles or a quaternion.
 fn in_words(pose: &Pose, orientation: Orientation) -> String {

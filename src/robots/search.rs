@@ -30,11 +30,7 @@ impl NoSuchRobot {
     }
 }
 
-impl std::fmt::Display for NoSuchRobot {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(NoSuchRobot);
 
 impl std::error::Error for NoSuchRobot {}
 

@@ -64,11 +64,7 @@ impl RegionError {
     }
 }
 
-impl std::fmt::Display for RegionError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(RegionError);
 
 impl std::error::Error for RegionError {}
 

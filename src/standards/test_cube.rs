@@ -116,11 +116,7 @@ impl NoCube {
     }
 }
 
-impl std::fmt::Display for NoCube {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(&self.says(), f)
-    }
-}
+displays_what_it_says!(NoCube);
 
 impl std::error::Error for NoCube {}
 

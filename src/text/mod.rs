@@ -71,6 +71,17 @@ macro_rules! phrase {
     };
 }
 
+/// `Display` of what says itself: in English, as documents and whoever uses the library have it.
+macro_rules! displays_what_it_says {
+    ($what:ty) => {
+        impl ::std::fmt::Display for $what {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                ::std::fmt::Display::fmt(&self.says(), f)
+            }
+        }
+    };
+}
+
 /// The template of a sentence: its arguments are checked while compiling, and where tests are built it is listed.
 macro_rules! template {
     ($context:literal, $one:literal, $many:literal; $($name:ident)*) => {{

@@ -42,10 +42,7 @@ fn a_program_is_corrected_shown_side_by_side_and_saved() {
         .find(|l| l.contains("jointtarget j1"))
         .expect("a target");
     window.get_by_label(target.trim());
-    press(
-        &mut window,
-        "the measuring frame is the robot's base (--measured-frame)",
-    );
+    press(&mut window, "the measuring frame is the robot's base");
     assert!(says(
         &window,
         "is the frame in which the session was measured"

@@ -12,7 +12,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{cholesky, inverse_of_lower, own_products};
+use crate::linear::{inverse_of_lower, own_products};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -122,12 +122,11 @@ impl Remaining {
     fn factor(&self, family: &[usize], strengths: &[f64]) -> Option<Factor> {
         let n = family.len();
         let root: Vec<f64> = family.iter().map(|f| strengths[*f].sqrt()).collect();
-        let mut m = DMatrix::from_fn(n, n, |a, b| {
+        let m = DMatrix::from_fn(n, n, |a, b| {
             root[a] * self.s[(a, b)] * root[b] + if a == b { 1.0 } else { 0.0 }
         });
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
-        let factored = cholesky(&mut m);
-        factored.then(|| (Cholesky::pack_dirty(m), scaled, root))
+        Some((m.cholesky()?, scaled, root))
     }
 
     fn solved(&self, family: &[usize], strengths: &[f64]) -> Option<Solved> {

@@ -174,12 +174,15 @@ fn corrected(
         measured_frame: wanted.measured_frame,
     })
     .map_err(|error| {
-        let mut not_corrected = lines(&spoken(error.says()));
-        if let CompensateError::Differs(differences) = &error {
-            let what = differences.0.iter().map(|difference| difference.what);
-            not_corrected.differs = what.collect();
+        let CompensateError::Differs(differences) = &error else {
+            return lines(&spoken(error.says()));
+        };
+        // How to settle it is asked for above them: options of the terminal are no help here.
+        let differences = differences.0.iter();
+        NotCorrected {
+            says: differences.clone().map(|one| spoken(one.says())).collect(),
+            differs: differences.map(|one| one.what).collect(),
         }
-        not_corrected
     })?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let robot = &calibration.model.robot;

@@ -73,7 +73,7 @@ fn asked(
         .suffix(" kg")
         .update_while_editing(false);
     widgets::number(ui, say!("load where the file says none"), "kg", field);
-    let says = say!("the measuring frame is the robot's base (--measured-frame)");
+    let says = say!("the measuring frame is the robot's base");
     ui.checkbox(&mut wanted.measured_frame, says);
     let tool = say!("Tool of the program");
     if differs.contains(&Differing::Tool) || wanted.tool != Whose::Asked {
@@ -95,11 +95,11 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
         let choices = [
             (
                 Whose::Model,
-                say!("the model's tool or base (--as-modelled)"),
+                say!("the model's tool or base"),
             ),
             (
                 Whose::Program,
-                say!("as the program writes it (--as-programmed)"),
+                say!("as the program writes it"),
             ),
         ];
         for (choice, text) in choices {

@@ -1,0 +1,11 @@
+//! Least squares on explicit columns: their products with wide vectors, orthonormal bases, and triangles.
+
+mod basis;
+mod kept;
+mod products;
+mod triangle;
+
+pub(crate) use basis::Basis;
+pub(crate) use kept::Kept;
+pub(crate) use products::{along, cross, gram, own_products, products, reject_all, subtract};
+pub(crate) use triangle::{inverse_of_lower, small_cholesky, small_gain};
