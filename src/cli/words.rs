@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::language::names;
+use crate::present::names;
 use crate::present::table::width;
 use crate::text::{Language, Text, current};
 

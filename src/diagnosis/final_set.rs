@@ -229,25 +229,11 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::candidates::What;
-    use crate::sessions::Session;
-    use crate::simulation::{parse_scenario, simulate, unwatched};
-
-    /// One axis with an eccentric encoder, measured every 15° from both sides.
-    fn eccentric() -> Session {
-        let scenario = br#"{"format":"truepose-scenario/1","name":"eccentric","robot":{"name":"r","joints":[
-            {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}],
-            "tool":{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}},"targets":{"T1":[0,0,0]},
-            "instrument":{"name":"tracker","sigma_mm":0.03},
-            "poses":{"sweep":{"joint":1,"from_deg":-165,"to_deg":165,"step_deg":15,"both_ways":true}},
-            "effects":[{"effect":"encoder-eccentricity","joint":1,"parameters":{"amplitude_deg":0.03,"phase_deg":40}}],
-            "noise":{"sigma_mm":0.03,"kind":"gauss"},"seed":4}"#;
-        let scenario = parse_scenario(scenario).unwrap().scenario;
-        simulate(&scenario, 1, unwatched).unwrap().0
-    }
+    use crate::diagnosis::tests::eccentric;
 
     /// What is said of a set of these names that a search would have ended with.
     fn said_of(names: &[&str]) -> Vec<&'static str> {
-        let session = eccentric();
+        let session = eccentric(15, 0.03);
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let mut fit = regression.fit(&regression.base, &[]);

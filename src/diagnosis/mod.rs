@@ -402,3 +402,25 @@ impl Options {
         }
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use crate::sessions::Session;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// One axis with an eccentric encoder, measured in steps of so many degrees from both sides.
+    pub(in crate::diagnosis) fn eccentric(step_deg: u32, amplitude_deg: f64) -> Session {
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"eccentric","robot":{{"name":"r","joints":[
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}}],
+            "tool":{{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},
+            "poses":{{"sweep":{{"joint":1,"from_deg":-165,"to_deg":165,"step_deg":{step_deg},"both_ways":true}}}},
+            "effects":[{{"effect":"encoder-eccentricity","joint":1,
+            "parameters":{{"amplitude_deg":{amplitude_deg},"phase_deg":40}}}}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":4}}"#
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        simulate(&scenario, 1, unwatched).unwrap().0
+    }
+}

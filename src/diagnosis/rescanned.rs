@@ -269,20 +269,12 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::prepare::Prepared;
-    use crate::simulation::{parse_scenario, simulate, unwatched};
+    use crate::diagnosis::tests::eccentric;
 
     /// One axis with an eccentric encoder, fitted with nothing and with a shape.
     #[test]
     fn what_is_left_of_a_fold_is_what_a_fit_of_the_other_rows_leaves() {
-        let scenario = br#"{"format":"truepose-scenario/1","name":"eccentric","robot":{"name":"r","joints":[
-            {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}],
-            "tool":{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}},"targets":{"T1":[0,0,0]},
-            "instrument":{"name":"tracker","sigma_mm":0.03},
-            "poses":{"sweep":{"joint":1,"from_deg":-165,"to_deg":165,"step_deg":5,"both_ways":true}},
-            "effects":[{"effect":"encoder-eccentricity","joint":1,"parameters":{"amplitude_deg":0.05,"phase_deg":40}}],
-            "noise":{"sigma_mm":0.03,"kind":"gauss"},"seed":4}"#;
-        let scenario = parse_scenario(scenario).unwrap().scenario;
-        let session = simulate(&scenario, 1, unwatched).unwrap().0;
+        let session = eccentric(5, 0.05);
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);

@@ -4,8 +4,8 @@ use super::{Block, Detail, Fact, Section, Topic, fact};
 use crate::diagnosis::{Diagnosis, Found};
 use crate::effects;
 use crate::fit::Estimate;
-use crate::language::names::{figure, parameter, title_of, title_on, usual_size};
 use crate::language::spoken as spoken_text;
+use crate::present::names::{figure, parameter, title_of, title_on, usual_size};
 use crate::present::numbers::significant;
 use crate::text::{spoken, within};
 

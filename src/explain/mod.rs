@@ -116,7 +116,7 @@ pub(crate) fn fact(name: &str, value: impl Into<String>) -> Fact {
     (name.to_owned(), value.into())
 }
 
-/// Detail much of an answer is asked for.
+/// How much of an answer is asked for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Detail {
     /// Units of lengths as the reader chose them, with three digits; `None`: mm with the four decimals of a report.

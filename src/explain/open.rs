@@ -4,7 +4,7 @@
 use super::{Block, Detail, Section, Topic, clean, cleaned, fact};
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::fit::{Identification, NotIdentifiable};
-use crate::language::names::title_of;
+use crate::present::names::title_of;
 use crate::present::numbers::grouped;
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;

@@ -3,8 +3,8 @@
 use super::{Block, clean};
 use crate::fit::Estimate;
 use crate::kinematics::Robot;
-use crate::language::names::{parameter, title_on, usual_size};
 use crate::language::spoken;
+use crate::present::names::{parameter, title_on, usual_size};
 use crate::present::numbers::{short, with_interval};
 use crate::present::table::{Column, Table};
 

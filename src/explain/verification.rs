@@ -12,9 +12,9 @@ pub(crate) fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
     let mut sections = vec![Section::new(say!("Held against this session"), figures)];
     sections.extend(open::data_problems(&v.data_problems));
     if !v.outliers.is_empty() {
-        let samples = v.outliers.iter();
-        let samples = samples.map(|sample| say!("sample {sample}", sample = sample + 1));
-        let listed = vec![Block::List(detail.first(samples.collect()))];
+        let samples = v.outliers.iter().map(|sample| (sample + 1).to_string());
+        let samples = samples.collect::<Vec<_>>().join(", ");
+        let listed = vec![Block::Text(say!("samples {samples}", samples = samples))];
         let title = say!("Suspected outliers");
         sections.push(Section::of(Topic::Outliers, title, listed));
     }

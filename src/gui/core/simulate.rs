@@ -144,7 +144,7 @@ impl Form {
             .filter(|effect| (effect.exists_on)(0, JointKind::Revolute));
         let all = turning.map(|effect| effect.about());
         all.filter(|about| about.role == Role::Candidate)
-            .map(|about| (about.id, crate::language::names::title(about.id)))
+            .map(|about| (about.id, crate::present::names::title(about.id)))
     }
 
     /// What is wrong with the numbers; `None` where they can be simulated.

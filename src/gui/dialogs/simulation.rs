@@ -122,7 +122,7 @@ pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {
             ui.horizontal_wrapped(|ui| {
-                let title = crate::language::names::title(chosen.id);
+                let title = crate::present::names::title(chosen.id);
                 ui.label(title);
                 if let (true, Some(robot)) = (chosen.per_joint(), &form.robot) {
                     let joints = robot.robot.joint_count();

@@ -212,7 +212,7 @@ fn strip(ui: &mut Ui, known: &Known) {
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    let name = |id: &str| crate::language::names::title(id).to_owned();
+    let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         title(ui, say!("Testable effects"));
         widgets::fact_of(

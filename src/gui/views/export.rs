@@ -1,6 +1,7 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::language::{names, spoken};
+use crate::language::spoken;
+use crate::present::names;
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 

@@ -1,6 +1,6 @@
 //! Step 4: search for what is missing.
 
-use crate::language::names;
+use crate::present::names;
 use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
@@ -149,7 +149,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 /// What was found so far; a later step may exchange it for something likelier.
 fn names_so_far(ui: &mut Ui, found: &[String]) {
     for name in found {
-        let title = crate::language::names::title_of(name);
+        let title = crate::present::names::title_of(name);
         ui.indent((say!("found so far"), name), |ui| ui.label(title));
     }
     if !found.is_empty() {

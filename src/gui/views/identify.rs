@@ -109,7 +109,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let mut on = document.effects.contains(id);
         let response = ui.add(Checkbox::new(
             &mut on,
-            crate::language::names::title(about.id),
+            crate::present::names::title(about.id),
         ));
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
@@ -134,7 +134,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .id_salt("not testable")
         .show(ui, |ui| {
             for one in &subject.not_testable {
-                ui.label(crate::language::names::title(one.effect));
+                ui.label(crate::present::names::title(one.effect));
                 widgets::hint(ui, spoken(&one.because));
             }
         });

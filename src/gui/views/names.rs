@@ -7,8 +7,8 @@ use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::names::{parameter, title_on, usual_size};
 use crate::language::spoken;
+use crate::present::names::{parameter, title_on, usual_size};
 
 pub(in crate::gui::views) fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));

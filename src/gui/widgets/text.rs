@@ -145,7 +145,7 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
     };
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
-        ui.label(RichText::new(crate::language::names::title(id)).font(strong(size::BODY)));
+        ui.label(RichText::new(crate::present::names::title(id)).font(strong(size::BODY)));
         ui.label(spoken(about.cause));
         let usual_size = spoken(about.usual_size);
         hint(ui, say!("usually {usual_size}", usual_size = usual_size));

@@ -8,7 +8,7 @@ use crate::gui::style::tokens::Palette;
 use crate::gui::views::names::{in_words, title};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::language::names::parameter;
+use crate::present::names::parameter;
 use crate::present::numbers::significant;
 
 /// A button, and behind it the truth; nothing for a session that was not simulated here.

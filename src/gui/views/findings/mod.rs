@@ -16,7 +16,7 @@ use crate::gui::views::names::title;
 use crate::gui::views::{copies, unexplained};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::language::names::title_of;
+use crate::present::names::title_of;
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Diagnosis"));
