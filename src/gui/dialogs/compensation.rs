@@ -93,14 +93,8 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
     ui.horizontal_wrapped(|ui| {
         ui.label(of);
         let choices = [
-            (
-                Whose::Model,
-                say!("the model's tool or base"),
-            ),
-            (
-                Whose::Program,
-                say!("as the program writes it"),
-            ),
+            (Whose::Model, say!("the model's tool or base")),
+            (Whose::Program, say!("as the program writes it")),
         ];
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
