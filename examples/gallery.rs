@@ -1,7 +1,8 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --features window-tests --example gallery`; with `-- arm` only the pictures of the arm; with `-- looks FOLDER [de|zh]` every
+//! `cargo run --features window-tests --example gallery`; with `-- arm` only the pictures of the arm;
+//! with `-- languages` only those of a diagnosis in other languages and units; with `-- looks FOLDER [de|zh]` every
 //! step of three robots at four sizes into that folder, to be looked at
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
@@ -21,8 +22,9 @@ mod walk;
 
 use std::path::{Path, PathBuf};
 
-use egui::Theme;
+use egui::{Key, Theme};
 use egui_kittest::kittest::Queryable as _;
+use truepose::gui::Language;
 use walk::{Window, press, there};
 
 /// Writes pictures of one theme.
@@ -98,13 +100,40 @@ impl Gallery {
         self.report(&mut window, "arm-report.png")
     }
 
+    /// A diagnosis in every language and in millimetres and inches, and the report's pages.
+    fn languages(&self) -> anyhow::Result<()> {
+        for (language, code, inch) in [
+            (Language::English, "", "inch"),
+            (Language::German, "-de", "Zoll"),
+            (Language::Chinese, "-zh", "英寸"),
+        ] {
+            let mut window = walk::window_in(language, self.theme, None);
+            for key in [Key::I, Key::G] {
+                walk::key(&mut window, key);
+            }
+            let english = language == Language::English;
+            if !english {
+                self.picture(&mut window, &format!("diagnose{code}"))?;
+                self.report(&mut window, &format!("report{code}.png"))?;
+            }
+            walk::key(&mut window, Key::Comma);
+            press(&mut window, inch);
+            window.key_press(Key::Escape);
+            window.run_steps(8);
+            self.picture(&mut window, &format!("diagnose{code}-inch"))?;
+        }
+        Ok(())
+    }
+
     /// The paper that is signed; there is one for both themes.
     fn report(&self, window: &mut Window, name: &str) -> anyhow::Result<()> {
         let folder = tempfile::tempdir()?;
         let pdf = folder.path().join("report.pdf");
         window.state_mut().type_path("report", &pdf);
         window.run_steps(4);
-        press(window, "Save");
+        let save = ["Save", "Speichern", "保存"].into_iter();
+        let mut save = save.filter(|save| there(window, save));
+        press(window, save.next().unwrap_or("Save"));
         window.run_steps(8);
         let out = self.folder.join(name);
         match report::picture(&pdf, [1, 2], &out)? {
@@ -172,6 +201,7 @@ fn main() -> anyhow::Result<()> {
         return looks::all(Path::new(folder), language.first().map(String::as_str));
     }
     let only_the_arm = arguments.iter().any(|argument| argument == "arm");
+    let only_languages = arguments.iter().any(|argument| argument == "languages");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     // Short names on the sheet, as a person has them who works beside the files.
     let beside = |folder: &str| std::env::set_current_dir(root.join("sessions").join(folder));
@@ -180,6 +210,12 @@ fn main() -> anyhow::Result<()> {
             folder: root.join("docs/pictures"),
             theme,
         };
+        if theme == Theme::Light && (only_languages || !only_the_arm) {
+            gallery.languages()?;
+        }
+        if only_languages {
+            continue;
+        }
         if !only_the_arm {
             beside("walk-through")?;
             gallery.walk()?;

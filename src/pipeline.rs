@@ -31,7 +31,9 @@ use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find, gaps_of_export};
-use crate::fit::gap::Spread;
+use crate::fit::base_model;
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
 use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
 };
@@ -56,6 +58,15 @@ pub use crate::sessions::{
     write_inline,
 };
 pub use crate::simulation::{load_scenario, parse_scenario, simulate};
+
+/// How far the nominal robot is off over a session's samples, before anything is identified; `None` where no sample
+/// can be used.
+pub fn nominal_error(session: &Session) -> Option<Spread> {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let nominal = base_model::nominal(&session.robot, session, &problem);
+    let left = deviations(&problem, &nominal);
+    Spread::of(&left.length_mm, |i| problem.fit[i], |_| false)
+}
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]

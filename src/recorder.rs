@@ -116,7 +116,7 @@ pub struct Recorder<F, W> {
     headed: bool,
     /// Bytes of the whole lines that are in the file.
     whole_bytes: u64,
-    complaints: Vec<String>,
+    complaints: Vec<Text>,
     refused: u64,
     /// Whether a line that is none is left out where it would else be an error.
     tolerant: bool,
@@ -214,7 +214,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
 
     /// What was left out since the last call, in words: the first 20 lines of a recording; from then on
     /// they are only counted.
-    pub fn complaints(&mut self) -> Vec<String> {
+    pub fn complaints(&mut self) -> Vec<Text> {
         std::mem::take(&mut self.complaints)
     }
 
@@ -251,7 +251,12 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                     cells,
                     headings,
                 }) if self.tolerant => {
-                    self.complain(line, &format!("has {cells} cells, not {headings}"));
+                    self.say(text!(
+                        "line {line} of the stream has {cells} cells, not {headings}: excluded",
+                        line = line,
+                        cells = cells,
+                        headings = headings
+                    ));
                     Ok(())
                 }
                 taken => taken,
@@ -269,7 +274,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                 return Err(RecordError::LongLine { line });
             }
             self.lines = line;
-            self.complain(line, "is longer than a megabyte");
+            self.say(text!(
+                "line {line} of the stream is longer than a megabyte: excluded",
+                line = line
+            ));
             self.pending = Vec::new();
             self.skipping = true;
         }
@@ -292,11 +300,11 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         if !self.pending.trim_ascii().is_empty() {
             let cut = String::from_utf8_lossy(&self.pending).into_owned();
             let line = self.lines + 1;
-            let says = format!(
-                "line {line} of the stream has no end: left out: {}",
-                quoted(&cut)
-            );
-            self.say(says);
+            self.say(text!(
+                "line {line} of the stream has no end: excluded: {content}",
+                line = line,
+                content = quoted(&cut)
+            ));
         }
         self.pending.clear();
         self.skipping = false;
@@ -355,7 +363,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             _ => bytes,
         };
         let Ok(line) = std::str::from_utf8(bytes) else {
-            self.complain(number, "is not UTF-8");
+            self.say(text!(
+                "line {line} of the stream is not UTF-8: excluded",
+                line = number
+            ));
             return Ok(());
         };
         let line = line.trim();
@@ -371,10 +382,13 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         }
         if cells.len() != form.headings.len() {
             let (found, wanted) = (cells.len(), form.headings.len());
-            self.complain(
-                number,
-                &format!("has {found} cells, not {wanted}: {}", quoted(line)),
-            );
+            self.say(text!(
+                "line {line} of the stream has {cells} cells, not {headings}: {content}: excluded",
+                line = number,
+                cells = found,
+                headings = wanted,
+                content = quoted(line)
+            ));
             return Ok(());
         }
         push_row(&cells, text);
@@ -417,16 +431,15 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             push_row(&cells, text);
             *planned += 1;
         } else if !self.given.is_empty() {
-            self.complain(self.lines, "holds the stream's own headings");
+            self.say(text!(
+                "line {line} of the stream holds the stream's own headings: excluded",
+                line = self.lines
+            ));
         }
         Ok(())
     }
 
-    fn complain(&mut self, line: u64, says: &str) {
-        self.say(format!("line {line} of the stream {says}: left out"));
-    }
-
-    fn say(&mut self, says: String) {
+    fn say(&mut self, says: Text) {
         self.refused += 1;
         if self.refused <= NAMED {
             self.complaints.push(says);
@@ -460,10 +473,11 @@ mod tests {
         let mut taken = pieces.iter().map(|piece| recorder.take(piece, u64::MAX));
         let wrong = taken.find_map(Result::err);
         recorder.end_of_stream();
+        let complaints = recorder.complaints().iter().map(Text::to_string).collect();
         let text = recorder
             .out()
             .map_or("", |out| std::str::from_utf8(out).unwrap());
-        (text.to_owned(), recorder.complaints(), wrong)
+        (text.to_owned(), complaints, wrong)
     }
 
     #[test]

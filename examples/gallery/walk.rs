@@ -38,6 +38,12 @@ pub fn press(window: &mut Window, label: &str) {
     window.run_steps(4);
 }
 
+/// A key with Ctrl, whatever the language.
+pub fn key(window: &mut Window, key: egui::Key) {
+    window.key_press_modifiers(egui::Modifiers::COMMAND, key);
+    window.run_steps(8);
+}
+
 pub fn there(window: &Window, label: &str) -> bool {
     window.query_all_by_label(label).count() > 0
 }

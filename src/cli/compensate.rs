@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
+use crate::explain::{self, Detail};
 use crate::kinematics::{Pose, Robot};
-use crate::language::spoken;
 use crate::pipeline;
-use crate::present::compensation_v1::{self, Document, SAID_RAD, Summary};
-use crate::present::names::word;
+use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
     Answer, CompensateError, Holds, LANGUAGES, Language, ModelTool, Orientation, ProgramFrames,
     Request, find, language_of,
@@ -18,8 +17,8 @@ use crate::sessions::read_whole;
 use crate::text::Text;
 
 use super::failure::Failure;
-use super::output;
-use super::words::{any_of, line};
+use super::words::any_of;
+use super::{blocks, output};
 
 /// Correct the targets of a table or a robot program, so that the real tool goes where the nominal
 /// robot would
@@ -168,7 +167,8 @@ impl Compensate {
         } else if !to_stdout {
             // A robot with fewer joints never keeps the orientation.
             let orientation = robot.mobility() == 6;
-            output::text(&in_words(&answer, &self.targets, orientation))?;
+            let sections = explain::program(&answer, orientation, usize::MAX, Detail::TERMINAL);
+            output::text(&blocks::sections(&sections))?;
         }
         complain(&answer, &self.targets)
     }
@@ -279,93 +279,12 @@ fn inner(robot: &Robot, start: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-fn in_words(answer: &Answer, file: &Path, orientation: bool) -> String {
-    let summary = Summary::new(answer);
-    let mut text = String::new();
-    let corrected = say!(
-        "{file}: {corrected} of {all} targets corrected",
-        file = file.display(),
-        corrected = summary.corrected,
-        all = summary.targets
-    );
-    line(&mut text, corrected);
-    if summary.corrected > 0 {
-        let four = |mm: f64| format!("{mm:.4}");
-        let error = say!(
-            "RMS position error, as the model predicts it: {before} mm (largest {max_before}) before, {after} mm \
-             (largest {max_after}) corrected",
-            before = four(summary.before_mm),
-            max_before = four(summary.max_before_mm),
-            after = four(summary.after_mm),
-            max_after = four(summary.max_after_mm)
-        );
-        line(&mut text, error);
-    }
-    if summary.turned > 0 && orientation {
-        let turned = say!(
-            "orientation corrected in part at {turned} targets (more would take large moves of the joints), largest \
-             {largest} mrad left",
-            turned = summary.turned,
-            largest = format!("{:.3}", 1e3 * summary.max_after_rad)
-        );
-        line(&mut text, turned);
-    }
-    for target in &answer.targets {
-        if let Ok(written) = &target.result
-            && written.rotation_rad[1] > SAID_RAD
-            && orientation
-        {
-            let [before, after] = written.rotation_rad.map(|rad| format!("{:.3}", 1e3 * rad));
-            let says = say!(
-                "{target}: {after} mrad left of {before}",
-                target = target.name,
-                after = after,
-                before = before
-            );
-            line(
-                &mut text,
-                say!(
-                    "orientation in part: {says}",
-                    says = at(target.place, &says)
-                ),
-            );
-        }
-    }
-    for (row, column, says) in &answer.at_run_time {
-        let says = at((*row, *column), &spoken(says));
-        line(&mut text, say!("not corrected: {says}", says = says));
-    }
-    for (row, column, says) in &answer.remarks {
-        let says = at((*row, *column), &spoken(says));
-        line(&mut text, say!("note: {note}", note = says));
-    }
-    for note in &answer.notes {
-        line(&mut text, say!("note: {note}", note = spoken(note)));
-    }
-    text
-}
-
-/// What is said of a place in the file.
-fn at((row, column): (u64, u64), says: &str) -> String {
-    say!(
-        "line {line}, column {column}: {says}",
-        line = row,
-        column = column,
-        says = says
-    )
-}
-
 /// Names every target that was left as it is; the status says so as well.
 fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
     for target in &answer.targets {
         if let Err(left) = &target.result {
-            let says = say!(
-                "{target} is left as it is ({reason}): {left}",
-                target = target.name,
-                reason = word(left.reason.name()),
-                left = spoken(&left.says)
-            );
-            output::messages(&[format!("{}, {}", file.display(), at(target.place, &says))]);
+            let says = explain::left_as_it_is(target, left);
+            output::messages(&[format!("{}, {says}", file.display())]);
         }
     }
     match answer.left() {

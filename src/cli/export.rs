@@ -7,14 +7,17 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde_json::json;
 
+use crate::explain::{self, Detail, Exported};
 use crate::export::{EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros};
+use crate::fit::gap::Spread;
 use crate::kinematics::DhConvention;
 use crate::language::spoken;
 use crate::pipeline;
+use crate::sessions::Session;
 use crate::text::Text;
 
 use super::failure::Failure;
-use super::output;
+use super::{blocks, output};
 
 /// Write the table that a controller reads, or the corrected robot (URDF, MJCF, DH rows, …)
 #[derive(Debug, Args)]
@@ -64,6 +67,23 @@ fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
     found.map(|(_, value)| *value)
 }
 
+/// What an export leaves of a session, in a sentence.
+fn left_of(session: &Session, errors: Option<[Spread; 2]>) -> Text {
+    match errors {
+        Some([_, error]) => text!(
+            "of '{session}' it leaves an RMS error of {rms} mm (largest {largest})",
+            session = &session.name,
+            rms = format!("{:.6}", error.rms_mm),
+            largest = format!("{:.6}", error.max_mm)
+        ),
+        None => text!(
+            "what it leaves of '{session}' cannot be said: another robot, no complete sample, or measured \
+             with a table active",
+            session = &session.name
+        ),
+    }
+}
+
 impl Export {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = pipeline::load_model(&self.model)?;
@@ -100,31 +120,17 @@ impl Export {
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
-        let (export, notes): (_, Vec<Text>);
-        if let Some(path) = &self.session {
+        let mut of_session = None;
+        let (export, errors) = if let Some(path) = &self.session {
             let loaded = output::session(path)?;
             inputs.extend(loaded.files);
-            let session = loaded.session;
-            let checked = pipeline::export_for(&self.to, &job, &session).map_err(failure)?;
-            let says = match checked.gaps {
-                Some([_, gap]) => text!(
-                    "of '{session}' it leaves an RMS error of {rms} mm (largest {largest})",
-                    session = &session.name,
-                    rms = format!("{:.6}", gap.rms_mm),
-                    largest = format!("{:.6}", gap.max_mm)
-                ),
-                None => text!(
-                    "what it leaves of '{session}' cannot be said: another robot, no complete sample, or measured \
-                     with a table active",
-                    session = &session.name
-                ),
-            };
-            export = checked.export;
-            notes = export.notes.iter().cloned().chain([says]).collect();
+            let session = &loaded.session;
+            let checked = pipeline::export_for(&self.to, &job, session).map_err(failure)?;
+            of_session = Some(left_of(session, checked.gaps));
+            (checked.export, checked.gaps)
         } else {
-            export = pipeline::export(&self.to, &job).map_err(failure)?;
-            notes = export.notes.clone();
-        }
+            (pipeline::export(&self.to, &job).map_err(failure)?, None)
+        };
         let beside = self.out.parent().map(PathBuf::from).unwrap_or_default();
         let places = export.documents.iter().enumerate().map(|(k, document)| {
             if k == 0 {
@@ -146,8 +152,8 @@ impl Export {
                 output::document(place, &document.bytes, self.force, &inputs)?;
             }
         }
-        output::messages(&notes.iter().map(spoken).collect::<Vec<_>>());
         if self.json {
+            let notes = export.notes.iter().chain(&of_session);
             return output::json(&json!({
                 "format": "truepose-exported/1",
                 "model": self.model,
@@ -155,10 +161,25 @@ impl Export {
                 "joint": self.joint,
                 "files": places,
                 // A document is English.
-                "notes": notes.iter().map(Text::to_string).collect::<Vec<_>>(),
+                "notes": notes.map(Text::to_string).collect::<Vec<_>>(),
             }));
         }
-        Ok(())
+        if let (None, Some(says)) = (errors, &of_session) {
+            output::messages(&[spoken(says)]);
+        }
+        let exported = Exported {
+            export: &export,
+            errors,
+            identified_mm: None,
+            remainder: None,
+        };
+        let says = blocks::sections(&explain::table(&exported, Detail::TERMINAL));
+        if to_stdout {
+            output::aside(&says);
+            Ok(())
+        } else {
+            output::text(&says)
+        }
     }
 
     /// Name and content of the reference.

@@ -8,17 +8,18 @@ use clap::builder::PossibleValuesParser;
 
 use crate::atomic::refuse_to_replace_inputs;
 use crate::diagnostic::Place;
+use crate::explain::{self, Detail};
 use crate::importers::{
     AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Profile, Reading,
     Separator, Settings, find,
 };
-use crate::pipeline::{import, save, save_with_samples, write_inline};
+use crate::pipeline::{self, import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;
 use crate::sessions::{Replacing, Session, read_whole, samples_path};
 
 use super::failure::Failure;
-use super::output;
 use super::own_options::OwnOptions;
+use super::{blocks, output};
 
 /// Make a session of a file that an instrument wrote
 #[derive(Debug, Args)]
@@ -202,6 +203,15 @@ impl Import {
         }
         if self.json {
             output::json(&document(&imported))?;
+        } else if !to_stdout {
+            let brings = explain::imported(
+                imported.session.samples.len(),
+                pipeline::nominal_error(&imported.session),
+                imported.matched.as_ref(),
+                imported.alignment.as_ref(),
+                Detail::TERMINAL,
+            );
+            output::text(&blocks::section(&brings))?;
         }
         Ok(())
     }

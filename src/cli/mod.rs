@@ -24,7 +24,6 @@ mod levels;
 mod output;
 mod own_options;
 mod plan;
-mod planned;
 mod progress_line;
 mod record;
 mod report;

@@ -122,6 +122,13 @@ pub(crate) fn messages<T: std::fmt::Display>(messages: &[T]) {
     }
 }
 
+/// Prints an answer on standard error, where standard output is a file.
+pub(crate) fn aside(text: &str) {
+    let mut stderr = std::io::stderr().lock();
+    // With standard error closed there is nobody left to tell.
+    let _ = stderr.write_all(plain(text).as_bytes());
+}
+
 /// Refuses to mix two documents on standard output.
 pub(crate) fn one_use_of_standard_output(
     first: bool,

@@ -10,13 +10,13 @@ use serde::de::IgnoredAny;
 
 use crate::design::plan::{PlanError, PlanOptions};
 use crate::diagnosis::Options;
+use crate::explain::{self, Detail};
 use crate::pipeline::{self, measuring_list, measuring_program};
 use crate::present::plan_v1::document;
 use crate::programs::language_of;
 
 use super::failure::Failure;
-use super::output;
-use super::planned::in_words;
+use super::{blocks, output};
 
 /// Say what to measure: poses that decide what a session leaves open and unlock what it cannot
 /// show, or a first measurement of a robot
@@ -140,7 +140,7 @@ impl Plan {
         } else if to_stdout {
             Ok(())
         } else {
-            output::text(&in_words(&plan))
+            output::text(&blocks::sections(&explain::plan(&plan, Detail::TERMINAL)))
         }
     }
 }

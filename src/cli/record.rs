@@ -63,7 +63,7 @@ impl Record {
         let most = self.lines.unwrap_or(u64::MAX);
         let done = Self::listen(&address, connection, &mut recorder, most);
         let complaints = recorder.complaints();
-        output::messages(&complaints);
+        output::messages(&complaints.iter().map(spoken).collect::<Vec<_>>());
         if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
             // Where the disk is full the start of a line stands behind the last whole one. What
             // cannot be cut off either is left as it is.
@@ -75,11 +75,12 @@ impl Record {
         };
         let recorded = recorder.recorded();
         output::messages(&[match recorder.refused() {
-            0 => say!("{lines} lines recorded", lines = recorded),
+            0 => say!(one "{count} line recorded", "{count} lines recorded", count = recorded),
             refused => say!(
-                "{lines} lines recorded, {left_out} left out",
-                lines = recorded,
-                left_out = refused
+                one "{count} line recorded, {excluded} excluded",
+                "{count} lines recorded, {excluded} excluded",
+                count = recorded,
+                excluded = refused
             ),
         }]);
         done?;
@@ -125,7 +126,7 @@ impl Record {
     ) -> Result<(), Failure> {
         let mut before = State::Connecting;
         let mut hear = |standing: &Standing| {
-            output::messages(&standing.left_out);
+            output::messages(&standing.left_out.iter().map(spoken).collect::<Vec<_>>());
             if let (State::Waiting(why), true) = (&standing.state, standing.state != before) {
                 output::messages(&[say!("not connected, tries again: {why}", why = spoken(why))]);
             }

@@ -7,10 +7,10 @@ use serde_json::json;
 
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fonts;
+use crate::language::spoken;
 use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{Details, ExportedTable, Extras, Kind, ReportError};
-use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -71,7 +71,7 @@ impl Report {
         let extras = Extras {
             details,
             history: self.history.as_deref().map(pipeline::history).transpose()?,
-            tables: tables.map_err(|error| Failure::refused(Text::verbatim(error.to_string())))?,
+            tables: tables.map_err(|error| Failure::refused(error.says()))?,
         };
         let report = if pipeline::is_model(&self.file) {
             pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
@@ -84,7 +84,7 @@ impl Report {
         let written =
             pipeline::write_report(&report, kind).map_err(|error| Failure::Failed(error.into()))?;
         if !written.unshown.is_empty() {
-            output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
+            output::messages(&[spoken(fonts::cannot_be_shown(&written.unshown))]);
         }
         output::document(&self.out, &written.bytes, self.force, &inputs)?;
         if self.json {

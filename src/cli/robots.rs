@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::language::spoken;
 use crate::present::names::word;
 use crate::present::robots_v1::{self, figure};
 use crate::present::table::Table;
@@ -57,7 +58,10 @@ impl Robots {
         }
         let mut shown = listed(&found);
         if found.len() > 1 {
-            line(&mut shown, say!("{robots} robots", robots = found.len()));
+            line(
+                &mut shown,
+                say!(one "{count} robot", "{count} robots", count = found.len()),
+            );
         }
         // A text may be the name of one robot and the beginning of others' names.
         if let Ok(robot) = named(&text) {
@@ -129,7 +133,7 @@ fn described(robot: &LibraryRobot) -> String {
         }
     }
     if !robot.not_checked.is_empty() {
-        let parts = robot.not_checked.join("; ");
+        let parts = spoken(robot.not_checked());
         line(&mut text, say!("not checked: {parts}", parts = parts));
     }
     let mut keys: Vec<&str> = Vec::new();

@@ -45,18 +45,6 @@ pub(super) fn parameter(name: &str) -> Cow<'_, str> {
     }
 }
 
-/// A parameter with its value, which is written already: its unit stands in its name or behind the value.
-pub(super) fn value(name: &str, written: &str) -> String {
-    if is_english() {
-        return format!("{name} {written}");
-    }
-    match names::parameter(name) {
-        (words, "") => format!("{words} {written}"),
-        (words, "°") => format!("{words} {written}°"),
-        (words, unit) => format!("{words} {written} {unit}"),
-    }
-}
-
 /// Adds a line.
 pub(super) fn line(text: &mut String, said: impl AsRef<str>) {
     text.push_str(said.as_ref());
@@ -96,24 +84,16 @@ mod tests {
         let said = || {
             (
                 effect("backlash 2").into_owned(),
-                value("width_deg", "0.04"),
                 parameter("width_deg").into_owned(),
             )
         };
-        let english = (
-            "backlash 2".to_owned(),
-            "width_deg 0.04".to_owned(),
-            "width_deg".to_owned(),
-        );
+        let english = ("backlash 2".to_owned(), "width_deg".to_owned());
         assert_eq!(said(), english);
         choose(Language::German);
         let german = said();
         choose(Language::English);
         assert_eq!(german.0, "Umkehrspiel, Gelenk 2");
-        assert_eq!(
-            (german.1.as_str(), german.2.as_str()),
-            ("Breite 0.04°", "Breite, °")
-        );
+        assert_eq!(german.1, "Breite, °");
     }
 
     #[test]

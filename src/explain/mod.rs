@@ -5,12 +5,21 @@
 mod clean;
 mod diagnosis;
 mod found;
+mod history;
 #[cfg(any(feature = "cli", feature = "gui"))]
 mod identification;
+#[cfg(any(feature = "cli", feature = "gui"))]
+mod imported;
 mod open;
 mod parameters;
+#[cfg(feature = "cli")]
+mod plan;
+#[cfg(any(feature = "cli", feature = "gui"))]
+mod program;
 mod sight;
 mod standards;
+#[cfg(any(feature = "cli", feature = "gui"))]
+mod table;
 #[cfg(any(feature = "cli", feature = "gui"))]
 mod verification;
 
@@ -22,12 +31,23 @@ use crate::present::units::Units;
 pub(crate) use clean::cleaned;
 pub use clean::{clean, clean_note};
 pub(crate) use diagnosis::{answer, diagnosis, expected, floor_from, noise, remarks};
+pub(crate) use history::history;
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use identification::remarks_on_fit;
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use imported::imported;
 #[cfg(feature = "cli")]
 pub(crate) use open::data_problems;
 pub(crate) use parameters::{implausible, parameters};
+#[cfg(feature = "cli")]
+pub(crate) use plan::plan;
+#[cfg(feature = "cli")]
+pub(crate) use program::left_as_it_is;
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use program::program;
 pub(crate) use standards::standards;
+#[cfg(any(feature = "cli", feature = "gui"))]
+pub(crate) use table::{Exported, table};
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use verification::verification;
 
@@ -75,6 +95,8 @@ pub enum Topic {
     Unnamed,
     /// What to measure next.
     NextPoses,
+    /// Targets of a program that are not corrected.
+    LeftAsIs,
     /// Samples that do not count.
     Outliers,
     /// What the samples do not determine.

@@ -39,6 +39,8 @@ pub(crate) mod tiny_font;
 
 use std::collections::BTreeSet;
 
+use crate::text::Text;
+
 pub(crate) use face::{Face, cff_table};
 pub use library::{Found, Library, MOST_FACES, Purpose, SystemFace};
 
@@ -77,7 +79,7 @@ pub fn is_worth_a_font(c: char) -> bool {
 }
 
 /// What to say of characters that no font has: which, and what to do.
-pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> String {
+pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> Text {
     const NAMED: usize = 2;
     let named: Vec<String> = unshown
         .iter()
@@ -85,16 +87,21 @@ pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> String {
         .map(|c| format!("{c} (U+{:04X})", u32::from(*c)))
         .collect();
     let named = named.join(", ");
-    let more = match unshown.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
+    let characters = match unshown.len().saturating_sub(NAMED) {
+        0 => Text::verbatim(named),
+        more => text!("{first} and {more} more", first = named, more = more),
     };
-    let such = if unshown.iter().any(|c| library::is_east_asian(*c)) {
-        ", such as Noto Sans CJK,"
+    if unshown.iter().any(|c| library::is_east_asian(*c)) {
+        text!(
+            "no font here has {characters}; install one, such as Noto Sans CJK, and start the program again",
+            characters = characters
+        )
     } else {
-        ""
-    };
-    format!("no font here has {named}{more}; install one{such} and start the program again")
+        text!(
+            "no font here has {characters}; install one and start the program again",
+            characters = characters
+        )
+    }
 }
 
 #[cfg(test)]
@@ -121,7 +128,7 @@ mod words {
 
     #[test]
     fn what_cannot_be_shown_is_said_with_what_to_do() {
-        let says = |text: &str| cannot_be_shown(&text.chars().collect());
+        let says = |text: &str| cannot_be_shown(&text.chars().collect()).to_string();
         assert_eq!(
             says("中"),
             "no font here has 中 (U+4E2D); install one, such as Noto Sans CJK, and start the \

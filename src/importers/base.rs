@@ -36,8 +36,9 @@ impl Job<'_> {
             }
         }
         let found = text!(
-            "the instrument lost the reflector (0, 0, 0) in {lost} measurements: {which}",
-            lost = lost.len(),
+            one "the instrument lost the reflector (0, 0, 0) in {count} measurement: {which}",
+            "the instrument lost the reflector (0, 0, 0) in {count} measurements: {which}",
+            count = lost.len(),
             which = matching::listed_rows(columns, &lost)
         );
         self.left_out(self.place.clone(), found);
@@ -134,8 +135,9 @@ impl Job<'_> {
         let dropped = names.len() - rows.len();
         if dropped > 0 {
             self.note(text!(
-                "{dropped} measurements of reference points are no samples",
-                dropped = dropped
+                one "{count} measurement of a reference point is no sample",
+                "{count} measurements of reference points are no samples",
+                count = dropped
             ));
         }
         Ok((

@@ -82,7 +82,7 @@ impl<'a> Grid<'a> {
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
         if width > MOST_COLUMNS {
-            let found = text!("{width} columns", width = width);
+            let found = text!(one "{count} column", "{count} columns", count = width);
             let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }

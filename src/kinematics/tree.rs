@@ -40,6 +40,8 @@ pub(super) struct BodyJoint {
     /// The value at which it is drawn, rad or mm.
     pub(super) reference: f64,
     pub(super) limits: Option<Range>,
+    /// Turns of the motor for one of the joint, where they are stated.
+    pub(super) gear_ratio: Option<f64>,
     /// What it copies, where it has no value of its own.
     pub(super) mimic: Option<Mimic>,
     pub(super) place: Place,
@@ -385,6 +387,7 @@ fn at_home(joint: &BodyJoint, base_from_drawn: &Pose) -> Result<(Joint, Pose), (
     }
     let mut moving = Joint::new(&*joint.name, kind, axis);
     moving.limits = joint.limits;
+    moving.gear_ratio = joint.gear_ratio;
     Ok((moving, motion))
 }
 

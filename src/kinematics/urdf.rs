@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Metres become mm; fixed joints are folded into what they carry. `continuous` is a revolute joint
-//! without limits. Gravity is not part of URDF, so it stays unknown. Only what matters to kinematics
+//! without limits. Gear ratios are those of `<transmission>` elements. Gravity is not part of URDF, so it stays unknown. Only what matters to kinematics
 //! is looked at here: meshes (`visuals`), materials, plug-ins of simulators, and mistakes in them, are not.
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
@@ -70,7 +70,43 @@ pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
     for joint in document.children(root, "joint") {
         hang(document, joint, &mut tree, &link_of)?;
     }
+    let ratios = gear_ratios(document);
+    for joint in tree.bodies.iter_mut().flat_map(|body| &mut body.joints) {
+        // Of a slide it is turns for a length, which is another quantity.
+        let turns = matches!(joint.motion, Motion::Moves(JointKind::Revolute));
+        joint.gear_ratio = ratios.get(joint.name.as_str()).copied().filter(|_| turns);
+    }
     Ok(tree)
+}
+
+/// Gear ratios by the names of the joints: of `<transmission>` elements with one joint, at the actuator, the joint or
+/// the transmission itself, as ROS 1 (`mechanicalReduction`) and ROS 2 (`mechanical_reduction`) write them. A direct
+/// drive (1), which is what simulators state where nobody measured one, is no statement; neither is what is no number.
+fn gear_ratios(document: &Document) -> BTreeMap<&str, f64> {
+    let stated = |element: usize| {
+        let names = ["mechanicalReduction", "mechanical_reduction"];
+        let all = names
+            .iter()
+            .flat_map(|name| document.children(element, name));
+        let mut ratios = all.filter_map(|one| document.content(one)?.parse::<f64>().ok());
+        ratios
+            .next()
+            .map(f64::abs)
+            .filter(|ratio| ratio.is_finite() && *ratio > 1.0)
+    };
+    let mut ratios = BTreeMap::new();
+    for transmission in document.children(ROOT, "transmission") {
+        let mut joints = document.children(transmission, "joint");
+        let (Some(joint), None) = (joints.next(), joints.next()) else {
+            continue;
+        };
+        let actuators = document.children(transmission, "actuator");
+        let ratio = actuators.chain([joint, transmission]).find_map(stated);
+        if let (Some(name), Some(ratio)) = (document.attribute(joint, "name"), ratio) {
+            ratios.insert(name, ratio);
+        }
+    }
+    ratios
 }
 
 /// Hangs the child link of a joint on its parent.
@@ -155,6 +191,7 @@ fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Reject
         limits: (kind != "continuous")
             .then(|| limits(ends[0], ends[1]))
             .flatten(),
+        gear_ratio: None,
         mimic: mimics,
         place: document.place(joint),
     }))

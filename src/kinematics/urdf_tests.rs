@@ -70,6 +70,34 @@ fn an_arm_worked_out_by_hand_is_read_so() {
 }
 
 #[test]
+fn gear_ratios_are_those_of_transmissions_with_one_joint() {
+    let with = |transmissions: &str| {
+        let text = ARM.replace("</robot>", &format!("{transmissions}</robot>"));
+        let robot = read(&text, "world", "tool").unwrap();
+        [robot.joints[0].gear_ratio, robot.joints[1].gear_ratio]
+    };
+    let ros1 = r#"<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="pan">
+        <hardwareInterface>PositionJointInterface</hardwareInterface></joint>
+        <actuator name="m"><mechanicalReduction> 101 </mechanicalReduction></actuator></transmission>"#;
+    assert_eq!(with(ros1), [Some(101.0), None]);
+    let ros2 = r#"<transmission name="t"><joint name="pan"><mechanical_reduction>-50.5</mechanical_reduction></joint>
+        <actuator name="m"/></transmission>"#;
+    assert_eq!(with(ros2), [Some(50.5), None]);
+    for nothing in [
+        "<mechanicalReduction>1</mechanicalReduction>",
+        "<mechanicalReduction>many</mechanicalReduction>",
+        "<mechanicalReduction/>",
+    ] {
+        let simulated = format!(r#"<transmission><joint name="pan"/>{nothing}</transmission>"#);
+        assert_eq!(with(&simulated), [None; 2], "{nothing}");
+    }
+    // A slide turns nothing, and a differential has no ratio of one joint.
+    let others = r#"<transmission><joint name="reach"/><mechanicalReduction>5</mechanicalReduction></transmission>
+        <transmission><joint name="pan"/><joint name="reach"/><mechanicalReduction>5</mechanicalReduction></transmission>"#;
+    assert_eq!(with(others), [None; 2]);
+}
+
+#[test]
 fn a_links_mass_includes_what_is_fixed_to_it() {
     let robot = read(ARM, "world", "tool").unwrap();
     let upper = robot.joints[0].link.unwrap();

@@ -129,6 +129,16 @@ impl Document {
                 at: index(attribute.range().start),
             });
         }
+        // Texts between tags, a few words at most where anything is read of them.
+        let content = node.first_child().filter(Node::is_text);
+        let content = content.and_then(|text| Some((text.text()?, text.range())));
+        if let Some((text, range)) = content.filter(|(text, _)| !text.trim().is_empty()) {
+            self.attributes.push(Attribute {
+                name: Piece::EMPTY,
+                value: own.piece(text, range),
+                at: index(at),
+            });
+        }
         Element {
             name: if foreign {
                 Piece::EMPTY
@@ -235,6 +245,11 @@ impl Document {
         let source = &self.sources[self.elements[index].source as usize];
         let attribute = self.named(index, name)?;
         Some(source.text(attribute.value))
+    }
+
+    /// The text between the tags of an element, without blanks around it.
+    pub(super) fn content(&self, index: usize) -> Option<&str> {
+        self.attribute(index, "").map(str::trim)
     }
 
     /// The value of an attribute that has to be there.

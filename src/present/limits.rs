@@ -6,7 +6,7 @@
 
 use super::names::parameter;
 use super::numbers::significant;
-use crate::diagnosis::{Diagnosis, Limit, NotTestable, Sight};
+use crate::diagnosis::{Diagnosis, Limit, Sight};
 use crate::effects::find;
 use crate::kinematics::Robot;
 use crate::text::{Text, current};
@@ -55,10 +55,10 @@ fn with_joints(name: &str, joints: &[Option<usize>], robot: &Robot) -> String {
 }
 
 /// Whether an effect can be of a robot like this at all.
-pub(crate) fn applies(robot: &Robot, one: &NotTestable) -> bool {
+pub(crate) fn applies(robot: &Robot, effect: &str, joint: Option<usize>) -> bool {
     let kinds: Vec<_> = robot.joints.iter().map(|joint| joint.kind).collect();
-    let needs = find(one.effect).map_or(&[][..], |effect| effect.about().needs);
-    needs.iter().all(|need| need.suits(&kinds, one.joint))
+    let needs = find(effect).map_or(&[][..], |effect| effect.about().needs);
+    needs.iter().all(|need| need.suits(&kinds, joint))
 }
 
 /// What a limit says: a size that no machine has is one that these poses do not show.
@@ -88,7 +88,8 @@ type OnJoints<'a> = (&'a str, Vec<Option<usize>>);
 pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
     let robot = &d.model.robot;
     let mut reasons: Vec<(&Text, Vec<OnJoints>)> = Vec::new();
-    for one in d.not_testable.iter().filter(|one| applies(robot, one)) {
+    let not_testable = d.not_testable.iter();
+    for one in not_testable.filter(|one| applies(robot, one.effect, one.joint)) {
         let at = reasons
             .iter()
             .position(|(because, _)| **because == one.because);
@@ -116,11 +117,19 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
     reasons.into_iter().map(line).collect()
 }
 
-/// The limits (95 %), a line for each effect; `name` is what an effect is called.
+/// The limits of a diagnosis (95 %), a line for each effect; `name` is what an effect is called.
 pub(crate) fn limits(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
-    let robot = &d.model.robot;
+    limits_of(&d.model.robot, &d.not_found, name)
+}
+
+/// Limits (95 %), a line for each effect; `name` is what an effect is called.
+pub(crate) fn limits_of(
+    robot: &Robot,
+    limits: &[Limit],
+    name: impl Fn(&str) -> String,
+) -> Vec<Line> {
     let mut effects: Vec<(&str, Vec<&Limit>)> = Vec::new();
-    for limit in &d.not_found {
+    for limit in limits {
         match effects
             .iter_mut()
             .find(|(effect, _)| *effect == limit.effect)

@@ -4,7 +4,7 @@ use super::numbers::trimmed;
 use super::table::{Column, Table};
 use crate::diagnosis::NextPose;
 use crate::kinematics::Robot;
-use crate::text::current;
+use crate::language::spoken;
 
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
@@ -16,42 +16,84 @@ pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
         Column::words(say!("conditions")),
         Column::words(say!("why")),
     ]);
-    let values = |values: &[f64], per: &str| {
-        let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
-            let value = trimmed(joint.kind.outer(*value), 2);
-            format!("{value}{}{per}", joint.kind.sign())
-        });
-        each.collect::<Vec<_>>()
-    };
-    for (k, pose) in poses.iter().enumerate() {
-        let mut conditions = pose
-            .speed
-            .as_deref()
-            .map_or_else(Vec::new, |v| values(v, "/s"));
-        let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
-        let temperature = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
-        let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));
-        let again = again.then(|| say!("second time").to_owned());
-        conditions.extend(load.into_iter().chain(temperature).chain(again));
-        table.row([
-            values(&pose.q, "").join(" "),
-            sides(&pose.dir),
-            pose.target.clone().unwrap_or_default(),
-            conditions.join(", "),
-            pose.why.spoken_in(current()),
-        ]);
+    for k in 0..poses.len() {
+        let pose = values_of(&poses[k].q, robot, "").join(" ");
+        let rest = [sides(&poses[k].dir)]
+            .into_iter()
+            .chain(after_sides(poses, k, robot));
+        table.row([pose].into_iter().chain(rest));
     }
     table
 }
 
+/// The same with a column for each joint, its value with its side, and without columns that would be empty: for
+/// places where letters are equally wide.
+#[cfg(feature = "cli")]
+pub(crate) fn table_by_joint(poses: &[NextPose], robot: &Robot) -> Table {
+    let joints = (1..=robot.joints.len()).map(|joint| say!("joint {joint}", joint = joint));
+    let columns = [Column::numbers("")].into_iter();
+    let columns = columns.chain(joints.map(Column::numbers)).chain([
+        Column::words(say!("reflector")),
+        Column::words(say!("conditions")),
+        Column::words(say!("why")),
+    ]);
+    let mut table = Table::of(columns);
+    for (k, pose) in poses.iter().enumerate() {
+        let values = values_of(&pose.q, robot, "").into_iter().zip(&pose.dir);
+        let values = values.map(|(value, dir)| format!("{value} {}", side(*dir)));
+        let values = [(k + 1).to_string()].into_iter().chain(values);
+        table.row(values.chain(after_sides(poses, k, robot)));
+    }
+    let first = 1 + robot.joints.len();
+    for column in (first..first + 2).rev() {
+        if table.rows.iter().all(|row| row[column].shown.is_empty()) {
+            table.columns.remove(column);
+            for row in &mut table.rows {
+                row.remove(column);
+            }
+        }
+    }
+    table
+}
+
+/// Values of all joints with their units.
+fn values_of(values: &[f64], robot: &Robot, per: &str) -> Vec<String> {
+    let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
+        let value = trimmed(joint.kind.outer(*value), 2);
+        format!("{value}{}{per}", joint.kind.sign())
+    });
+    each.collect()
+}
+
+/// Reflector, conditions and reason of a pose.
+fn after_sides(poses: &[NextPose], k: usize, robot: &Robot) -> [String; 3] {
+    let pose = &poses[k];
+    let speeds = pose.speed.as_deref();
+    let mut conditions = speeds.map_or_else(Vec::new, |v| values_of(v, robot, "/s"));
+    let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
+    let temperature = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
+    let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));
+    let again = again.then(|| say!("second time").to_owned());
+    conditions.extend(load.into_iter().chain(temperature).chain(again));
+    [
+        pose.target.clone().unwrap_or_default(),
+        conditions.join(", "),
+        spoken(&pose.why),
+    ]
+}
+
 /// From which side each joint comes: + from below, − from above.
 pub(crate) fn sides(dir: &[f64]) -> String {
-    let side = |dir: &f64| match *dir {
+    let sides = dir.iter().map(|dir| side(*dir));
+    sides.collect::<Vec<_>>().join(" ")
+}
+
+fn side(dir: f64) -> &'static str {
+    match dir {
         d if d > 0.0 => "+",
         d if d < 0.0 => "−",
         _ => say!(in "side", "any"),
-    };
-    dir.iter().map(side).collect::<Vec<_>>().join(" ")
+    }
 }
 
 /// Where each reflector is to be mounted that the session does not have.

@@ -276,7 +276,7 @@ impl Table<'_> {
 
     fn target(&self, number: usize, row: &Row) -> Result<Target, Problem> {
         if row.cells.len() != self.columns.len() {
-            let found = text!("{cells} cells", cells = row.cells.len());
+            let found = text!(one "{count} cell", "{count} cells", count = row.cells.len());
             let expected = text!("{columns}, as in the heading", columns = self.columns.len());
             return Err(Problem::new(row.line.start, found, expected));
         }

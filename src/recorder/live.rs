@@ -40,7 +40,7 @@ pub struct Standing {
     /// Lines that were left out.
     pub refused: u64,
     /// Which they were since it was last heard, and why.
-    pub left_out: Vec<String>,
+    pub left_out: Vec<Text>,
     /// How often the connection ended or broke.
     pub breaks: u64,
 }
@@ -177,7 +177,7 @@ mod tests {
                 last = standing
                     .left_out
                     .last()
-                    .cloned()
+                    .map(Text::to_string)
                     .unwrap_or(std::mem::take(&mut last));
                 states += 1;
                 if states < 600 {

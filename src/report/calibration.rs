@@ -8,10 +8,12 @@ use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;
 
+use super::Extras;
 use super::document::{Block, Column, Figure, Report, Section, Table, clean};
-use super::parts::{details, foot, gap, or_unnamed, robot_facts, signatures, tables, tolerance};
+use super::parts::{
+    details, foot, gap, of_machine, or_unnamed, robot_facts, signatures, tables, tolerance,
+};
 use super::plots::gap as gap_plot;
-use super::{Extras, history as past};
 use crate::present::chart::in_words;
 use crate::present::numbers::{mm, plain};
 use crate::text::current;
@@ -31,9 +33,7 @@ impl Report {
             sections.insert(0, details);
         }
         sections.extend(tables(extras, &calibration.samples_hash, &hash));
-        let history = extras.history.as_ref();
-        let robot = &calibration.model.robot.name;
-        sections.extend(history.and_then(|h| past::section(h, robot)));
+        sections.extend(of_machine(extras, &calibration.model.robot.name));
         sections.push(missing());
         sections.push(signatures(extras));
         let subject = or_unnamed(&calibration.session);

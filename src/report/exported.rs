@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+use crate::text::Text;
+
 use crate::document::number::hexadecimal;
 use crate::guard::read_regular;
 
@@ -30,18 +32,16 @@ pub struct ExportedTable {
 }
 
 /// Why a table cannot be named in a report.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum TableFileError {
     /// A file cannot be read.
-    #[error("{path}: {source}")]
     Unreadable {
         /// Which file.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        because: Text,
     },
     /// The sidecar is not one.
-    #[error("{path}: line {line}, column {column}: {what}")]
     NoSidecar {
         /// Which file.
         path: PathBuf,
@@ -50,9 +50,41 @@ pub enum TableFileError {
         /// Column of the problem.
         column: usize,
         /// What was expected.
-        what: String,
+        what: Text,
     },
 }
+
+impl TableFileError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Unreadable { path, because } => of_file(path, because.clone()),
+            Self::NoSidecar {
+                path,
+                line,
+                column,
+                what,
+            } => of_file(
+                path,
+                text!(
+                    "line {line}, column {column}: {says}",
+                    line = line,
+                    column = column,
+                    says = what
+                ),
+            ),
+        }
+    }
+}
+
+/// What is said of a file.
+fn of_file(path: &Path, says: Text) -> Text {
+    Text::listed([Text::verbatim(path.display().to_string()), says], ": ")
+}
+
+displays_what_it_says!(TableFileError);
+
+impl std::error::Error for TableFileError {}
 
 impl ExportedTable {
     /// Reads a table and the sidecar beside it.
@@ -63,29 +95,34 @@ impl ExportedTable {
         let read = |path: &Path| {
             read_regular(path, MOST_BYTES).map_err(|(found, _)| TableFileError::Unreadable {
                 path: path.to_path_buf(),
-                source: std::io::Error::other(found.to_string()),
+                because: found,
             })
         };
         let bytes = read(path)?;
         let beside = sidecar_of(path);
         let text = read(&beside)?;
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
-        let refuse = |line: usize, column: usize, what: String| TableFileError::NoSidecar {
+        let refuse = |line: usize, column: usize, what: Text| TableFileError::NoSidecar {
             path: beside.clone(),
             line,
             column,
             what,
         };
-        let meta: Value = serde_json::from_slice(text)
-            .map_err(|e| refuse(e.line(), e.column(), format!("expected JSON: {e}")))?;
+        let meta: Value = serde_json::from_slice(text).map_err(|e| {
+            refuse(
+                e.line(),
+                e.column(),
+                text!("expected JSON: {error}", error = e.to_string()),
+            )
+        })?;
         if meta["format"] != "truepose-table/1" {
             return Err(refuse(
                 1,
                 1,
-                "expected \"format\": \"truepose-table/1\"".to_owned(),
+                text!("expected \"format\": \"truepose-table/1\""),
             ));
         }
-        let word = |key: &str| meta[key].as_str().unwrap_or("not stated").to_owned();
+        let word = |key: &str| meta[key].as_str().unwrap_or_default().to_owned();
         let joint = meta["joint"]
             .as_u64()
             .map_or_else(String::new, |j| format!("{j} "));

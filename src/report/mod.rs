@@ -25,7 +25,6 @@ mod accuracy;
 mod calibration;
 mod findings;
 mod fonts;
-mod history;
 #[cfg(test)]
 mod languages;
 mod logo;

@@ -26,11 +26,12 @@ use super::accuracy;
 use super::calibration::values;
 use super::document::{Block, Column, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
-    details, foot, gap, instrument, or_unnamed, robot_facts, signatures, tables, tolerance,
+    details, foot, gap, instrument, of_machine, or_unnamed, robot_facts, signatures, tables,
+    tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
-use super::{Extras, ReportError, history};
+use super::{Extras, ReportError};
 use crate::present::numbers::{mm, plain, short};
 
 /// Rows of lists that have no end of their own.
@@ -93,8 +94,7 @@ impl Report {
             Ok(figures) => accuracy::section(figures),
             Err(error) => return Err(error.clone().into()),
         });
-        let history = extras.history.as_ref();
-        sections.extend(history.and_then(|h| history::section(h, &given.robot.name)));
+        sections.extend(of_machine(extras, &given.robot.name));
         sections.push(findings.sight);
         sections.extend(tables(extras, &hash, &known.model_hash));
         sections.push(signatures(extras));

@@ -13,6 +13,7 @@ mod search;
 use std::sync::OnceLock;
 
 use crate::kinematics::Robot;
+use crate::text::Text;
 
 pub use search::{NoSuchRobot, find, named};
 
@@ -106,6 +107,30 @@ impl LibraryRobot {
     /// Maker and model.
     pub fn title(&self) -> String {
         format!("{} {}", self.maker, self.model)
+    }
+
+    /// What could not be checked against a second source, in words.
+    pub fn not_checked(&self) -> Text {
+        Text::listed(self.not_checked.iter().map(|part| unchecked(part)), "; ")
+    }
+}
+
+/// A part of the numbers as the file names it, which is the English of its sentence.
+fn unchecked(part: &str) -> Text {
+    let of_joints = part.strip_prefix("joint ranges of ");
+    let of_joints = of_joints.and_then(|rest| rest.strip_suffix(" (the second source has others)"));
+    match (of_joints, part) {
+        (Some(joints), _) => text!(
+            "joint ranges of {joints} (the second source has others)",
+            joints = joints
+        ),
+        (_, "joint ranges") => text!("joint ranges"),
+        (_, "height of the flange") => text!("height of the flange"),
+        (_, "link lengths") => text!("link lengths"),
+        (_, "link lengths beyond what the reach tells (flange, heights, offsets)") => {
+            text!("link lengths beyond what the reach tells (flange, heights, offsets)")
+        }
+        (_, other) => Text::verbatim(other),
     }
 }
 

@@ -321,8 +321,9 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
             .collect();
         if !beyond.is_empty() {
             let found = text!(
-                "{beyond} samples are beyond the limits of joint {index}: {which}",
-                beyond = beyond.len(),
+                one "{count} sample is beyond the limits of joint {index}: {which}",
+                "{count} samples are beyond the limits of joint {index}: {which}",
+                count = beyond.len(),
                 index = index + 1,
                 which = which(&session.samples, &beyond)
             );
@@ -385,8 +386,9 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let lost = samples.lost_reflector();
     if !lost.is_empty() {
         let found = text!(
-            "the instrument lost the reflector (0, 0, 0) in {lost} samples: {which}",
-            lost = lost.len(),
+            one "the instrument lost the reflector (0, 0, 0) in {count} sample: {which}",
+            "the instrument lost the reflector (0, 0, 0) in {count} samples: {which}",
+            count = lost.len(),
             which = which(samples, &lost)
         );
         let warning = Diagnostic::warning(file.clone(), found, text!("they are left out"));

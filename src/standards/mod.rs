@@ -68,8 +68,9 @@ pub fn standards(
     let mut notes = Vec::new();
     if left_out > 0 {
         notes.push(text!(
-            "{left_out} samples are left out: a cell is missing, the reflector was lost, or they are excluded by hand",
-            left_out = left_out
+            one "{count} sample is excluded: a cell is missing, the reflector was lost, or it is excluded by hand",
+            "{count} samples are excluded: a cell is missing, the reflector was lost, or they are excluded by hand",
+            count = left_out
         ));
     }
     if samples == 0 {

@@ -77,8 +77,9 @@ pub(crate) fn code() -> Vec<Line> {
         let code = text.lines().enumerate().take_while({
             let mut before = "";
             move |(_, line)| {
-                let tests =
-                    before == "#[cfg(test)]" && line.starts_with("mod ") && line.ends_with('{');
+                let module =
+                    line.starts_with("mod ") || line.starts_with("pub") && line.contains(" mod ");
+                let tests = before == "#[cfg(test)]" && module && line.ends_with('{');
                 before = line;
                 !tests
             }

@@ -510,7 +510,7 @@ fn a_lost_reflector_is_no_point_once_points_are_moved() {
     settings.reference = Some(companion(known));
     let done = imported(text, &settings);
     assert!(
-        findings(&done).contains("lost the reflector (0, 0, 0) in 1 measurements: 'P' (line 5)")
+        findings(&done).contains("lost the reflector (0, 0, 0) in 1 measurement: 'P' (line 5)")
     );
     assert_eq!(done.session.samples.incomplete(), [0]);
     assert!((done.session.samples.z_mm.as_ref().unwrap()[1] - 13.0).abs() < 1e-9);

@@ -1140,7 +1140,8 @@ fn the_command_names_what_it_leaves_with_its_line_and_says_so_with_its_status() 
     assert_eq!(status, Some(1), "{said}");
     assert!(summary.contains("2 of 3 targets corrected"), "{summary}");
     assert!(
-        summary.contains("orientation in part: line 3, column 1: row 2: "),
+        summary.contains("Orientation corrected in part: 1, ")
+            && summary.contains("line 3, column 1: row 2: "),
         "{summary}"
     );
     assert!(

@@ -344,10 +344,15 @@ fn a_folder_tells_what_changed_from_session_to_session() {
     assert!(gap(&entries[3], "after_mm") < 0.04);
     let text = truepose().arg("history").arg(&folder.0).output().unwrap();
     let text = String::from_utf8_lossy(&text.stdout).into_owned();
-    assert!(
-        text.contains("changed since run 10.json by more than the interval: 1 of"),
-        "{text}"
-    );
+    // The last session is the one that changed, by its offset.
+    let line = |start: &str| {
+        let found = text.lines().find(|line| line.trim().starts_with(start));
+        found
+            .unwrap_or_else(|| panic!("{start}: {text}"))
+            .to_owned()
+    };
+    assert!(line("run 11").contains(" 1 of "), "{text}");
+    assert!(line("Zero offset").trim_end().ends_with('●'), "{text}");
 }
 
 #[test]

@@ -39,8 +39,8 @@ pub(crate) struct ExportPreview {
     pub(crate) export: Export,
     /// What no joint can remove.
     pub(crate) remainder: Remainder,
-    /// The gap that this table leaves, with the controller's own interpolation.
-    pub(crate) gap: Option<Spread>,
+    /// RMS errors of the session as it stands and with this export, the controller's own interpolation in it.
+    pub(crate) errors: Option<[Spread; 2]>,
 }
 
 impl Preview {
@@ -75,7 +75,7 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     let export = made.export;
     Ok(ExportPreview {
         remainder: Remainder::new(calibration, &inputs),
-        gap: made.gaps.map(|[_, after]| after),
+        errors: made.gaps,
         joint: session.robot.joints[choice.joint].name.clone(),
         export,
     })

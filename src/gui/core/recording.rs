@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::explain::clean;
+use crate::language::spoken;
 use crate::present::numbers::grouped;
 use crate::recorder::live::State;
 use crate::recorder::source::Address;
+use crate::text::Text;
 
 /// What is wanted, as it is typed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -73,7 +76,7 @@ pub(crate) struct Heard {
     pub(crate) recorded: u64,
     /// Lines that were left out, and why the last of them was.
     pub(crate) refused: u64,
-    pub(crate) last_refused: Option<String>,
+    pub(crate) last_refused: Option<Text>,
     /// How often the connection ended or broke.
     pub(crate) breaks: u64,
     /// It is over: it was stopped, or this is wrong.
@@ -81,6 +84,12 @@ pub(crate) struct Heard {
 }
 
 impl Heard {
+    /// The last line that was left out, and why.
+    pub(crate) fn last_refused(&self) -> Option<String> {
+        let last = spoken(self.last_refused.as_ref()?);
+        Some(clean(&last.replace(char::REPLACEMENT_CHARACTER, "?")))
+    }
+
     /// In a line.
     pub(crate) fn says(&self) -> String {
         let recorded = usize::try_from(self.recorded).unwrap_or(usize::MAX);

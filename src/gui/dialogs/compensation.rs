@@ -1,13 +1,14 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use crate::language::spoken;
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, CompensationRequest, Corrected, MOST_KG, Whose};
-use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, Whose};
+use crate::explain::{self, Detail, Section, Topic};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::What;
+use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::programs::Differing;
@@ -21,7 +22,7 @@ const HIGH: f32 = 0.3;
 const ROW: f32 = 20.0;
 /// Width of the line's number, points.
 const NUMBER: f32 = 44.0;
-/// So many targets that are left are listed; the sidecar has all of them.
+/// So many targets and remarks of a kind are listed; the sidecar has all of them.
 const MOST_LEFT: usize = 30;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -47,9 +48,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ends::done(ui, commands);
         }
         Ok(corrected) => {
-            summary(ui, workbench, corrected);
+            widgets::fact_of(ui, phrase!("read as"), corrected.language);
+            let detail = Detail::window(workbench.units());
+            let orientation = workbench.subject().session.robot.mobility() == 6;
+            let answer = &corrected.answer;
+            says(ui, &explain::program(answer, orientation, MOST_LEFT, detail));
             lines(ui, &corrected.changed);
-            left(ui, corrected);
             let any = corrected.summary.corrected > 0;
             if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
                 commands.push(Command::ChooseWhereToExport(What::Targets));
@@ -107,25 +111,22 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
     });
 }
 
-fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
-    let (units, s) = (workbench.units(), corrected.summary);
-    widgets::fact_of(ui, phrase!("read as"), corrected.language);
-    let of = say!(
-        "{corrected} of {targets}",
-        corrected = s.corrected,
-        targets = s.targets
-    );
-    widgets::fact_of(ui, phrase!("targets corrected"), of);
-    if s.corrected > 0 {
-        let change = |a: f64, b: f64| {
-            let [a, b] = [a, b].map(|mm| units.length_number(mm));
-            format!("{a} → {b} {}", units.length_name())
-        };
-        let rms = change(s.before_mm, s.after_mm);
-        widgets::fact_of(ui, phrase!("RMS position error"), rms);
-        let most = change(s.max_before_mm, s.max_after_mm);
-        widgets::fact_of(ui, phrase!("largest position error"), most);
-    }
+/// What there is to say of the targets: how many, how far off, which are left and why.
+fn says(ui: &mut Ui, sections: &[Section]) {
+    ScrollArea::vertical()
+        .id_salt("what became of the targets")
+        .max_height(0.7 * high(ui))
+        .show(ui, |ui| {
+            for section in sections {
+                blocks::title(ui, section, Title::Plain);
+                if section.topic == Topic::LeftAsIs {
+                    blocks::warned(ui, &section.blocks);
+                } else {
+                    blocks::show(ui, &section.blocks);
+                }
+                ui.add_space(space::TIGHT);
+            }
+        });
 }
 
 fn high(ui: &Ui) -> f32 {
@@ -174,62 +175,5 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
                     });
                 }
             });
-        });
-}
-
-/// Targets that are left as they are, what is worked out at run time, and what else there is to know.
-fn left(ui: &mut Ui, corrected: &Corrected) {
-    let answer = &corrected.answer;
-    let targets = answer.targets.iter().filter_map(|target| {
-        let left = target.result.as_ref().err()?;
-        let name = &target.name;
-        Some((
-            target.place,
-            say!(
-                "{name} is left as it is: {left}",
-                name = name,
-                left = spoken(&left.says)
-            ),
-        ))
-    });
-    let at_run_time = answer.at_run_time.iter();
-    let at_run_time = at_run_time
-        .map(|(l, c, says)| ((*l, *c), say!("not corrected: {says}", says = spoken(says))));
-    let warnings: Vec<_> = targets.chain(at_run_time).collect();
-    let remarks = answer.remarks.iter();
-    let remarks: Vec<_> = remarks
-        .map(|(l, c, says)| ((*l, *c), spoken(says)))
-        .collect();
-    if warnings.is_empty() && remarks.is_empty() && answer.notes.is_empty() {
-        return;
-    }
-    let at = |((line, column), says): &((u64, u64), String)| {
-        say!(
-            "line {line}, column {column}: {says}",
-            line = line,
-            column = column,
-            says = says
-        )
-    };
-    ScrollArea::vertical()
-        .id_salt("what is left")
-        .max_height(0.5 * high(ui))
-        .show(ui, |ui| {
-            for warning in warnings.iter().take(MOST_LEFT) {
-                widgets::wrong(ui, &at(warning));
-            }
-            if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
-                let says = say!(
-                    "and {more} more: all of them stand in the file beside the saved one",
-                    more = more
-                );
-                widgets::hint(ui, says);
-            }
-            for remark in remarks.iter().take(MOST_LEFT) {
-                widgets::hint(ui, at(remark));
-            }
-            for note in &answer.notes {
-                widgets::hint(ui, spoken(note));
-            }
         });
 }

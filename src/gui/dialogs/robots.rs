@@ -217,7 +217,7 @@ fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
         let muted = Palette::of(ui).muted;
         let says = say!(
             "Not checked against a second source: {what}",
-            what = robot.not_checked.join("; ")
+            what = crate::language::spoken(robot.not_checked())
         );
         ui.add(egui::Label::new(egui::RichText::new(says).small().color(muted)).wrap());
     }

@@ -11,7 +11,6 @@ use crate::gui::core::recording::{Heard, RecordingRequest};
 use crate::recorder::Recorder;
 use crate::recorder::live::record;
 use crate::recorder::source::Address;
-use crate::report::document::clean;
 
 /// Between the thread and the window.
 #[derive(Debug, Default)]
@@ -90,7 +89,7 @@ fn listened(
             heard.refused = standing.refused;
             heard.breaks = standing.breaks;
             if let Some(last) = standing.left_out.last() {
-                heard.last_refused = Some(clean(&last.replace(char::REPLACEMENT_CHARACTER, "?")));
+                heard.last_refused = Some(last.clone());
             }
             if *heard != before && !shared.told.swap(true, Ordering::Relaxed) {
                 tell();

@@ -96,7 +96,7 @@ fn make(
     };
     let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
     if !written.unshown.is_empty() {
-        let says = fonts::cannot_be_shown(&written.unshown);
+        let says = spoken(fonts::cannot_be_shown(&written.unshown));
         details.push(say!(
             "Some letters stand in it as codes: {says}",
             says = says
@@ -129,7 +129,7 @@ fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTab
             }
             Err(because) => details.push(say!(
                 "A table is not named in it: {because}",
-                because = because
+                because = spoken(because.says())
             )),
         }
     }

@@ -6,11 +6,13 @@ use std::sync::Arc;
 
 use super::answers::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
+use crate::explain::{Detail, Section, imported};
 use crate::gui::core::appearance::seen;
 use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings};
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
+use crate::present::units::Units;
 use crate::progress::{Part, ReadError};
 use crate::sessions::files;
 
@@ -75,6 +77,20 @@ impl Trial {
             alignment: imported.alignment,
             notes,
         })
+    }
+}
+
+impl Trial {
+    /// What it brings, as it is said everywhere.
+    pub(crate) fn brings(&self, units: Units) -> Section {
+        let subject = &self.subject;
+        imported(
+            subject.len(),
+            subject.gap_before,
+            self.matched.as_ref(),
+            self.alignment.as_ref(),
+            Detail::window(units),
+        )
     }
 }
 

@@ -10,7 +10,7 @@ use crate::present::table::Table;
 
 /// How a section's title looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Title {
+pub(crate) enum Title {
     /// As the name of something.
     Plain,
     /// As an answer, in this colour.
@@ -18,7 +18,7 @@ pub(super) enum Title {
 }
 
 /// A section's title; what it returns can be explained.
-pub(super) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
+pub(crate) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
     let text = RichText::new(&section.title);
     let text = match look {
         Title::Plain => text.font(strong(size::BODY)),
@@ -28,7 +28,7 @@ pub(super) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
 }
 
 /// What belongs to it.
-pub(super) fn show(ui: &mut Ui, blocks: &[Block]) {
+pub(crate) fn show(ui: &mut Ui, blocks: &[Block]) {
     for (index, block) in blocks.iter().enumerate() {
         match block {
             Block::Heading(text) => {
@@ -52,6 +52,20 @@ pub(super) fn show(ui: &mut Ui, blocks: &[Block]) {
             Block::Table(own) => table(ui, index, own),
             // What is drawn or signed is for paper: the window has its own charts.
             Block::Plot(..) | Block::Sign(_) => {}
+        }
+    }
+}
+
+/// The same, its lists as what must not be overlooked.
+pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
+    for block in blocks {
+        match block {
+            Block::List(points) => {
+                for point in points {
+                    widgets::wrong(ui, point);
+                }
+            }
+            other => show(ui, std::slice::from_ref(other)),
         }
     }
 }

@@ -5,17 +5,18 @@ use crate::present::names;
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
+use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
 use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
+use crate::gui::views::blocks;
 use crate::gui::views::names::title;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::numbers::with_minus_signs;
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
@@ -234,68 +235,24 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
-    let palette = Palette::of(ui);
-    let units = workbench.units();
-    widgets::card(ui, |ui| {
-        let measured = !workbench.subject().is_empty();
-        let stays = units.length(made.remainder.rms_mm);
-        let (says, left) = match made.gap {
-            Some(gap) if made.export.robot.is_some() => {
-                (say!("RMS error to this robot"), units.length(gap.rms_mm))
+    let measured = !workbench.subject().is_empty();
+    let identified = workbench.answer().filter(|_| measured);
+    let exported = Exported {
+        export: &made.export,
+        errors: made.errors,
+        identified_mm: identified.map(|answer| answer.identification.gap.after.rms_mm),
+        remainder: Some(&made.remainder),
+    };
+    for section in explain::table(&exported, Detail::window(workbench.units())) {
+        widgets::card(ui, |ui| {
+            if section.topic == Topic::Answer {
+                leaves(ui, &section);
+            } else {
+                title(ui, &section.title);
+                blocks::show(ui, &section.blocks);
             }
-            Some(gap) => (
-                say!("RMS error left by the table"),
-                units.length(gap.rms_mm),
-            ),
-            // Without samples there is only what the model itself says.
-            None => (say!("Not correctable by joint commands"), stays.clone()),
-        };
-        ui.label(RichText::new(says).color(palette.muted));
-        ui.label(
-            RichText::new(left)
-                .font(strong(size::DISPLAY))
-                .color(palette.after),
-        );
-        if made.gap.is_some() {
-            let says = say!(
-                "Includes noise, load and temperature effects that a table cannot correct; the model's own figure stands below"
-            );
-            widgets::hint(ui, says);
-        }
-        if let Some(before) = workbench.subject().gap_before {
-            widgets::fact_of(
-                ui,
-                phrase!(in "export", "without it"),
-                units.length(before.rms_mm),
-            );
-        }
-        if let Some(answer) = workbench.answer().filter(|_| measured) {
-            let after = answer.identification.gap.after.rms_mm;
-            widgets::fact_of(ui, phrase!("model and measurement"), units.length(after));
-        }
-        // A robot's description carries what joint commands cannot correct.
-        if made.export.robot.is_some() {
-            return;
-        }
-        if let Some(gap) = made.gap {
-            widgets::fact_of(ui, phrase!("not correctable by joint commands"), stays);
-            if gap.rms_mm < made.remainder.rms_mm {
-                let says =
-                    say!("The predicted residual exceeds the measured one: the model does not fit");
-                widgets::hint(ui, says);
-            }
-        }
-        for line in made.remainder.says() {
-            widgets::hint(ui, with_minus_signs(&spoken(&line)));
-        }
-    });
-    widgets::card(ui, |ui| {
-        title(ui, say!("What the numbers mean"));
-        // The export's own notes, which the terminal prints, are these and what stands above.
-        for line in &made.export.meaning {
-            widgets::hint(ui, with_minus_signs(&spoken(line)));
-        }
-    });
+        });
+    }
     widgets::card(ui, |ui| {
         let name = made
             .export
@@ -305,6 +262,21 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
         title(ui, name);
         text(ui, &text_of(made));
     });
+}
+
+/// The figure that counts is large, the others are below it.
+fn leaves(ui: &mut Ui, section: &Section) {
+    let palette = Palette::of(ui);
+    ui.label(RichText::new(&section.title).color(palette.muted));
+    let [Block::Facts(facts), rest @ ..] = &section.blocks[..] else {
+        return blocks::show(ui, &section.blocks);
+    };
+    if let Some((_, left)) = facts.first() {
+        let left = RichText::new(left).font(strong(size::DISPLAY));
+        ui.label(left.color(palette.after));
+    }
+    blocks::show(ui, &[Block::Facts(facts[1..].to_vec())]);
+    blocks::show(ui, rest);
 }
 
 /// The first lines; a table may have a million.

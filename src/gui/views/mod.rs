@@ -1,6 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
-mod blocks;
+pub(crate) mod blocks;
 mod compensate;
 mod copies;
 mod coverage;

@@ -8,6 +8,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::language::spoken;
 use crate::present::numbers::grouped;
 use crate::recorder::live::State;
 
@@ -91,7 +92,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if ui.small_button(say!("Understood")).clicked() {
             commands.push(Command::DismissLetters);
         }
-        let says = fonts::cannot_be_shown(&workbench.letters().unshown);
+        let says = spoken(fonts::cannot_be_shown(&workbench.letters().unshown));
         let says = small(says).color(palette.warning);
         ui.add(egui::Label::new(says).truncate());
     }
@@ -112,7 +113,7 @@ fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) ->
     };
     let says = RichText::new(heard.says()).size(size::NOTE).color(color);
     let label = ui.add(egui::Label::new(says).truncate());
-    if let Some(last) = &heard.last_refused {
+    if let Some(last) = heard.last_refused() {
         label.on_hover_text(last);
     }
     true

@@ -87,7 +87,7 @@ fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>
         }
         (None, _) => {
             if case.reading.columns.is_empty() {
-                let says = text!("{width} columns and no header", width = grid.width);
+                let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
                 case.ask(About::Columns, says, &[]);
             }
             vec![Role::Left; grid.width]

@@ -34,7 +34,7 @@ fn suits(trial: &Trial) -> bool {
 fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width != 8 {
-        let found = text!("{width} columns", width = grid.width);
+        let found = text!(one "{count} column", "{count} columns", count = grid.width);
         case.refuse(found, text!("8: timestamp tx ty tz qx qy qz qw"));
         return None;
     }

@@ -327,6 +327,7 @@ impl Reader<'_> {
         let point = self.numbers::<3>(&levels, "pos")?.unwrap_or_default();
         let name = self.name(element);
         Ok(BodyJoint {
+            gear_ratio: None,
             name: if name.is_empty() {
                 format!("joint {}", self.joints)
             } else {

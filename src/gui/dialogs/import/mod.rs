@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         companion_file::commanded(ui, now, &mut next, commands);
         companion_file::base_frame(ui, now, &mut next, commands);
         companion_file::reflectors(ui, now, &mut next, commands);
-        result::show(ui, now);
+        result::show(ui, now, workbench.units());
         ui.max_rect().width()
     });
     let missing = if next == now.said {

@@ -187,8 +187,9 @@ fn measurements(
     complaints.into(&place, &mut case.found.findings);
     if empty > 0 {
         case.note(text!(
-            "{empty} cells are empty: not measured, left out",
-            empty = empty
+            one "{count} cell is empty: not measured, excluded",
+            "{count} cells are empty: not measured, excluded",
+            count = empty
         ));
     }
     list

@@ -79,7 +79,7 @@ pub(super) fn parts(
         ));
         vec![Part::Target, Part::Direction, Part::Run, Part::Position]
     } else {
-        let says = text!("{width} columns and no header", width = grid.width);
+        let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
         case.ask(About::Columns, says, &["target,direction,run,position"]);
         return None;
     };

@@ -1,0 +1,51 @@
+//! What became of a machine: its sessions and models in their order, what changed, its parameters side by side.
+
+use super::{Block, Detail, Section};
+use crate::history::RobotHistory;
+use crate::present::history::{CHANGED, chart, entries, ordered_by, parameters, rows};
+
+/// Sessions whose values stand side by side on a page.
+const MOST: usize = 4;
+/// Parameters that are charted: those that changed.
+const CHARTS: usize = 3;
+/// Width of a chart on paper, mm.
+const WIDE_MM: f64 = 150.0;
+
+/// The section of one robot.
+pub(crate) fn history(robot: &RobotHistory, detail: Detail) -> Section {
+    let last = robot.entries.len();
+    let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
+    let mut blocks = vec![
+        Block::Text(say!(
+            "Every session is identified in the same way (full model with its usual effects), {order}",
+            order = ordered_by(robot.ordered_by)
+        )),
+        Block::Table(entries(robot)),
+        Block::Text(say!(
+            "Parameters of the last {shown} with half their 95 % intervals; {mark}: changed by more than the interval of the difference since the one before",
+            shown = shown.len(),
+            mark = CHANGED
+        )),
+        Block::Table(parameters(robot, &shown)),
+    ];
+    if !detail.brief {
+        let rows = rows(robot);
+        let changed = rows
+            .iter()
+            .filter(|row| row.values.iter().flatten().any(|value| value.changed));
+        for row in changed.take(CHARTS) {
+            let drawing = chart(robot, row).in_page(WIDE_MM);
+            blocks.push(Block::Plot(
+                drawing,
+                say!("{parameter} over the sessions", parameter = row.name),
+            ));
+        }
+    }
+    // A report is about one robot, which it names before; the terminal lists all of a folder.
+    let title = if detail.brief {
+        robot.robot.clone()
+    } else {
+        say!("History of the machine").to_owned()
+    };
+    Section::new(title, blocks)
+}

@@ -1,0 +1,102 @@
+//! A table or a corrected robot as it is exported: what it leaves of a session, what joint commands cannot correct,
+//! what its numbers mean.
+
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
+use crate::compensation::Remainder;
+use crate::export::Export;
+use crate::fit::gap::Spread;
+use crate::present::numbers::with_minus_signs;
+use crate::text::ByTitles;
+
+/// An export with what it is held against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exported<'a> {
+    /// The export.
+    pub(crate) export: &'a Export,
+    /// RMS errors of the session as it stands and under the export, where there is one and both can be said.
+    pub(crate) errors: Option<[Spread; 2]>,
+    /// RMS error of the model itself on the session, mm, where that is known.
+    pub(crate) identified_mm: Option<f64>,
+    /// What no joint can correct; `None` where that was not worked out.
+    pub(crate) remainder: Option<&'a Remainder>,
+}
+
+/// What it leaves, what its numbers mean, what else there is to know.
+pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
+    let _by_titles = ByTitles::begin();
+    let mut sections: Vec<Section> = leaves(of, detail).into_iter().collect();
+    let meaning: Vec<String> = of.export.meaning.iter().map(said).collect();
+    // Notes are for places that show nothing else: they have the meaning and what no joint can correct in them.
+    let stays = of.remainder.map_or_else(Vec::new, Remainder::says);
+    let stays: Vec<String> = stays.iter().map(said).collect();
+    let more = of.export.notes.iter().map(said);
+    let more = more.filter(|line| !meaning.contains(line) && !stays.contains(line));
+    let more: Vec<String> = more.collect();
+    for (title, lines) in [
+        (say!("What the numbers mean"), meaning),
+        (say!("Notes"), more),
+    ] {
+        if !lines.is_empty() {
+            sections.push(Section::new(title, vec![Block::List(lines)]));
+        }
+    }
+    sections
+}
+
+fn said(line: &crate::text::Text) -> String {
+    with_minus_signs(&cleaned(line))
+}
+
+/// The error that is left: of the session where there is one, else what the model says of every joint command.
+fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
+    let describes = of.export.robot.is_some();
+    let cannot = of.remainder.filter(|_| !describes);
+    let mut blocks = Vec::new();
+    let title = if let Some([before, after]) = of.errors {
+        blocks.push(Block::Facts(figures(of, before, after, detail)));
+        let model_only = say!(
+            "Includes noise, load and temperature effects that a table cannot correct; the model's own figure stands below"
+        );
+        if let Some(remainder) = cannot {
+            blocks.push(Block::Text(model_only.to_owned()));
+            let own = detail.length(remainder.rms_mm);
+            let own = fact(say!("not correctable by joint commands"), own);
+            blocks.push(Block::Facts(vec![own]));
+            if after.rms_mm < remainder.rms_mm {
+                let says =
+                    say!("The predicted residual exceeds the measured one: the model does not fit");
+                blocks.push(Block::Warning(says.to_owned()));
+            }
+        }
+        if describes {
+            say!("RMS error to this robot")
+        } else {
+            say!("RMS error left by the table")
+        }
+    } else {
+        let left = detail.length(cannot?.rms_mm);
+        let own = fact(say!("not correctable by joint commands"), left);
+        blocks.push(Block::Facts(vec![own]));
+        say!("Not correctable by joint commands")
+    };
+    if let Some(remainder) = cannot {
+        let says: Vec<String> = remainder.says().iter().map(said).collect();
+        if !says.is_empty() {
+            blocks.push(Block::List(says));
+        }
+    }
+    Some(Section::of(Topic::Answer, title, blocks))
+}
+
+fn figures(of: &Exported<'_>, before: Spread, after: Spread, detail: Detail) -> Vec<Fact> {
+    let length = |mm: f64| detail.length(mm);
+    let mut facts = vec![
+        fact(say!("RMS error"), length(after.rms_mm)),
+        fact(say!("largest"), length(after.max_mm)),
+        fact(say!("RMS error without it"), length(before.rms_mm)),
+    ];
+    if let Some(mm) = of.identified_mm {
+        facts.push(fact(say!("model and measurement"), length(mm)));
+    }
+    facts
+}
