@@ -1,14 +1,13 @@
 //! The answer of `truepose diagnose` in words.
 
 use crate::diagnosis::Diagnosis;
-use crate::explain::{self, Detail, Topic, implausible, parameters};
-use crate::fit::Estimate;
+use crate::explain::{self, Detail, Section, Topic};
 use crate::language::spoken;
 use crate::paper::RegionalStart;
 use crate::present::table::Table;
 
+use super::blocks;
 use super::words::line;
-use super::{blocks, geometry};
 
 /// The regional model that a diagnosis was begun with.
 pub(super) fn start_in_words(start: &RegionalStart) -> String {
@@ -43,27 +42,10 @@ pub(super) fn in_words(d: &Diagnosis) -> String {
     for section in explain::diagnosis(d, Detail::TERMINAL) {
         text += &blocks::section(&section);
         if section.topic == Topic::Answer {
-            text += &identified(d);
+            let values = explain::values(&d.identified, &d.model.robot, Detail::TERMINAL);
+            let title = say!("Parameters of the real robot");
+            text += &blocks::section(&Section::new(title, values));
         }
     }
     text
-}
-
-/// What belongs to every calibration, with intervals.
-fn identified(d: &Diagnosis) -> String {
-    let robot = &d.model.robot;
-    let arm = geometry::is_of_an_arm(&d.identified);
-    let mut text = if arm {
-        geometry::table(&d.identified)
-    } else {
-        String::new()
-    };
-    let listed = |one: &&Estimate| !(arm && geometry::is_in_table(one));
-    let listed: Vec<&Estimate> = d.identified.iter().filter(listed).collect();
-    if !listed.is_empty() {
-        line(&mut text, say!("Parameters of the real robot"));
-        text += &blocks::blocks(&[parameters(listed.into_iter(), robot)], 2);
-    }
-    let remarks = implausible(d.identified.iter(), robot);
-    text + &blocks::blocks(remarks.as_slice(), 2)
 }

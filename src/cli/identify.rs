@@ -6,23 +6,17 @@ use clap::{Args, ValueEnum};
 
 use crate::effects::JointValues;
 use crate::explain::{self, Detail};
-use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, RegionResult};
-use crate::language::spoken;
+use crate::fit::{DEFAULT_EFFECTS, Identification};
 use crate::pipeline;
-use crate::present::identification_v1::{degrees, document};
-use crate::present::kinds;
-use crate::present::table::{Cell, Table};
+use crate::present::identification_v1::document;
 use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
 use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
 use super::failure::Failure;
-use super::words::{Labelled, effect, labelled, line, parameter, wide_of};
-use super::{blocks, geometry, levels, output};
-
-/// What is taken up by the labels of errors, at least.
-const LABEL: usize = 13;
+use super::words::line;
+use super::{blocks, output};
 
 /// Identify a session's robot: the full model, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -156,118 +150,12 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
 
 fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
     let mut text = String::new();
-    let head = if answer.method == "exact" {
-        say!(
-            "{session}: full-model identification of {samples} samples",
-            session = answer.session,
-            samples = answer.samples
-        )
-    } else {
-        say!(
-            "{session}: regional identification of {samples} samples",
-            session = answer.session,
-            samples = answer.samples
-        )
-    };
-    line(&mut text, head);
-    text += &blocks::sections(&explain::data_problems(data_problems));
-    let errors = errors(answer);
-    text += &labelled(&errors, wide_of(&errors).max(LABEL));
-    if !answer.kinds.is_empty() {
-        text += &format!("\n{}", kinds::table(&answer.kinds).aligned(0));
-    }
-    let arm = geometry::is_of_an_arm(&answer.parameters);
-    if arm {
-        text += &format!("\n{}", geometry::table(&answer.parameters));
-    }
-    text += &levels::in_words(answer);
-    let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
-    let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
-    if !rows.is_empty() {
-        let mut table = Table::headed(say!("effect | >joint | parameter | >value | 95 % interval"));
-        table.rows = rows.into_iter().map(parameter_row).collect();
-        text += &format!("\n{}", table.aligned(0));
-    }
-    if !answer.regions.is_empty() {
-        text += &format!("\n{}", regions(&answer.regions).aligned(0));
-    }
-    let remarks = explain::remarks_on_fit(answer, session, Detail::TERMINAL);
-    text + &blocks::sections(&remarks)
-}
-
-fn errors(answer: &Identification) -> Vec<Labelled> {
-    let six = |mm: f64| format!("{mm:.6}");
-    let gap = &answer.gap;
-    let fitted = say!(
-        "nominal {nominal} mm, identified {identified} mm (largest {max_nominal} and {max_identified})",
-        nominal = six(gap.before.rms_mm),
-        identified = six(gap.after.rms_mm),
-        max_nominal = six(gap.before.max_mm),
-        max_identified = six(gap.after.max_mm)
+    let samples = say!(
+        "{session}: {samples} samples",
+        session = answer.session,
+        samples = answer.samples
     );
-    let held_out = answer.held_out.as_ref().map(|held_out| {
-        say!(
-            "{before} mm before, {after} mm after, on {samples} samples that the fit has not seen",
-            before = six(held_out.before.rms_mm),
-            after = six(held_out.after.rms_mm),
-            samples = held_out.samples
-        )
-    });
-    let held_out = held_out.map(|said| (say!("held out"), said));
-    [(say!("RMS error"), fitted)]
-        .into_iter()
-        .chain(held_out)
-        .collect()
-}
-
-/// A row of the table of parameters.
-fn parameter_row(p: &Estimate) -> Vec<Cell> {
-    let place = p.setup.as_ref().or(p.place.as_ref());
-    let joint = p
-        .joint
-        .map_or_else(|| "-".to_owned(), |joint| joint.to_string());
-    let whole = p.is_whole_number();
-    let value = if whole {
-        p.value.to_string()
-    } else {
-        format!("{:.6}", p.value)
-    };
-    let mut interval = match p.ci95 {
-        Some([a, b]) => format!("{a:.6} … {b:.6}"),
-        None if whole => String::new(),
-        None => say!("not determined").to_owned(),
-    };
-    if let Some(says) = p.implausible() {
-        interval += &format!("   {}", spoken(&says));
-    }
-    let joint = place.cloned().unwrap_or(joint);
-    [
-        effect(p.effect).into_owned(),
-        joint,
-        parameter(p.name).into_owned(),
-        value,
-        interval,
-    ]
-    .map(Cell::from)
-    .into()
-}
-
-fn regions(results: &[RegionResult]) -> Table {
-    let mut table = Table::headed(say!(
-        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm"
-    ));
-    for r in results {
-        let c = &r.correction;
-        table.row([
-            c.name.clone(),
-            format!("{:.3}", degrees(c.from_rad)),
-            format!("{:.3}", degrees(c.to_rad)),
-            c.samples.to_string(),
-            format!("{:.7}", c.theta_rad),
-            format!("{:.7}", c.l1_mm),
-            format!("{:.4}", r.rms_before_mm),
-            format!("{:.4}", r.rms_after_mm),
-        ]);
-    }
-    table
+    line(&mut text, samples);
+    let sections = explain::identification(answer, session, data_problems, Detail::TERMINAL);
+    text + &blocks::sections(&sections)
 }

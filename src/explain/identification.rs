@@ -1,11 +1,131 @@
-//! An identification: what belongs to it beside its figures and parameters, which every place shows in its own way.
+//! An identification: its errors, the geometry, what each level of correction brings, parameters, regions, and what
+//! it is to be read with.
 
+#[cfg(feature = "cli")]
+use super::diagnosis::expected;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
+#[cfg(feature = "cli")]
+use super::{to_the_nanometre, values};
 use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, Unusable};
+#[cfg(feature = "cli")]
+use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
+#[cfg(feature = "cli")]
+use crate::present::identification_v1::degrees;
+#[cfg(feature = "cli")]
+use crate::present::kinds;
+#[cfg(feature = "cli")]
+use crate::present::table::Table;
 use crate::sessions::Session;
+#[cfg(feature = "cli")]
+use crate::set_up_errors::DataProblem;
 use crate::text::ByTitles;
+
+/// The whole answer, in the order in which it is read.
+#[cfg(feature = "cli")]
+pub(crate) fn identification(
+    answer: &Identification,
+    session: &Session,
+    data_problems: &[DataProblem],
+    detail: Detail,
+) -> Vec<Section> {
+    let _by_titles = ByTitles::begin();
+    let title = if answer.regions.is_empty() {
+        say!("Identification, full model")
+    } else {
+        say!("Identification by region")
+    };
+    let mut blocks = vec![Block::Facts(errors(answer, detail))];
+    if !answer.kinds.is_empty() {
+        blocks.push(Block::Table(kinds::table(&answer.kinds)));
+    }
+    blocks.extend(expected(answer, detail));
+    let mut sections = vec![Section::of(Topic::Answer, title, blocks)];
+    sections.extend(open::data_problems(data_problems));
+    if !answer.parameters.is_empty() {
+        let blocks = values(&answer.parameters, &session.robot, detail);
+        sections.push(Section::new(say!("Identified parameters"), blocks));
+    }
+    sections.extend(levels(answer));
+    if !answer.regions.is_empty() {
+        let table = Block::Table(regions(&answer.regions));
+        let title = say!("Correction of each region");
+        sections.push(Section::new(title, vec![table]));
+    }
+    sections.extend(remarks_on_fit(answer, session, detail));
+    sections
+}
+
+#[cfg(feature = "cli")]
+fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
+    let error = |error: &Spread| {
+        say!(
+            "{rms} (largest {largest})",
+            rms = to_the_nanometre(error.rms_mm, detail),
+            largest = to_the_nanometre(error.max_mm, detail)
+        )
+    };
+    let gap = &answer.gap;
+    let mut facts = vec![
+        fact(say!("RMS error, nominal robot"), error(&gap.before)),
+        fact(say!("RMS error, identified"), error(&gap.after)),
+    ];
+    if let Some(unseen) = &answer.held_out {
+        let said = say!(
+            "{nominal} nominal, {model} with the model, of {samples} samples apart",
+            nominal = to_the_nanometre(unseen.before.rms_mm, detail),
+            model = to_the_nanometre(unseen.after.rms_mm, detail),
+            samples = unseen.samples
+        );
+        facts.push(fact(say!("held-out samples"), said));
+    }
+    facts
+}
+
+/// What each level of correction would bring.
+#[cfg(feature = "cli")]
+fn levels(answer: &Identification) -> Option<Section> {
+    if answer.levels.is_empty() {
+        return None;
+    }
+    let mut table = Table::headed(say!(
+        "level of correction | >parameters | >RMS, mm | >cross-validated: mean | >RMS | >95 % | >largest"
+    ));
+    for level in &answer.levels {
+        let unseen = level.cross_validated;
+        let unseen = unseen.map(|e| [e.mean_mm, e.rms_mm, e.p95_mm, e.max_mm]);
+        let errors = [level.rms_mm]
+            .into_iter()
+            .chain(unseen.into_iter().flatten());
+        let mut cells = vec![spoken(level.what), level.parameters.to_string()];
+        cells.extend(errors.map(|mm| format!("{mm:.4}")));
+        table.row(cells);
+    }
+    let title = say!("Levels of correction");
+    Some(Section::new(title, vec![Block::Table(table)]))
+}
+
+#[cfg(feature = "cli")]
+fn regions(results: &[RegionResult]) -> Table {
+    let mut table = Table::headed(say!(
+        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm"
+    ));
+    for r in results {
+        let c = &r.correction;
+        table.row([
+            c.name.clone(),
+            format!("{:.3}", degrees(c.from_rad)),
+            format!("{:.3}", degrees(c.to_rad)),
+            c.samples.to_string(),
+            format!("{:.7}", c.theta_rad),
+            format!("{:.7}", c.l1_mm),
+            format!("{:.4}", r.rms_before_mm),
+            format!("{:.4}", r.rms_after_mm),
+        ]);
+    }
+    table
+}
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.
 pub(crate) fn remarks_on_fit(

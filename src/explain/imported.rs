@@ -27,7 +27,7 @@ pub(crate) fn imported(
     if let Some(alignment) = alignment {
         let points = say!(
             "{points} points, RMS distance {rms}",
-            points = alignment.residuals.len(),
+            points = alignment.residuals.len() - alignment.outliers().count(),
             rms = detail.length(alignment.rms_mm)
         );
         facts.push(fact(say!("reference points"), points));

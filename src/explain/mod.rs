@@ -5,6 +5,7 @@
 mod clean;
 mod diagnosis;
 mod found;
+mod geometry;
 mod history;
 #[cfg(any(feature = "cli", feature = "gui"))]
 mod identification;
@@ -32,13 +33,13 @@ pub(crate) use clean::cleaned;
 pub use clean::{clean, clean_note};
 pub(crate) use diagnosis::{answer, diagnosis, expected, floor_from, noise, remarks};
 pub(crate) use history::history;
-#[cfg(any(feature = "cli", feature = "gui"))]
+#[cfg(feature = "cli")]
+pub(crate) use identification::identification;
+#[cfg(feature = "gui")]
 pub(crate) use identification::remarks_on_fit;
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use imported::imported;
-#[cfg(feature = "cli")]
-pub(crate) use open::data_problems;
-pub(crate) use parameters::{implausible, parameters};
+pub(crate) use parameters::values;
 #[cfg(feature = "cli")]
 pub(crate) use plan::plan;
 #[cfg(feature = "cli")]
@@ -136,6 +137,15 @@ pub type Fact = (String, String);
 /// A name with what belongs to it.
 pub(crate) fn fact(name: &str, value: impl Into<String>) -> Fact {
     (name.to_owned(), value.into())
+}
+
+/// A length to the nanometre: a model has to give the same figure wherever it is checked.
+#[cfg(any(feature = "cli", feature = "gui"))]
+fn to_the_nanometre(length_mm: f64, detail: Detail) -> String {
+    match detail.units {
+        None => format!("{length_mm:.6} mm"),
+        Some(units) => units.length(length_mm),
+    }
 }
 
 /// How much of an answer is asked for.

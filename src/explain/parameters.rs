@@ -1,6 +1,7 @@
 //! Parameters with their values and intervals, and sizes that no machine has.
 
-use super::{Block, clean};
+use super::geometry::{geometry, is_in_table, is_of_an_arm};
+use super::{Block, Detail, clean};
 use crate::fit::Estimate;
 use crate::kinematics::Robot;
 use crate::language::spoken;
@@ -8,11 +9,24 @@ use crate::present::names::{parameter, title_on, usual_size};
 use crate::present::numbers::{short, with_interval};
 use crate::present::table::{Column, Table};
 
+/// All of them: of an arm the geometry as a table of its joints, then the others, then sizes that no machine has.
+pub(crate) fn values(estimates: &[Estimate], robot: &Robot, detail: Detail) -> Vec<Block> {
+    let arm = is_of_an_arm(estimates);
+    let mut blocks = if arm {
+        geometry(estimates, detail)
+    } else {
+        Vec::new()
+    };
+    let rest = estimates.iter().filter(|one| !(arm && is_in_table(one)));
+    if rest.clone().next().is_some() {
+        blocks.push(parameters(rest, robot));
+    }
+    blocks.extend(implausible(estimates.iter(), robot));
+    blocks
+}
+
 /// Parameters with their intervals.
-pub(crate) fn parameters<'a>(
-    estimates: impl Iterator<Item = &'a Estimate>,
-    robot: &Robot,
-) -> Block {
+fn parameters<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) -> Block {
     let mut table = Table::of([
         Column::words(say!("Effect")),
         Column::words(say!("Parameter")),
@@ -45,10 +59,7 @@ pub(crate) fn parameters<'a>(
 }
 
 /// Sizes that no machine has, where there are any.
-pub(crate) fn implausible<'a>(
-    estimates: impl Iterator<Item = &'a Estimate>,
-    robot: &Robot,
-) -> Option<Block> {
+fn implausible<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) -> Option<Block> {
     let remark = |one: &Estimate| {
         let says = spoken(&one.implausible()?);
         let usual = usual_size(one);

@@ -6,7 +6,7 @@ use crate::compensation::Remainder;
 use crate::export::Export;
 use crate::fit::gap::Spread;
 use crate::present::numbers::with_minus_signs;
-use crate::text::ByTitles;
+use crate::text::{ByTitles, Text};
 
 /// An export with what it is held against.
 #[derive(Debug, Clone, Copy)]
@@ -25,11 +25,16 @@ pub(crate) struct Exported<'a> {
 pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
     let _by_titles = ByTitles::begin();
     let mut sections: Vec<Section> = leaves(of, detail).into_iter().collect();
-    let meaning: Vec<String> = of.export.meaning.iter().map(said).collect();
+    let meaning: Vec<String> = of
+        .export
+        .meaning
+        .iter()
+        .map(|line| said(line, detail))
+        .collect();
     // Notes are for places that show nothing else: they have the meaning and what no joint can correct in them.
     let stays = of.remainder.map_or_else(Vec::new, Remainder::says);
-    let stays: Vec<String> = stays.iter().map(said).collect();
-    let more = of.export.notes.iter().map(said);
+    let stays: Vec<String> = stays.iter().map(|line| said(line, detail)).collect();
+    let more = of.export.notes.iter().map(|line| said(line, detail));
     let more = more.filter(|line| !meaning.contains(line) && !stays.contains(line));
     let more: Vec<String> = more.collect();
     for (title, lines) in [
@@ -43,8 +48,14 @@ pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
     sections
 }
 
-fn said(line: &crate::text::Text) -> String {
-    with_minus_signs(&cleaned(line))
+/// A line of the export; other programs read the terminal's minus signs.
+fn said(line: &Text, detail: Detail) -> String {
+    let line = cleaned(line);
+    if detail.brief {
+        line
+    } else {
+        with_minus_signs(&line)
+    }
 }
 
 /// The error that is left: of the session where there is one, else what the model says of every joint command.
@@ -80,7 +91,11 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
         say!("Not correctable by joint commands")
     };
     if let Some(remainder) = cannot {
-        let says: Vec<String> = remainder.says().iter().map(said).collect();
+        let says: Vec<String> = remainder
+            .says()
+            .iter()
+            .map(|line| said(line, detail))
+            .collect();
         if !says.is_empty() {
             blocks.push(Block::List(says));
         }

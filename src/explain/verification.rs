@@ -1,6 +1,6 @@
 //! A model held against a session: what it leaves there, and what its corrected commands would.
 
-use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open, to_the_nanometre as length};
 use crate::compensation::Verification;
 use crate::text::ByTitles;
 
@@ -23,14 +23,6 @@ pub(crate) fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
         sections.push(Section::new(say!("Notes"), vec![Block::List(notes)]));
     }
     sections
-}
-
-/// A length to the nanometre: a model has to give the same figure wherever it is checked.
-fn length(length_mm: f64, detail: Detail) -> String {
-    match detail.units {
-        None => format!("{length_mm:.6} mm"),
-        Some(units) => units.length(length_mm),
-    }
 }
 
 fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {

@@ -68,8 +68,11 @@ fn values_of(values: &[f64], robot: &Robot, per: &str) -> Vec<String> {
 /// Reflector, conditions and reason of a pose.
 fn after_sides(poses: &[NextPose], k: usize, robot: &Robot) -> [String; 3] {
     let pose = &poses[k];
-    let speeds = pose.speed.as_deref();
-    let mut conditions = speeds.map_or_else(Vec::new, |v| values_of(v, robot, "/s"));
+    let mut conditions = match pose.speed.as_deref() {
+        None => Vec::new(),
+        Some(still) if still.iter().all(|speed| *speed == 0.0) => vec![say!("at rest").to_owned()],
+        Some(speeds) => values_of(speeds, robot, "/s"),
+    };
     let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
     let temperature = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
     let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));

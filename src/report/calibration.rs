@@ -2,7 +2,7 @@
 
 use crate::compensation::VerifiedCalibration;
 use crate::compensation::decision::Outcome;
-use crate::explain::{fact, implausible, parameters};
+use crate::explain::{self, Detail, fact};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
@@ -144,8 +144,7 @@ pub(super) fn values(c: &Calibration) -> Section {
             )
             .to_owned(),
         ));
-        blocks.push(parameters(all.iter(), &c.model.robot));
-        blocks.extend(implausible(all.iter(), &c.model.robot));
+        blocks.extend(explain::values(&all, &c.model.robot, Detail::REPORT));
     }
     if !c.regions.is_empty() {
         let mut table = Table::of([

@@ -5,10 +5,10 @@ use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
-use crate::explain::{self, Detail, cleaned, fact, implausible, parameters};
+use crate::explain::{self, Detail, cleaned, fact};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
-use crate::fit::measured_ranges;
+use crate::fit::{Estimate, measured_ranges};
 use crate::kinematics::Robot;
 use crate::language::spoken;
 use crate::model::Calibration;
@@ -495,16 +495,14 @@ impl Told<'_> {
         }
         let found = d.found.iter().flat_map(|f| &f.parameters);
         let all = d.identified.iter().chain(found);
-        let mut blocks = vec![
-            Block::Text(
-                say!(
-                    "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. What was commanded has to be corrected by the opposite"
-                )
-                .to_owned(),
-            ),
-            parameters(all.clone(), self.robot()),
-        ];
-        blocks.extend(implausible(all, self.robot()));
+        let all: Vec<Estimate> = all.cloned().collect();
+        let mut blocks = vec![Block::Text(
+            say!(
+                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. What was commanded has to be corrected by the opposite"
+            )
+            .to_owned(),
+        )];
+        blocks.extend(explain::values(&all, self.robot(), Detail::REPORT));
         let figures = d.found.iter().flat_map(|f| {
             let name = title_on(f.effect, f.joint, self.robot().joints.len());
             let said = f

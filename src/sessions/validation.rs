@@ -503,7 +503,7 @@ mod tests {
             "does not increase at line 3",
             "every sample is held out",
             "2 setups",
-            "lost the reflector (0, 0, 0) in 1 samples: line 2",
+            "lost the reflector (0, 0, 0) in 1 sample: line 2",
         ] {
             assert!(findings.contains(part), "{part}: {findings}");
         }

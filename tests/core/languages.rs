@@ -144,6 +144,9 @@ fn whatever_the_terminal_says_is_a_sentence_of_the_catalogues() {
     // What the machine, its samples and its joints are called.
     let own = [
         "lamp",
+        "lamp-commissioning",
+        "arm-model",
+        "paper-run",
         "commissioning",
         "paper",
         "full",

@@ -674,7 +674,7 @@ fn the_command_writes_what_compensate_reads() {
         arguments.extend(language.iter().flat_map(|l| ["--as", *l]));
         let (code, said, errors) = truepose(&arguments);
         assert_eq!(code, 0, "{errors}");
-        assert!(said.contains("observability index"), "{said}");
+        assert!(said.contains("Observability index"), "{said}");
         let corrected = at(&format!("corrected {name}"));
         let model = at("model.json");
         let mut arguments = vec!["compensate", &model, &out, "--out", &corrected, "--json"];

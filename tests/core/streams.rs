@@ -352,7 +352,10 @@ fn a_folder_tells_what_changed_from_session_to_session() {
             .to_owned()
     };
     assert!(line("run 11").contains(" 1 of "), "{text}");
-    assert!(line("Zero offset").trim_end().ends_with('●'), "{text}");
+    assert!(
+        line("Joint zero offset").trim_end().ends_with('●'),
+        "{text}"
+    );
 }
 
 #[test]

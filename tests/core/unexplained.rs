@@ -508,7 +508,7 @@ fn the_terminal_adds_it_and_every_command_takes_the_model() {
     assert!(gap(&model).as_f64() < Some(0.6 * gap(&plain).as_f64().unwrap()));
     let table = at("t.csv");
     let output = truepose(&["export", &model, "--to", "csv", "--out", &table]);
-    let says = String::from_utf8_lossy(&output.stderr);
+    let says = String::from_utf8_lossy(&output.stdout);
     assert!(says.contains("unexplained smooth correction"), "{says}");
     let sidecar = std::fs::read_to_string(format!("{table}.meta.json")).unwrap();
     assert!(sidecar.contains("unexplained smooth correction"));

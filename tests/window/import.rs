@@ -203,8 +203,8 @@ fn alignment_shows_how_far_each_point_is_off() {
         "File of the reflectors",
         &walk("reflectors.csv"),
     );
-    assert!(says(&window, "168 samples, "));
-    assert!(says(&window, "unmatched: 13 measured, 0 commanded"));
+    assert!(says(&window, "168") && says(&window, "RMS error, nominal robot"));
+    assert!(says(&window, "13 measured, 0 commanded"));
     type_path(
         &mut window,
         "File of the known points",

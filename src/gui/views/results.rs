@@ -3,7 +3,7 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
-use crate::explain::{Detail, Topic, remarks_on_fit};
+use crate::explain::{self, Detail, Topic, remarks_on_fit};
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
@@ -99,7 +99,11 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.parameters.is_empty() {
         let joints = workbench.subject().session.robot.joints.len();
         widgets::card(ui, |ui| {
-            parameters(ui, &found.parameters, joints, workbench.units());
+            if joints > 1 {
+                geometry(ui, workbench, &found.parameters);
+            } else {
+                parameters(ui, &found.parameters, joints, workbench.units());
+            }
         });
     }
     super::unexplained::in_the_model(ui, &answer.calibration.model);
@@ -194,6 +198,15 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
             widgets::hint(ui, with_minus_signs(&says));
         }
     }
+}
+
+/// The parameters of an arm: a row for each joint, the frames, the others.
+fn geometry(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
+    title(ui, say!("Identified parameters"));
+    let robot = &workbench.subject().session.robot;
+    let detail = Detail::window(workbench.units());
+    blocks::show(ui, &explain::values(estimates, robot, detail));
+    copies::button(ui, say!("parameters"), || copies::parameters(estimates));
 }
 
 fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {

@@ -1,0 +1,148 @@
+//! The geometry of a robot with several joints: a row for each joint, then the frames of the instrument and of the
+//! tool with its targets.
+
+use super::{Block, Detail, Fact};
+use crate::effects::{Role, role};
+use crate::fit::Estimate;
+use crate::present::names::{parameter, word};
+use crate::present::numbers::decimals_of;
+use crate::present::table::{Column, Table};
+use crate::units::rad_from_deg;
+
+/// The parameters of a joint's row. A joint that slides has its zero in mm.
+const COLUMNS: [&[&str]; 5] = [
+    &["offset_deg", "offset_mm"],
+    &["x_mm"],
+    &["y_mm"],
+    &["about_x_mrad"],
+    &["about_y_mrad"],
+];
+
+/// Whether these are the estimates of a robot with several joints.
+pub(super) fn is_of_an_arm(estimates: &[Estimate]) -> bool {
+    estimates.iter().any(|e| role(e.effect) == Role::JointAxis)
+}
+
+/// Whether an estimate is in the table of an arm.
+pub(super) fn is_in_table(estimate: &Estimate) -> bool {
+    let role = role(estimate.effect);
+    role.is_of_every_calibration() && role != Role::ToolRadius
+}
+
+/// Whether an estimate is in the row of its joint.
+fn is_of_a_joint(estimate: &Estimate) -> bool {
+    matches!(role(estimate.effect), Role::JointZero | Role::JointAxis)
+}
+
+/// The geometry of an arm. What the samples do not determine is a dash, or a value without an interval where a prior
+/// says what they do not.
+pub(super) fn geometry(estimates: &[Estimate], detail: Detail) -> Vec<Block> {
+    let title = say!("Geometry, ± half of the 95 % interval").to_owned();
+    let mut blocks = vec![
+        Block::Heading(title),
+        Block::Table(joints(estimates, detail)),
+    ];
+    let frames = frames(estimates, detail);
+    if !frames.is_empty() {
+        blocks.push(Block::Facts(frames));
+    }
+    blocks
+}
+
+fn joints(estimates: &[Estimate], detail: Detail) -> Table {
+    let (_, length) = scaled("mm", detail);
+    let in_unit = |name: &str, unit: &str| Column::numbers(format!("{name}, {unit}"));
+    let mut table = Table::of([
+        Column::words(say!("joint")),
+        Column::numbers(say!("zero offset")),
+        in_unit("x", length),
+        in_unit("y", length),
+        in_unit(say!("about x"), "mrad"),
+        in_unit(say!("about y"), "mrad"),
+    ]);
+    let last = estimates.iter().filter_map(|e| e.joint).max().unwrap_or(0);
+    for joint in 1..=last {
+        let own = |names: &[&str]| {
+            let mut own = estimates
+                .iter()
+                .filter(|e| e.joint == Some(joint) && is_of_a_joint(e));
+            own.find(|e| names.contains(&e.name))
+        };
+        let values = COLUMNS.map(|names| {
+            own(names).map_or_else(
+                || "–".to_owned(),
+                |one| {
+                    let (value, unit) = cell(one, detail);
+                    // The zeros of joints that turn and of joints that slide are in one column.
+                    let zero = one.name.starts_with("offset_");
+                    if zero { value + &unit } else { value }
+                },
+            )
+        });
+        table.row([joint.to_string()].into_iter().chain(values));
+    }
+    table
+}
+
+/// Measuring frames, the tool, its targets and freed places, each with its parameters.
+fn frames(estimates: &[Estimate], detail: Detail) -> Vec<Fact> {
+    let mut facts: Vec<Fact> = Vec::new();
+    for estimate in estimates {
+        let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
+            (Role::FreeFrame, Some(setup), _) => {
+                say!("measuring frame, setup {setup}", setup = setup)
+            }
+            (Role::FreeFrame, None, _) => say!("measuring frame").to_owned(),
+            (Role::ToolPlace, _, Some(target)) => say!("target {target}", target = target),
+            (Role::ToolPlace, _, None) => say!("tool position").to_owned(),
+            (Role::ToolTurn, ..) => say!("tool orientation").to_owned(),
+            (Role::Place, ..) => format!(
+                "{} {}",
+                word(estimate.effect.trim_start_matches("unknown-")),
+                estimate.place.as_deref().unwrap_or_default()
+            ),
+            _ => continue,
+        };
+        let (value, unit) = cell(estimate, detail);
+        let says = format!("{} {value}{unit}", parameter(estimate.name).0);
+        match facts.last_mut().filter(|(name, _)| *name == place) {
+            Some((_, before)) => *before += &format!("; {says}"),
+            None => facts.push((place, says)),
+        }
+    }
+    facts
+}
+
+/// What a value is multiplied by for the chosen unit, and the unit as it is written behind a number.
+fn scaled(unit: &str, detail: Detail) -> (f64, &str) {
+    match (unit, detail.units) {
+        ("mm", Some(units)) => (units.length_value(1.0), units.length_name()),
+        ("°", Some(units)) => (units.angle_value(rad_from_deg(1.0)), units.angle_name()),
+        (unit, _) => (1.0, unit),
+    }
+}
+
+/// A value with half its interval, as many decimals as that carries, and the unit with the blank before it.
+fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
+    let (factor, unit) = scaled(parameter(estimate.name).1, detail);
+    let unit = match unit {
+        "" => String::new(),
+        "°" => unit.to_owned(),
+        other => format!(" {}", other.trim()),
+    };
+    let value = factor * estimate.value;
+    match estimate.ci95 {
+        None if estimate.value == 0.0 => ("–".to_owned(), String::new()),
+        // Held where its prior puts it.
+        None => (format!("{value:.3}"), unit),
+        Some([low, high]) => {
+            let half = 0.5 * factor * (high - low);
+            let decimals = if half > 0.0 {
+                decimals_of(half, 2).min(6)
+            } else {
+                6
+            };
+            (format!("{value:.decimals$} ± {half:.decimals$}"), unit)
+        }
+    }
+}
