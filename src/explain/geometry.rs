@@ -51,10 +51,12 @@ pub(super) fn geometry(estimates: &[Estimate], detail: Detail) -> Vec<Block> {
 
 fn joints(estimates: &[Estimate], detail: Detail) -> Table {
     let (_, length) = scaled("mm", detail);
-    let in_unit = |name: &str, unit: &str| Column::numbers(format!("{name}, {unit}"));
+    // The window's panel is narrow: there intervals are below their values, and units below names.
+    let below = if detail.units.is_some() { "\n" } else { " " };
+    let in_unit = |name: &str, unit: &str| Column::numbers(format!("{name},{below}{unit}"));
     let mut table = Table::of([
         Column::words(say!("joint")),
-        Column::numbers(say!("zero offset")),
+        Column::numbers(say!("zero offset").replacen(' ', below, 1)),
         in_unit("x", length),
         in_unit("y", length),
         in_unit(say!("about x"), "mrad"),
@@ -73,6 +75,7 @@ fn joints(estimates: &[Estimate], detail: Detail) -> Table {
                 || "–".to_owned(),
                 |one| {
                     let (value, unit) = cell(one, detail);
+                    let value = value.replacen(' ', below, 1);
                     // The zeros of joints that turn and of joints that slide are in one column.
                     let zero = one.name.starts_with("offset_");
                     if zero { value + &unit } else { value }

@@ -217,7 +217,7 @@ fn alignment_shows_how_far_each_point_is_off() {
         assert!(measured >= 2, "{point} at the start and at the end");
     }
     assert!(says(&window, "0.9034"), "as far as B4 is off");
-    assert!(says(&window, "168 samples, 2.57"));
+    assert!(says(&window, "2.58 mm"));
     press(&mut window, "Import");
     assert!(says(&window, "168 samples · RMS error"));
     assert!(says(&window, "not saved"));

@@ -115,7 +115,7 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
 fn says(ui: &mut Ui, sections: &[Section]) {
     ScrollArea::vertical()
         .id_salt("what became of the targets")
-        .max_height(0.7 * high(ui))
+        .max_height(high(ui))
         .show(ui, |ui| {
             for section in sections {
                 blocks::title(ui, section, Title::Plain);

@@ -70,27 +70,38 @@ pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
     }
 }
 
+/// Columns of a table from which on it is wide.
+const WIDE: usize = 5;
+
 fn table(ui: &mut Ui, index: usize, table: &Table) {
     let muted = Palette::of(ui).muted;
     egui::ScrollArea::horizontal()
         .id_salt(("table", index))
         .show(ui, |ui| {
-            let grid = Grid::new(("table of an answer", index)).spacing([12.0, 4.0]);
+            // Wide tables in small letters, as the panel is narrow.
+            let letters = if table.columns.len() > WIDE {
+                size::SMALL
+            } else {
+                size::BODY
+            };
+            let grid = Grid::new(("table of an answer", index)).spacing([10.0, 4.0]);
             grid.min_col_width(0.0).show(ui, |ui| {
                 for column in &table.columns {
-                    ui.label(
-                        RichText::new(&column.heading)
-                            .size(size::SMALL)
-                            .color(muted),
-                    );
+                    let heading = RichText::new(&column.heading);
+                    let heading = heading.size(size::SMALL).color(muted);
+                    if column.right {
+                        widgets::cell_right(ui, heading);
+                    } else {
+                        ui.label(heading);
+                    }
                 }
                 ui.end_row();
                 for row in &table.rows {
                     for (cell, column) in row.iter().zip(&table.columns) {
                         if column.right {
-                            widgets::cell_right(ui, RichText::new(&cell.shown));
+                            widgets::cell_right(ui, RichText::new(&cell.shown).size(letters));
                         } else {
-                            ui.label(&cell.shown);
+                            ui.label(RichText::new(&cell.shown).size(letters));
                         }
                     }
                     ui.end_row();
