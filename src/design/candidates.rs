@@ -11,9 +11,9 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::prepare::Prepared;
-use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::term::{JointFrame, travel_of};
+use crate::effects::term::travel_of;
+use crate::effects::{Inputs, JointFrame};
 use crate::kinematics::{Joint, JointKind, Range, Robot};
 use crate::sessions::{Session, Target};
 use crate::text::Text;

@@ -3,8 +3,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::places::PlaceKind;
-use crate::effects::{Held, Role, Setting, TOOL_ORIENTATION, Term};
+use crate::effects::{Held, PlaceKind, Role, Setting, TOOL_ORIENTATION, Term};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;

@@ -22,8 +22,7 @@ pub use set_up::{RawJoint, SetUp};
 pub use shapes::{Direction, Profile, Shape, Variable, Where};
 
 use crate::effects::block::Block;
-use crate::effects::term::JointFrame;
-use crate::effects::{Inputs, Placed, Stage, Term, rank};
+use crate::effects::{Inputs, JointFrame, Placed, Stage, Term, rank};
 use crate::kinematics::Robot;
 use crate::lanes::LANES;
 

@@ -39,7 +39,8 @@ pub(crate) mod streams;
 
 pub(crate) mod kinds;
 
-use crate::effects::places::{MOST, Place, PlaceKind};
+use crate::effects::place::MOST;
+use crate::effects::{Place, PlaceKind};
 use crate::sessions::{Instrument, Session};
 
 pub use block::RowBlock;

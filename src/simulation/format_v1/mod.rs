@@ -24,9 +24,8 @@ use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{NUMBER, TEXT};
 use crate::document::object::{At, Kind, Object, written};
-use crate::document::ranges;
-use crate::document::{Fields, Node, Path, Value};
-use crate::effects::places::PlaceKind;
+use crate::document::{Fields, Node, Path, Value, ranges};
+use crate::effects::PlaceKind;
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
 use crate::sessions::format_v1::head::{
