@@ -5,6 +5,7 @@
 //! many sessions. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod asked;
 mod blocks;
 mod compensate;
 mod diagnose;
@@ -23,6 +24,7 @@ mod interrupt;
 mod levels;
 mod output;
 mod own_options;
+mod plain;
 mod plan;
 mod planned;
 mod progress_line;
@@ -222,9 +224,9 @@ impl Command {
             Self::Report(command) => command.run(),
             Self::Identify(command) => command.run(),
             Self::Effects(command) => command.run(),
-            Self::Integrate(command) => command.run(),
-            Self::Completions(command) => command.run(),
-            Self::Man(command) => command.run(),
+            Self::Integrate(command) => command.run(Arguments::command()),
+            Self::Completions(command) => command.run(Arguments::command()),
+            Self::Man(command) => command.run(Arguments::command()),
         }
     }
 }

@@ -5,8 +5,8 @@ use super::about::{About, Form, Quantity, Setting};
 use super::block::Block;
 use super::inputs::Inputs;
 use super::placed::Placed;
-use super::survey::Survey;
 use super::survey;
+use super::survey::Survey;
 
 use crate::numeric::extent;
 use crate::text::Text;
@@ -339,6 +339,7 @@ impl Effect {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::effects::units::DEGREE;
 
     #[test]
     fn a_sliding_joints_offset_is_in_millimetres() {

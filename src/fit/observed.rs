@@ -10,10 +10,10 @@ use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
-use super::base_model::frames_from;
-use super::gauge::spread;
+use super::frames::frames_from;
 use super::priors::key;
 use super::problem::Problem;
+use super::spread::spread;
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
 

@@ -17,11 +17,11 @@
 
 use crate::effects::about::{About, Form, Quantity};
 use crate::effects::block::{Block, Turned};
+use crate::effects::gravity::seen_by_slope;
 use crate::effects::inputs::Inputs;
 use crate::effects::joint_frame::JointFrame;
 use crate::effects::units::Unit;
 use crate::effects::{Effect, Figure, Placed};
-use crate::effects::gravity::seen_by_slope;
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{LANES, add_scaled, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
