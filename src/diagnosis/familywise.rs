@@ -222,6 +222,7 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::prepare::Prepared;
+    use crate::linear::Basis;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     #[test]

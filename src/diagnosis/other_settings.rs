@@ -85,6 +85,7 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::equal_steps::{equal_steps, step_of};
+    use crate::diagnosis::prepare::Prepared;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// One axis with a gear's error of order 88, at these angles.

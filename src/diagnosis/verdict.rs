@@ -298,6 +298,7 @@ fn unseen(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use statrs::distribution::ContinuousCDF;
     use statrs::distribution::FisherSnedecor;
 
     #[test]
