@@ -14,8 +14,7 @@
 //! regional corrections of one constant error, found by the same equation (7) on its exact points,
 //! are those of the session if nothing else is in them.
 
-use crate::effects::term::JointFrame;
-use crate::effects::{Inputs, JointValues, called};
+use crate::effects::{Inputs, JointFrame, JointValues, called};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};

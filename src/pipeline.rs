@@ -46,8 +46,8 @@ use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 use crate::standards::Standards;
 use crate::text::Text;
 
-pub use crate::design::plan::{plan_robot, plan_session};
 pub use crate::design::{measuring_list, measuring_program};
+pub use crate::design::{plan_robot, plan_session};
 pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;

@@ -3,14 +3,15 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
-use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Progress, Watch};
+use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Progress};
 use crate::paper::RegionalStart;
 use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::sessions::Session;
 
+use super::asked::{Asked, Start};
 use super::diagnosed::{in_words, start_in_words};
 use super::failure::Failure;
 use super::identify::Values;
@@ -73,43 +74,12 @@ pub(crate) struct Diagnose {
     jobs: Option<NonZeroUsize>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Start {
-    /// One model for the whole range
-    Exact,
-    /// The paper's constant corrections by region
-    Regional,
-}
-
 impl From<DiagnoseError> for Failure {
     fn from(error: DiagnoseError) -> Self {
         match error {
             DiagnoseError::Rejected(rejected) => rejected.into(),
             other => Self::refused(other.says()),
         }
-    }
-}
-
-/// What is asked of each session.
-pub(crate) struct Asked {
-    options: Options,
-    start: Start,
-}
-
-impl Asked {
-    /// The diagnosis of a session, and the regional model that it started from where asked for.
-    pub(crate) fn of(
-        &self,
-        session: &Session,
-        watch: Watch,
-    ) -> Result<(Diagnosis, Option<RegionalStart>), Failure> {
-        let answer = pipeline::diagnose(session, &self.options, watch)?;
-        let values = self.options.joint_values;
-        let start = match self.start {
-            Start::Exact => None,
-            Start::Regional => Some(pipeline::regional_start(session, &answer, values)?),
-        };
-        Ok((answer, start))
     }
 }
 

@@ -13,7 +13,7 @@ use crate::fit::IdentifyError;
 use crate::language::{finding, spoken};
 use crate::text::Text;
 
-use super::output::plain;
+use super::plain::plain;
 
 /// The input or the arguments are wrong.
 pub(crate) const WRONG_INPUT: u8 = 2;

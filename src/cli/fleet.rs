@@ -26,7 +26,7 @@ use crate::present::table::Table;
 use crate::sessions::Session;
 use crate::text::{choose, current};
 
-use super::diagnose::Asked;
+use super::asked::Asked;
 use super::failure::Failure;
 use super::in_order::in_order;
 use super::output;

@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
-use clap::{Args, CommandFactory};
+use clap::Args;
 use clap_complete::Shell;
 use clap_mangen::Man as Page;
 
@@ -54,20 +54,14 @@ const ICONS: [(&str, &str, &[u8]); 5] = [
     ("scalable", "svg", include_bytes!("../../assets/icon.svg")),
 ];
 
-fn program() -> clap::Command {
-    let mut program = super::Arguments::command();
+fn built(mut program: clap::Command) -> clap::Command {
     program.build();
     program
 }
 
-fn completions(shell: Shell) -> Vec<u8> {
+fn completions(shell: Shell, mut program: clap::Command) -> Vec<u8> {
     let mut bytes = Vec::new();
-    clap_complete::generate(
-        shell,
-        &mut super::Arguments::command(),
-        "truepose",
-        &mut bytes,
-    );
+    clap_complete::generate(shell, &mut program, "truepose", &mut bytes);
     bytes
 }
 
@@ -86,14 +80,14 @@ fn shown(program: &clap::Command) -> impl Iterator<Item = &clap::Command> {
 }
 
 impl Completions {
-    pub(crate) fn run(self) -> Result<(), Failure> {
-        output::bytes(&completions(self.shell))
+    pub(crate) fn run(self, program: clap::Command) -> Result<(), Failure> {
+        output::bytes(&completions(self.shell, program))
     }
 }
 
 impl Man {
-    pub(crate) fn run(self) -> Result<(), Failure> {
-        let program = program();
+    pub(crate) fn run(self, program: clap::Command) -> Result<(), Failure> {
+        let program = built(program);
         let Some(name) = self.command else {
             return output::bytes(&page(&program)?);
         };
@@ -126,22 +120,22 @@ fn start_of(prefix: &Path) -> String {
 }
 
 /// Every file, below the folder `share` of the prefix, with its bytes.
-fn files(prefix: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+fn files(prefix: &Path, program: clap::Command) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files: Vec<(String, Vec<u8>)> = vec![
         (
             "bash-completion/completions/truepose".to_owned(),
-            completions(Shell::Bash),
+            completions(Shell::Bash, program.clone()),
         ),
         (
             "zsh/site-functions/_truepose".to_owned(),
-            completions(Shell::Zsh),
+            completions(Shell::Zsh, program.clone()),
         ),
         (
             "fish/vendor_completions.d/truepose.fish".to_owned(),
-            completions(Shell::Fish),
+            completions(Shell::Fish, program.clone()),
         ),
     ];
-    let program = program();
+    let program = built(program);
     files.push(("man/man1/truepose.1".to_owned(), page(&program)?));
     for command in shown(&program) {
         let name = command.get_name();
@@ -175,7 +169,7 @@ fn files(prefix: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
 }
 
 impl Integrate {
-    pub(crate) fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self, program: clap::Command) -> Result<(), Failure> {
         if self.prefix.is_none() && cfg!(any(windows, target_os = "macos")) {
             return Err(Failure::WrongInput(text!(
                 "this puts truepose into the menus of a Linux desktop, which this system does not have; expected \
@@ -188,7 +182,7 @@ impl Integrate {
                 "the home folder is not known; expected --prefix FOLDER"
             )));
         };
-        let files = files(&prefix)?;
+        let files = files(&prefix, program)?;
         let share = prefix.join("share");
         let done = if self.remove {
             for (path, _) in &files {

@@ -5,6 +5,7 @@
 //! many sessions. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod asked;
 mod blocks;
 mod compensate;
 mod diagnose;
@@ -21,6 +22,7 @@ mod integrate;
 mod interrupt;
 mod output;
 mod own_options;
+mod plain;
 mod plan;
 mod progress_line;
 mod record;
@@ -219,9 +221,9 @@ impl Command {
             Self::Report(command) => command.run(),
             Self::Identify(command) => command.run(),
             Self::Effects(command) => command.run(),
-            Self::Integrate(command) => command.run(),
-            Self::Completions(command) => command.run(),
-            Self::Man(command) => command.run(),
+            Self::Integrate(command) => command.run(Arguments::command()),
+            Self::Completions(command) => command.run(Arguments::command()),
+            Self::Man(command) => command.run(Arguments::command()),
         }
     }
 }

@@ -3,7 +3,6 @@
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
 use serde::Serialize;
 
 use crate::atomic::WriteError;
@@ -15,6 +14,8 @@ use crate::robots::{LibraryRobot, named};
 use crate::sessions::Loaded;
 
 use super::failure::Failure;
+use super::plain::plain;
+use anyhow::Context;
 
 /// Prints one JSON document.
 pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
@@ -27,19 +28,6 @@ pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
 /// Prints text. A reader that has had enough (`| head`) is no failure.
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
     bytes(plain(text).as_bytes())
-}
-
-/// Text without what a terminal would obey. A name in a file may hold control characters, and those
-/// could move the cursor, change what was printed before, or rename the window.
-pub(crate) fn plain(text: &str) -> String {
-    let harmless = |c: char| {
-        if c.is_control() && !matches!(c, '\n' | '\t') {
-            '\u{FFFD}'
-        } else {
-            c
-        }
-    };
-    text.chars().map(harmless).collect()
 }
 
 /// Prints what is no text for people, as it is.

@@ -8,7 +8,7 @@ use nalgebra::Point3;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::design::plan::{PlanError, PlanOptions};
+use crate::design::{PlanError, PlanOptions};
 use crate::diagnosis::Options;
 use crate::explain::{self, Detail};
 use crate::pipeline::{self, measuring_list, measuring_program};

@@ -5,7 +5,7 @@ use std::io::{IsTerminal, Write, stderr};
 
 use crate::present::table::width;
 
-use super::output::plain;
+use super::plain::plain;
 
 /// Longer ones would wrap, and could not be written over.
 const WIDEST: usize = 78;

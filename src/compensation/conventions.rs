@@ -11,7 +11,8 @@ use crate::model::{Calibration, SetUp};
 use crate::sessions::{Mend, Session, Setups};
 use crate::text::{Template, Text};
 
-use super::verification::{Verification, VerifyError, is_own, verify_as_read};
+use super::as_read::verify_as_read;
+use super::verification::{Verification, VerifyError, is_own};
 
 /// An error that is so many times as large is another reading's.
 /// A session is read by the model's set-up corrections unless that leaves so many times as much

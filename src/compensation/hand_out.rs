@@ -10,7 +10,8 @@ use crate::effects::Inputs;
 use crate::model::{Calibration, GapStep, format_v1};
 use crate::sessions::Session;
 
-use super::verification::{VerifyError, verify};
+use super::verification::VerifyError;
+use super::verify::verify;
 
 /// The error on its own session may be so many times what was said: suspected outliers, and samples that lack
 /// a condition, are judged in one place and not in the other. A convention that is lost is far beyond.

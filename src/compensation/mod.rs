@@ -25,6 +25,7 @@
 //! What the instrument does (its scale, a frame that drifts or was bumped) is no error of the
 //! robot; it is left out of the model before the model is inverted.
 
+mod as_read;
 mod carried_over;
 pub(crate) mod conditions;
 mod conventions;
@@ -40,6 +41,7 @@ pub(crate) mod remainder;
 mod set_aside;
 pub(crate) mod table;
 pub(crate) mod verification;
+pub(crate) mod verify;
 
 pub use conditions::{Conditions, Side};
 pub use hand_out::{NotHandedOut, VerifiedCalibration};
@@ -49,5 +51,6 @@ pub use regional::Regional;
 pub use remainder::{Remainder, Share};
 pub use table::{JointTable, TableError};
 pub use verification::{
-    Compensated, HeldOutErrors, Trimmed, Verification, VerifyError, WithinTolerance, verify,
+    Compensated, HeldOutErrors, Trimmed, Verification, VerifyError, WithinTolerance,
 };
+pub use verify::verify;

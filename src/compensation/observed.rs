@@ -3,8 +3,8 @@
 //! located beside the robot first. What corrected commands would do is not said: nothing was measured
 //! of where the target is.
 
-use crate::effects::JointValues;
-use crate::effects::places::{Place, PlaceKind, name};
+use crate::effects::places::name;
+use crate::effects::{JointValues, Place, PlaceKind};
 use crate::fit::base_model;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;

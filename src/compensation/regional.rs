@@ -13,8 +13,7 @@
 //! Δl1 holds a part of it elsewhere.) For several reflectors the angle is the best for all of them
 //! together (least squares, in closed form).
 
-use crate::effects::Inputs;
-use crate::effects::term::JointFrame;
+use crate::effects::{Inputs, JointFrame};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus};
 use crate::model::RegionalCorrection;

@@ -7,8 +7,7 @@
 //! The share of an effect is what would stay if it were the only one. Shares do not add up (a base
 //! offset may take away a part of a short link), so they are ranked and not summed.
 
-use crate::effects::term::JointFrame;
-use crate::effects::{Inputs, called};
+use crate::effects::{Inputs, JointFrame, called};
 use crate::lanes::{dot, minus};
 use crate::model::{Calibration, Model};
 use crate::text::Text;

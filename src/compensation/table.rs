@@ -11,8 +11,7 @@
 //! place in such a table; they belong into the controller's kinematic data. Where the joint's
 //! wind-up depends on the other joints (compliance), they stand at home, and the table says so.
 
-use crate::effects::term::JointFrame;
-use crate::effects::{Stage, Term};
+use crate::effects::{JointFrame, Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model, RawJoint};

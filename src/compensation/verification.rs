@@ -23,12 +23,9 @@
 //! the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, called};
-use crate::fit::base_model;
-use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
 use crate::lanes::{add_scaled, minus};
-use crate::model::format_v1::model_hash;
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
@@ -36,11 +33,8 @@ use crate::text::{Template, Text};
 
 use crate::answers::diagnosis::DataProblem;
 
-use super::carried_over::carried_over;
 use super::conditions::Conditions;
 use super::plan::Compensation;
-use super::remainder::left_over;
-use super::set_aside;
 
 /// Numbers of poses within the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -181,101 +175,6 @@ impl From<crate::diagnostic::Rejected> for VerifyError {
     }
 }
 
-/// Compares a session with a calibration.
-///
-/// # Errors
-/// See [`VerifyError`].
-pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
-    let session = &*session.whole()?;
-    calibration.sound()?;
-    let notes = same_robot(calibration, session)?;
-    super::conventions::verified(calibration, session, &notes)
-}
-
-/// The same of a session whose raw values are the model's.
-pub(super) fn verify_as_read(
-    calibration: &Calibration,
-    session: &Session,
-    mut notes: Vec<Text>,
-) -> Result<Verification, VerifyError> {
-    let samples = &session.samples;
-    let own = hash_of_samples(session) == calibration.samples_hash;
-    // Single coordinates were fitted with the rest; of another session whole points are enough to judge by.
-    let none_is_whole = || Problem::new(session, JointValues::Commanded).samples() == 0;
-    let in_parts = !samples.partly_measured().is_empty() && (own || none_is_whole());
-    if !samples.observed.is_empty() || in_parts {
-        return super::observed::verify(calibration, session, notes);
-    }
-    let mut problem = Problem::new(session, JointValues::Commanded);
-    let apart = held_out_of(&problem, own);
-    problem.fit = counted(&problem, &apart);
-    let by = model_hash(calibration);
-    let carried = carried_over(calibration, session, &problem, |carried| {
-        model_for(carried, session, &problem, &mut Vec::new())
-    });
-    let calibration = carried.as_ref().map_or(calibration, |(carried, note)| {
-        notes.push(note.clone());
-        carried
-    });
-    let inputs = &problem.inputs;
-    let compensation = Compensation::new(calibration);
-    let nominal = base_model::nominal(&calibration.model.robot, session, &problem);
-    let nominal = nominal.predict(inputs);
-
-    let applied = applied_corrections(&by, session, &compensation, inputs, &mut notes);
-    let full = model_for(calibration, session, &problem, &mut notes);
-    let model = where_the_model_is(&compensation, &full, inputs, applied.as_deref());
-    let before = measured_minus(session, &problem, &compensation, |i| nominal.get(i));
-    let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
-    let outlier = set_aside::of_its_own(calibration, own, problem.usable.len())
-        .unwrap_or_else(|| suspects(&problem, &after));
-    let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.fit[i], |_| false);
-    let compensated = session.compensated_by.is_none().then(|| {
-        // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
-        let moved = moved(&compensation, inputs, &model);
-        let drawn = compensation.nominal.predict(inputs);
-        let expected = |i: usize| minus(drawn.get(i), moved.get(i));
-        let with_table = measured_minus(session, &problem, &compensation, expected);
-        let left: Vec<f64> = left_over(&compensation, inputs)
-            .iter()
-            .map(|v| crate::lanes::dot(*v, *v).sqrt())
-            .collect();
-        let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
-        spread(&with_table).map(|gap| Compensated {
-            gap,
-            cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
-        })
-    });
-    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.usable.iter().filter(|u| **u).count();
-    let within = |d: &Deviations, mm: f64| {
-        let lengths = d.length_mm.iter().zip(&problem.fit);
-        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
-    };
-    let counts = |i: usize| problem.fit[i];
-    Ok(Verification {
-        session: session.name.clone(),
-        samples,
-        nominal: spread(&before).ok_or(VerifyError::NothingToVerify)?,
-        model: spread(&after).ok_or(VerifyError::NothingToVerify)?,
-        within_tolerance: tolerance.map(|mm| WithinTolerance {
-            before: within(&before, mm),
-            after: within(&after, mm),
-            of: problem.fit.iter().filter(|f| **f).count(),
-        }),
-        compensated: compensated.flatten(),
-        held_out: held_out(&apart, &before, &after),
-        trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &outlier),
-        data_problems: set_aside::findings(session, &after.length_mm, counts, &outlier),
-        before,
-        after,
-        outliers: (0..outlier.len())
-            .filter(|i| counts(*i) && outlier[*i])
-            .collect(),
-        notes,
-    })
-}
-
 /// Samples that the session that a model came from holds out.
 pub(super) fn held_out_of(problem: &Problem, own: bool) -> Vec<bool> {
     let held_out = problem.session.samples.held_out.as_deref();
@@ -330,7 +229,7 @@ pub(crate) fn moved_by_correction(
 }
 
 /// Reached with the table for the reference conditions − where the model is, mm.
-fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Positions {
+pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Positions {
     let table = Conditions::default().impose_on(inputs);
     let corrections = compensation.joint_corrections(&table);
     let mut reached = compensation.reached(inputs, &corrections);
@@ -435,7 +334,10 @@ pub(super) fn is_own(calibration: &Calibration, session: &Session) -> bool {
     hash_of_samples(session) == calibration.samples_hash
 }
 
-fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<Text>, VerifyError> {
+pub(super) fn same_robot(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<Vec<Text>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
         let kinds = robot.joints.iter().map(|j| j.kind.name());
         kinds.collect::<Vec<_>>().join(", ")
@@ -472,7 +374,7 @@ fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<Text>,
 
 /// The corrections that were active while measuring; `None` where there were none, or where they
 /// are another model's.
-fn applied_corrections(
+pub(super) fn applied_corrections(
     hash: &str,
     session: &Session,
     compensation: &Compensation,
@@ -554,7 +456,7 @@ pub(super) fn model_for(
     model
 }
 
-fn where_the_model_is(
+pub(super) fn where_the_model_is(
     compensation: &Compensation,
     full: &Model,
     inputs: &Inputs,
@@ -580,7 +482,7 @@ fn where_the_model_is(
 }
 
 /// Deviations of the measured points from expected ones; NaN where a sample cannot be used.
-fn measured_minus(
+pub(super) fn measured_minus(
     session: &Session,
     problem: &Problem,
     compensation: &Compensation,

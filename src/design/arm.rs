@@ -11,10 +11,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::candidates::{Candidate, Writing, anywhere, ranges};
-use super::conditions::Varied;
 use super::imagined::{extend, extended, unmeasured};
-use super::plan::PlanOptions;
+use super::plan_options::PlanOptions;
 use super::sight;
+use super::varied::Varied;
 use super::ways::{Way, ways};
 use crate::diagnosis::{DiagnoseError, NextPose};
 use crate::fit::base_model;

@@ -5,18 +5,17 @@
 //! approach is long, so that lost motion has built up, or it begins with a reversal a stated way
 //! before the pose. A new reflector may stand on a bar of at most [`REACH_MM`].
 
-use nalgebra::Vector3;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
-
 use crate::diagnosis::NextPose;
 use crate::diagnosis::prepare::Prepared;
-use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::term::{JointFrame, travel_of};
+use crate::effects::term::travel_of;
+use crate::effects::{Inputs, JointFrame};
 use crate::kinematics::{Joint, JointKind, Range, Robot};
 use crate::sessions::{Session, Target};
 use crate::text::Text;
+use nalgebra::{Point3, Vector3};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 use super::imagined::{LATER_S, measured_like};
 use super::ways::{Way, last_setup, ways};
@@ -361,12 +360,6 @@ fn at(range: &Range, share: f64) -> f64 {
     exact.clamp(range.from, range.to)
 }
 
-/// Rounded to what a technician types: a tenth of a degree or of a millimetre.
-pub(crate) fn typed(value: f64, kind: JointKind) -> f64 {
-    let step = kind.inner(0.1);
-    (value / step).round() * step
-}
-
 /// Joint values anywhere within the ranges.
 pub(crate) fn anywhere(ranges: &[Range], random: &mut impl Rng) -> Vec<f64> {
     use rand::RngExt as _;
@@ -440,4 +433,13 @@ pub(crate) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target>
         }
     };
     shifts.into_iter().map(at).collect()
+}
+
+/// The reflectors of a first measurement: the tool's origin and one more, where something turns.
+pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
+    let origin = Target {
+        name: "T1".to_owned(),
+        position_mm: Point3::origin(),
+    };
+    with_another(robot, vec![origin])
 }

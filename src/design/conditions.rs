@@ -17,6 +17,7 @@ use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::every_effect;
 use super::needs::WARMING_C;
 use super::path;
+use super::varied::Varied;
 use crate::diagnosis::NextPose;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, JointKind, Range};
@@ -32,17 +33,6 @@ const SIDES: [usize; 2] = [4, 2];
 const MANY: usize = 120;
 /// What is known of an effect beforehand: it moves the target by no more than so many times the noise.
 const USUAL: f64 = 10.0;
-
-/// What a technician can vary.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Varied {
-    /// The test load, kg; none: the load stays as it is.
-    pub(crate) load_kg: Option<f64>,
-    /// Whether the machine is measured cold and warm.
-    pub(crate) heats: bool,
-    /// Whether speeds are written down.
-    pub(crate) speeds: bool,
-}
 
 /// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
 /// range.

@@ -6,9 +6,9 @@
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::compatible::compatible;
+use crate::diagnosis::fit::Fit;
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::Fit;
-use crate::diagnosis::search::compatible;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;

@@ -12,9 +12,10 @@ use crate::sessions::Session;
 
 use crate::diagnosis::candidates::NotTestable;
 use crate::diagnosis::columns::Among;
+use crate::diagnosis::fit::Fit;
 use crate::diagnosis::limits::{self, Limit};
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::{Fit, Regression};
+use crate::diagnosis::regression::Regression;
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fit::noise::Noise;

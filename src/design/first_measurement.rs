@@ -8,7 +8,7 @@
 //! with J the columns of every effect of the catalogue that the robot can show, each scaled to the
 //! same size. Random candidates also leave no equal steps, behind which an order could hide.
 
-use nalgebra::{DMatrix, Point3};
+use nalgebra::DMatrix;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -19,12 +19,13 @@ use crate::model::Model;
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{Arrival, Candidate, Writing, anywhere, typed, usual_speed, with_another};
+use super::candidates::{Arrival, Candidate, Writing, anywhere, usual_speed};
 use super::comparison::Prediction;
 use super::exchange::{Criterion, Information, choose};
 use super::imagined::SECONDS_PER_POSE;
 use super::information::Columns;
 use super::needs::WARMING_C;
+use super::typed::typed;
 
 /// Load in each eighth of the measurement, as a share of the test load.
 const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
@@ -41,15 +42,6 @@ pub(crate) struct Request {
     pub(crate) poses: usize,
     pub(crate) load_kg: f64,
     pub(crate) seed: u64,
-}
-
-/// The reflectors of a first measurement: the tool's origin and one more, where something turns.
-pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
-    let origin = Target {
-        name: "T1".to_owned(),
-        position_mm: Point3::origin(),
-    };
-    with_another(robot, vec![origin])
 }
 
 /// What was measured already, as a model's columns show it.

@@ -4,12 +4,10 @@ use super::arm::Arm;
 use super::bench::Bench;
 use super::candidates::Candidate;
 use super::outlook::{ExpectedError, Prospect};
-use super::plan::PlanError;
+use super::plan_options::{MOST, PlanError};
 
 /// The expected error is told for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
-/// A wanted accuracy is looked for up to so many poses.
-pub(crate) const MOST: usize = 400;
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;
 

@@ -9,12 +9,13 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::inverse;
 use super::exchange::Information;
+use super::inverse::inverse;
 use crate::diagnosis::NextPose;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
-use crate::effects::{Inputs, JointValues};
+use crate::effects::place::MOST;
+use crate::effects::places::stated;
+use crate::effects::{Inputs, JointValues, Place, PlaceKind};
 use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::observations::streams::predictions;

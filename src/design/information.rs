@@ -9,11 +9,11 @@ use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidates::{Arrival, Candidate, anywhere, inputs, usual_speed};
-use super::comparison::{Axes, Prediction, inverse, predictions};
+use super::candidates::{Arrival, Candidate, anywhere, inputs, reflectors, usual_speed};
+use super::comparison::{Axes, Prediction, predictions};
 use super::exchange::Information;
-use super::first_measurement::reflectors;
 use super::imagined::{SECONDS_PER_POSE, unmeasured};
+use super::inverse::inverse;
 use super::needs::{WARMING_C, all_met};
 
 /// Settings of gear orders that stand for all of them.

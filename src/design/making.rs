@@ -13,13 +13,12 @@
 
 use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::fit::Fit;
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::Fit;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
-use crate::effects::find;
-use crate::effects::{Inputs, called};
+use crate::effects::{Inputs, called, find};
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
@@ -28,14 +27,17 @@ use crate::sessions::{Session, Target};
 use super::arm::Arm;
 use super::candidates::ranges;
 use super::comparison::{Axes, predictions};
-use super::conditions::{Varied, conditioned};
+use super::conditions::conditioned;
 use super::first_measurement::{self, Request};
 use super::geometry::{self, Geometry, Wanted};
 use super::imagined::{extended, unmeasured, with_noise};
+use super::named::Named;
 use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
-use super::pair_separation::{self, Named, Separation};
-use super::plan::{Plan, PlanError, PlanOptions, Subject, USUAL_SIGMA_MM};
-use super::{enabling_poses, expected_information, next_poses};
+use super::pair_separation::Separation;
+use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
+use super::plan_options::{PlanError, PlanOptions};
+use super::varied::Varied;
+use super::{enabling_poses, expected_information, next_poses, pair_separation};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and
 /// beside a session of them.
@@ -227,7 +229,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         several => POSES_OF_AN_ARM + POSES_PER_JOINT * several,
     };
     let poses = options.poses.unwrap_or(usual);
-    let targets = first_measurement::reflectors(robot);
+    let targets = super::candidates::reflectors(robot);
     let mut plan = Plan::empty(
         Subject::Robot,
         robot.name.clone(),

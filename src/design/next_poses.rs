@@ -6,11 +6,11 @@
 //! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
-use crate::diagnosis::NextPose;
-use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::conclude::{Proposal, Undecided};
+use crate::diagnosis::fit::Fit;
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::Fit;
+use crate::diagnosis::rival::{Rival, UNDECIDED};
+use crate::diagnosis::{NextPose, aliases};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
@@ -20,7 +20,7 @@ use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
 use super::parting::{Attempt, Parting, over_reflectors};
-use super::plan::MOST_JOINTS;
+use super::plan_options::MOST_JOINTS;
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;

@@ -9,17 +9,19 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::aliases::UNDECIDED;
+use crate::diagnosis::fit::Fit;
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::Fit;
+use crate::diagnosis::rival::UNDECIDED;
 use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;
 
 use super::candidates::{Offer, ranges};
-use super::comparison::{Apart, Comparison, Field, Prediction, enough_for, inverse};
+use super::comparison::{Apart, Comparison, Field, Prediction, enough_for};
 use super::exchange::choose;
 use super::information::standing;
+use super::inverse::inverse;
+use super::named::Named;
 use super::next_poses::conditions;
 use super::parting::{Attempt, Parting, over_reflectors};
 
@@ -30,22 +32,6 @@ const JUST_SEEN: f64 = 40.0;
 const NOTHING_LEFT: f64 = 1e-4;
 /// Weight of all candidates together where a session cannot show an effect at all: as so many poses.
 const AS_MANY_POSES: f64 = 40.0;
-
-/// One of the two: a name and a joint counted from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Named {
-    /// The effect's name.
-    pub id: &'static str,
-    /// Its joint.
-    pub joint: usize,
-}
-
-impl Named {
-    /// Whether the joint matters.
-    pub fn per_joint(&self) -> bool {
-        find(self.id).is_some_and(|e| e.about().per_joint)
-    }
-}
 
 /// Poses that tell two effects apart.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,11 +3,11 @@
 
 use nalgebra::Point3;
 
-use super::candidates::typed;
 use super::imagined::place_of;
-use crate::effects::Inputs;
+use super::typed::typed;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::places::{Place, PlaceKind, name, stated};
+use crate::effects::places::{name, stated};
+use crate::effects::{Inputs, Place, PlaceKind};
 use crate::kinematics::Range;
 use crate::model::Model;
 use crate::observations::held::bring;

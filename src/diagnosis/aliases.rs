@@ -11,20 +11,14 @@ use crate::effects::{Setting, Term};
 
 use super::candidates::Candidate;
 use super::columns::Among;
+use super::compatible::compatible;
 use super::evidence::PRICE_OF_A_NAME;
-use super::other_settings;
+use super::fit::Fit;
 use super::projected::units_beside;
-use super::regression::{Fit, Regression};
-use super::scores::Score;
-use super::search::{by_odds, compatible};
+use super::regression::Regression;
+use super::rival::{Rival, UNDECIDED, name};
+use super::score::{Score, by_odds};
 use crate::linear::{small_cholesky, small_gain};
-
-/// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
-/// A drift or step of the frame is held against slow noise with the same odds: both are
-/// movements of the frame, and the set of equivalent names cannot hold the noise
-/// (`hidden_effects component`, λ = 100: named or in the set 90 % of 98, then 99 % of 210;
-/// `slow`: no more of the machine is named).
-pub(crate) const UNDECIDED: f64 = 3.0;
 /// Before the refit some more are kept.
 const CLOSE: f64 = 6.0;
 /// Rivals that are refitted.
@@ -41,41 +35,6 @@ const AT_ONCE: usize = 64;
 const MORE: f64 = 1.2;
 /// In a larger model only single terms are taken out.
 const MOST_FOR_PAIRS: usize = 5;
-
-/// Another explanation.
-#[derive(Debug, Clone)]
-pub(crate) struct Rival {
-    /// What it replaces.
-    pub(crate) removed: Vec<Term>,
-    pub(crate) instead: Vec<Term>,
-    /// The refitted model.
-    pub(crate) fit: Fit,
-}
-
-impl Rival {
-    /// Whether it differs by name, not only by setting.
-    pub(crate) fn other_names(&self) -> bool {
-        let names = |terms: &[Term]| {
-            let mut names: Vec<(&str, usize)> = terms.iter().map(name).collect();
-            names.sort_unstable();
-            names.dedup();
-            names
-        };
-        names(&self.removed) != names(&self.instead)
-    }
-
-    /// The settings by which it differs, where the names are the same.
-    pub(crate) fn other_settings(&self) -> Vec<f64> {
-        if self.other_names() {
-            return Vec::new();
-        }
-        self.instead.iter().map(other_settings::value).collect()
-    }
-}
-
-fn name(term: &Term) -> (&'static str, usize) {
-    (term.effect.about().id, term.joint)
-}
 
 /// Rivals without those that only add a name to another rival.
 pub(crate) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {

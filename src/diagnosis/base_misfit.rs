@@ -4,12 +4,13 @@
 
 use crate::fit::base_model;
 
-use super::aliases::{self, Rival};
-use super::final_set;
+use super::fit::Fit;
 use super::floor::floor;
+use super::found::Found;
 use super::prepare::Prepared;
-use super::regression::Fit;
-use super::search::{Found, mean_sigma_mm};
+use super::rival::Rival;
+use super::search::mean_sigma_mm;
+use super::{aliases, final_set};
 use crate::answers::diagnosis::FloorFrom;
 
 /// So many names are several.

@@ -10,12 +10,10 @@
 //!
 //! Columns of another form are kept row by row.
 
-use nalgebra::{DMatrix, DVector, DVectorView};
-
-use super::regression::lengthened;
 use crate::fit::noise::Filter;
 use crate::linear;
 use crate::side_by_side::Threads;
+use nalgebra::{DMatrix, DVector, DVectorView};
 
 /// How well a column is given by a number for each sample, beside its largest value: rounding.
 const ROUNDING: f64 = 1e-12;
@@ -358,6 +356,15 @@ impl Group {
         }
         g
     }
+}
+
+/// A matrix with so many rows of zeros more.
+pub(super) fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
+    if more == 0 {
+        return columns;
+    }
+    let rows = columns.nrows();
+    columns.resize_vertically(rows + more, 0.0)
 }
 
 #[cfg(test)]

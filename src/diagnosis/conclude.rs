@@ -6,8 +6,7 @@ use std::borrow::Cow;
 use crate::effects::{JointValues, Term, called};
 use crate::fit::base_model;
 use crate::fit::expected::expected_error;
-use crate::fit::gap::suspects;
-use crate::fit::gap::{Spread, deviations, lengths_mm};
+use crate::fit::gap::{Spread, deviations, lengths_mm, suspects};
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::{GapStep, SetUp};
@@ -16,26 +15,24 @@ use crate::observations::figures::{KindFigures, apart_beside};
 use crate::sessions::{Mend, Session};
 use crate::text::Text;
 
-use super::aliases;
 use super::candidates::NotTestable;
 use super::final_set::{is_above, stands_above};
+use super::fit::Fit;
 use super::floor::floor;
-use super::handed_out;
-use super::limits;
-use super::other_settings;
+use super::found::Found as SearchEnd;
+use super::named::found;
 use super::prepare::Prepared;
-use super::regression::{Fit, Regression};
+use super::regression::Regression;
 use super::remainder::unexplained;
 use super::search::CHANCE;
-use super::search::Found as SearchEnd;
-use super::smooth;
-use super::steps::{Step, found, steps};
+use super::steps::{Step, steps};
 use super::testable::not_testable;
-use super::unnamed;
 use super::unseen::held_out;
 use super::values::{Values, corrected_for_selection};
-use super::verdict;
-use super::{DiagnoseError, Progress, Watch};
+use super::{
+    DiagnoseError, Progress, Watch, aliases, handed_out, limits, other_settings, smooth, unnamed,
+    verdict,
+};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
@@ -46,7 +43,7 @@ use crate::set_up_errors::{DataProblem, Mended};
 pub(crate) struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u Prepared<'a>,
     pub(crate) fit: &'u Fit,
-    pub(crate) rivals: &'u [&'u aliases::Rival],
+    pub(crate) rivals: &'u [&'u super::rival::Rival],
     pub(crate) not_testable: &'u [NotTestable],
 }
 
@@ -225,7 +222,7 @@ fn noise_of(values: &Values, regression: &Regression) -> Noise {
 fn open_questions(
     prepared: &Prepared,
     end: &SearchEnd,
-) -> (Vec<aliases::Rival>, Option<DataProblem>) {
+) -> (Vec<super::rival::Rival>, Option<DataProblem>) {
     let (regression, fit) = (&prepared.regression, &end.fit);
     let mut rivals = aliases::open_rivals(regression, fit);
     // What is likelier and carries itself has taken the place already; what does not is no rival.
@@ -243,7 +240,7 @@ fn open_questions(
         &end.other_ends,
     ));
     let settings = other_settings::open_settings(regression, fit);
-    let equal_steps = other_settings::equal_steps(prepared, &settings);
+    let equal_steps = super::equal_steps::equal_steps(prepared, &settings);
     rivals.extend(settings);
     (rivals, equal_steps)
 }
@@ -396,7 +393,7 @@ fn behind(clause: Text, before: Text) -> Text {
 }
 
 fn equivalents(
-    rivals: &[&aliases::Rival],
+    rivals: &[&super::rival::Rival],
     fit: &Fit,
     proposal: &Proposal,
     is_dropped: impl Fn(&Term) -> bool,
@@ -429,7 +426,7 @@ fn equivalents(
         });
     }
     for one in all.iter_mut().filter(|e| !e.orders.is_empty()) {
-        let orders = one.orders.iter().map(|o| other_settings::shown(*o));
+        let orders = one.orders.iter().map(|o| super::setting::shown(*o));
         let orders = orders.collect::<Vec<_>>().join(", ");
         one.separate_by = text!(
             "orders (or leads) {orders}, the same at these steps: {separate_by}",

@@ -12,8 +12,9 @@ use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
 
+use super::fit::Fit;
 use super::placed::Placed;
-use super::regression::{Fit, Regression};
+use super::regression::Regression;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.

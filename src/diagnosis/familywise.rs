@@ -16,11 +16,12 @@ use nalgebra::DVector;
 pub(crate) use crate::answers::diagnosis::FamilyP;
 
 use super::columns::Among;
-use super::regression::{Fit, Regression};
-use super::scores::weight_of;
-use super::trials::{CHUNK, Tail, Trials};
+use super::fit::Fit;
+use super::noise_alone::Null;
+use super::regression::Regression;
+use super::score::weight_of;
+use super::trials::{CHUNK, Trials};
 use crate::effects::rank as rank_in_catalogue;
-use crate::linear::Basis;
 
 /// Simulations of a short session.
 const MOST: usize = 2000;
@@ -35,40 +36,8 @@ const MOST_KURTOSIS: f64 = 3.6;
 
 /// What a product in single precision, of many vectors at once, costs beside others.
 const OF_NOISE: f64 = 0.15;
-
-/// Largest −ln p of simulated residuals, kept for each model.
-#[derive(Debug, Default)]
-pub(crate) struct Familywise {
-    null: Vec<Null>,
-}
-
-/// What noise alone did to the search beside one model, so far.
-#[derive(Debug)]
-struct Null {
-    rank: usize,
-    /// Of the model that it was made for.
-    fingerprint: Vec<u64>,
-    /// Whether it is the same whatever the seed.
-    seedless: bool,
-    basis: Arc<Basis>,
-    /// What the signs of are flipped; `None` where the residuals are Gaussian.
-    flipped: Option<DVector<f32>>,
-    /// Largest first.
-    largest: Vec<f64>,
-    /// The simulated tail of Gaussian residuals.
-    tail: Option<Tail>,
-}
-
-/// Chances between these are worth more simulations …
-const CLOSE: [f64; 2] = [4e-4, 0.04];
-/// … and on the way to what is tested at the end those within so many standard errors of what is asked for.
-const CLOSE_ON_THE_WAY: f64 = 2.5;
-/// Beyond what one of so many simulations reaches the tail is extrapolated.
-const TAIL_SHARE: usize = 50;
 /// Whether noise reaches something may be answered after so many residuals of the first chunk …
 const FEW: [usize; 2] = [50, 100];
-/// … where as many as reach it have at most this chance to if noise does not.
-const ODD: f64 = 1e-4;
 
 impl Regression<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
@@ -239,68 +208,6 @@ fn fingerprint(fit: &Fit) -> Vec<u64> {
     all
 }
 
-impl Null {
-    fn has_a_chunk(&self) -> bool {
-        self.largest.len() >= CHUNK
-    }
-
-    /// Whether more simulations, up to so many, would not change what it says of this −ln p.
-    fn has_p(&self, minus_ln_p: f64, most: usize) -> bool {
-        let [from, to] = CLOSE;
-        let is_close = |p: f64| p > from && p < to;
-        self.has_a_chunk()
-            && (self.tail.is_some()
-                || self.largest.len() >= most
-                || !is_close(self.chance(minus_ln_p)))
-    }
-
-    /// Whether the chance is clearly above or below this one. Of n simulations the tail begins at the n/50th:
-    /// that is its standard error, one over the root of n/50.
-    fn is_apart(&self, minus_ln_p: f64, chance: f64) -> bool {
-        let error = (TAIL_SHARE as f64 / self.largest.len().max(1) as f64).sqrt();
-        let apart = || (self.chance(minus_ln_p) / chance).ln().abs();
-        self.has_a_chunk() && apart() > CLOSE_ON_THE_WAY * error
-    }
-
-    /// Whether so many simulations reach it as would be [`ODD`] if their chance were not above this one: of
-    /// n at least k with a chance of at most (n·chance)ᵏ/k!.
-    fn surely_reaches(&self, minus_ln_p: f64, chance: f64) -> bool {
-        let above = self.above(minus_ln_p);
-        let expected = self.largest.len() as f64 * chance;
-        let odds = (1..=above).map(|k| expected / k as f64);
-        above > 0 && odds.product::<f64>() < ODD
-    }
-
-    /// How many simulations reach it.
-    fn above(&self, minus_ln_p: f64) -> usize {
-        self.largest.partition_point(|s| *s >= minus_ln_p)
-    }
-
-    /// The chance of a −ln p as large: counted, and beyond the largest fiftieth ([`TAIL_SHARE`]) by the tail
-    /// chance(s) = share · exp(−(s − quantile)).
-    fn chance(&self, minus_ln_p: f64) -> f64 {
-        if let Some(tail) = self.tail.as_ref().filter(|t| minus_ln_p >= t.from) {
-            return tail.chance(minus_ln_p);
-        }
-        let count = self.largest.len();
-        let above = self.above(minus_ln_p);
-        let rank = (count / TAIL_SHARE).max(1);
-        let counted = above as f64 / count as f64;
-        if above > rank {
-            return counted;
-        }
-        let share = rank as f64 / count as f64;
-        let from_tail = share * (self.largest[rank - 1] - minus_ln_p).exp();
-        from_tail.max(counted.min(3.0 * from_tail))
-    }
-
-    /// Takes what some more simulated residuals reached.
-    fn take(&mut self, largest: Vec<f64>) {
-        self.largest.extend(largest);
-        self.largest.sort_by(|a, b| b.total_cmp(a));
-    }
-}
-
 /// Fourth moment over the square of the second; 3 for a Gaussian.
 fn kurtosis(values: &DVector<f64>) -> f64 {
     let n = values.len().max(1) as f64;
@@ -315,6 +222,7 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::prepare::Prepared;
+    use crate::linear::Basis;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     #[test]

@@ -3,29 +3,17 @@
 
 use crate::effects::{Over, Term};
 
-use super::aliases;
+use super::fit::Fit;
+use super::found::Found;
 use super::held_out::Folds;
-use super::own_evidence;
 use super::prepare::Prepared;
-use super::regression::Fit;
-use super::search::{CHANCE, Found, mean_sigma_mm, needed};
-use super::significance::Significance;
+use super::search::{CHANCE, mean_sigma_mm, needed};
 use super::steps::{Next, Step, steps};
-use super::{Cancelled, Progress, Watch};
+use super::worth::worth;
+use super::{Cancelled, Progress, Watch, aliases, own_evidence};
 
 /// Logarithm of odds at which no other setting of a term passes for it in a part of the samples.
 const BEYOND_DOUBT: f64 = 40.0;
-
-/// What one term is worth beside the others.
-#[derive(Debug, Clone)]
-pub(crate) struct Worth {
-    /// The fit without it.
-    pub(crate) rest: Fit,
-    /// −ln p on the scale of the family-wise test.
-    pub(crate) minus_ln_p: f64,
-    /// Logarithm of how much likelier the fit is with it.
-    pub(crate) ln_odds: f64,
-}
 
 /// Takes out, worst first, every name that does not carry itself.
 pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
@@ -84,7 +72,7 @@ pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
     let mut changed = false;
     for _ in 0..3 {
         let mut rivals = aliases::rivals(regression, &found.fit).into_iter();
-        let fits = |r: &aliases::Rival| regression.added(&r.fit).len() <= prepared.cap();
+        let fits = |r: &super::rival::Rival| regression.added(&r.fit).len() <= prepared.cap();
         let Some(rival) = rivals.find(fits) else {
             break;
         };
@@ -197,31 +185,6 @@ fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
     is_above(&best, fit).then_some(best)
-}
-
-/// What a term is worth beside the others of a fit.
-pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
-    let regression = &prepared.regression;
-    let rest = regression.without_term(fit, term);
-    let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
-    let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
-    let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
-    let tried = regression.price_of_term(term);
-    let mut minus_ln_p = Significance::new(rank, freedom).of(share) - 0.5 * tried;
-    // Orders of one gear that are there together are no chance if all of them are none.
-    let together = regression.together(fit, term);
-    if together.len() > 1 {
-        let gone = |t: &Term| together.iter().any(|own| own.same_column(t));
-        let without = regression.fit(&fit.model.without(gone), &fit.shapes);
-        let rank = fit.basis.rank().saturating_sub(without.basis.rank()).max(1);
-        let share = (1.0 - fit.rss / without.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
-        minus_ln_p = minus_ln_p.max(Significance::new(rank, freedom).of(share));
-    }
-    Worth {
-        minus_ln_p,
-        ln_odds: fit.ln_evidence - rest.ln_evidence,
-        rest,
-    }
 }
 
 #[cfg(test)]

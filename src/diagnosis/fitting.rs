@@ -8,10 +8,11 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::fit::Fit;
 use super::known_fits::TakenAt;
 use super::memo::start as start_of;
 use super::placed::Placed;
-use super::regression::{Fit, Regression};
+use super::regression::Regression;
 use crate::linear::Basis;
 use crate::model::Model;
 

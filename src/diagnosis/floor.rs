@@ -3,8 +3,8 @@
 
 use crate::sessions::Sigma;
 
+use super::fit::Fit;
 use super::prepare::Prepared;
-use super::regression::Fit;
 use crate::answers::diagnosis::{Floor, FloorFrom};
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit; never below

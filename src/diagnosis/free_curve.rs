@@ -8,9 +8,10 @@
 use crate::effects::{Over, Term};
 
 use super::evidence::PRICE_OF_A_NAME;
+use super::fit::Fit;
+use super::found::Found;
 use super::prepare::Prepared;
-use super::regression::{Fit, Regression};
-use super::search::Found;
+use super::regression::Regression;
 use super::smooth;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 

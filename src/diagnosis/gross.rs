@@ -3,8 +3,8 @@
 //! recognised.
 
 use super::base_misfit::left_mm;
+use super::found::Found;
 use super::prepare::Prepared;
-use super::search::Found;
 
 /// The share of the robot's size from which on an error is gross.
 const GROSS_SHARE: f64 = 0.01;

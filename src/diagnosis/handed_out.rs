@@ -30,8 +30,8 @@ use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
 
+use super::fit::Fit;
 use super::prepare::Prepared;
-use super::regression::Fit;
 use super::run_away::runs_away;
 use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};

@@ -11,9 +11,10 @@ use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::text::Text;
 
+use super::fit::Fit;
 use super::left_out::LeftOut;
-use super::regression::{Fit, Regression};
-use super::rescanned::{Rescanned, has_near_rivals, is_scanned};
+use super::regression::Regression;
+use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
 use super::surroundings::Without;
 use crate::sessions::cells::{cells, folds_of_groups};
 
@@ -39,8 +40,6 @@ pub(crate) struct Unseen {
 const SURELY: f64 = 1.04;
 const FOLDS: usize = 5;
 const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
-/// Below this number of samples every sector is left out in turn.
-pub(super) const FEW: usize = 60;
 /// Below this number of samples nothing is said about unseen ones.
 pub(crate) const FEWEST: usize = 6;
 

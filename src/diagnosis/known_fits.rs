@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::regression::Fit;
+use super::fit::Fit;
 use crate::linear::Basis;
 use crate::model::Model;
 

@@ -10,8 +10,9 @@ pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
 use super::columns::Among;
-use super::regression::{Fit, Regression};
-use super::scores::weight_of;
+use super::fit::Fit;
+use super::regression::Regression;
+use super::score::weight_of;
 use super::search::CHANCE;
 
 /// Limits of every name that was tried and is not in the model.

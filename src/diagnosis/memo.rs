@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use super::fit::Fit;
 use super::placed::Placed;
-use super::regression::Fit;
 use crate::model::Model;
 
 /// The last answers, each with the fit that it is for.

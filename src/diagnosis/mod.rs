@@ -37,11 +37,18 @@ pub(crate) mod smooth;
 mod smooth_rival;
 
 mod base_misfit;
+mod beside_fits;
 pub(crate) mod classes;
+pub(crate) mod compatible;
 pub(crate) mod conclude;
+mod equal_steps;
+mod error;
+mod excess;
 mod final_set;
+pub(crate) mod fit;
 mod fitting;
 mod floor;
+mod found;
 mod free_curve;
 mod gross;
 mod handed_out;
@@ -49,10 +56,15 @@ mod held_out;
 mod incomplete;
 mod known_fits;
 mod left_out;
+mod named;
+mod noise_alone;
 mod of_group;
+mod options;
 mod orders;
 pub(crate) mod other_settings;
 mod own_evidence;
+mod placing;
+mod progress;
 mod refine;
 pub(crate) mod regression;
 pub(crate) mod shape_space;
@@ -61,24 +73,30 @@ pub(crate) mod prepare;
 pub(crate) mod projected;
 mod remainder;
 mod rescanned;
+pub(crate) mod rival;
 mod robust;
 mod run_away;
+mod score;
 mod scores;
 pub(crate) mod search;
 mod selection;
+mod setting;
 mod shapes;
 pub(crate) mod significance;
 mod step_time;
 mod steps;
 pub(crate) mod surroundings;
 pub(crate) mod testable;
+mod thinned;
 mod trials;
 mod unnamed;
 mod unseen;
 mod values;
 mod verdict;
+mod whole_search;
 mod withheld;
 pub(crate) mod work;
+mod worth;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
@@ -89,122 +107,15 @@ pub use crate::answers::pose::NextPose;
 pub use crate::sessions::Mend;
 pub use candidates::Allowed;
 pub(crate) use conclude::Planner;
+pub use error::DiagnoseError;
+pub use options::Options;
+pub use progress::{Cancelled, Progress, Watch};
+use whole_search::until_stopped;
+pub(crate) use whole_search::{checked, searched};
 
-use crate::text::Text;
 use std::cell::Cell;
 
-use crate::effects::Owner;
-use crate::effects::{JointValues, Term};
-use crate::fit::noise::Noise;
 use crate::sessions::Session;
-use crate::set_up_errors::{self, Mended};
-use prepare::Prepared;
-use work::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
-
-/// What to look for, and how.
-#[derive(Debug, Clone, Default)]
-pub struct Options {
-    /// Names that may be used.
-    pub allowed: Allowed,
-    /// Most effects to add; at most a tenth of the number of samples anyway.
-    pub max_effects: Option<usize>,
-    /// Share of the samples to lock away from everything.
-    pub held_out: Option<f64>,
-    /// Seed of the simulated residuals.
-    pub seed: u64,
-    /// Joint values to start from.
-    pub joint_values: JointValues,
-    /// Whether what no name explains is to be corrected by a smooth curve.
-    pub correct_unexplained: bool,
-    /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
-    /// [`DiagnoseError::Cancelled`].
-    pub keep_when_stopped: bool,
-    /// Whether the model holds names and geometry only, and nothing that predicts without a name.
-    pub without_unnamed: bool,
-    /// On how many threads the parts of a search are done that do not depend on each other; `None`: on two where
-    /// the machine has them. The answer is the same to the last bit.
-    pub threads: Option<usize>,
-}
-
-/// How far the diagnosis is.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Progress {
-    /// Looking for blunders.
-    Checking,
-    /// Fitting the base, preparing the candidates.
-    Preparing,
-    /// Searching; what was found so far may still be exchanged for something likelier.
-    Searching {
-        /// Names of the effects so far, in the order in which they act, of several joints each with
-        /// its joint.
-        found: Vec<String>,
-        /// Share of the most that a search may cost, percent; it may end at any.
-        percent: u8,
-    },
-    /// Comparing with other explanations.
-    Comparing,
-    /// Looking for poses to measure next.
-    Planning,
-}
-
-/// Is told of progress; answers whether to go on.
-pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
-
-/// The watcher asked to stop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Cancelled;
-
-/// Why there is no diagnosis.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum DiagnoseError {
-    /// No effect of this name.
-    UnknownEffect(String),
-    /// The share to lock away makes no sense.
-    HeldOutShare(String),
-    /// Every sample is held out or cannot be used.
-    NothingToFit,
-    /// The session is no whole one: columns of different lengths, more joints than a robot has.
-    Rejected(crate::diagnostic::Rejected),
-    /// The watcher asked to stop.
-    Cancelled,
-}
-
-impl DiagnoseError {
-    /// In words.
-    pub fn says(&self) -> Text {
-        match self {
-            Self::UnknownEffect(effect) => text!(
-                "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
-            ),
-            Self::HeldOutShare(share) => text!(
-                "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
-                share = share
-            ),
-            Self::NothingToFit => text!(
-                "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
-            ),
-            Self::Rejected(inner) => inner.says(),
-            Self::Cancelled => text!("stopped"),
-        }
-    }
-}
-
-displays_what_it_says!(DiagnoseError);
-
-impl std::error::Error for DiagnoseError {}
-
-impl From<crate::diagnostic::Rejected> for DiagnoseError {
-    fn from(error: crate::diagnostic::Rejected) -> Self {
-        Self::Rejected(error)
-    }
-}
-
-impl From<Cancelled> for DiagnoseError {
-    fn from(_: Cancelled) -> Self {
-        Self::Cancelled
-    }
-}
 
 /// Diagnoses a session; `planner` proposes poses for what stays undecided.
 ///
@@ -228,179 +139,6 @@ pub(crate) fn diagnose(
     let (prepared, found) = searched(&mended.session, options, watch)?;
     let told = until_stopped(&prepared.regression.work, options, watch);
     conclude::answer(&mended, &prepared, &found, planner, &told)
-}
-
-/// A watcher who is not asked again once the search was stopped, where what is proven until then is wanted.
-fn until_stopped<'w>(
-    work: &'w Work,
-    options: &Options,
-    watch: Watch<'w>,
-) -> impl Fn(&Progress) -> bool + use<'w> {
-    let keep = options.keep_when_stopped;
-    move |progress| {
-        if work.was_stopped() || watch(progress) {
-            return true;
-        }
-        if keep {
-            work.stop();
-        }
-        keep
-    }
-}
-
-/// The session without its blunders.
-pub(crate) fn checked<'a>(
-    session: &'a Session,
-    options: &Options,
-    watch: Watch,
-) -> Result<Mended<'a>, Cancelled> {
-    if !watch(&Progress::Checking) && !options.keep_when_stopped {
-        return Err(Cancelled);
-    }
-    Ok(set_up_errors::mended(session, options.joint_values))
-}
-
-/// The search, done again once with the names known: outliers and noise look different then. Where
-/// a slow part of the noise may explain as much, it is searched beside that as well, and the
-/// likelier end wins. What is found is tested again at the end.
-pub(crate) fn searched<'a>(
-    session: &'a Session,
-    options: &Options,
-    watch: Watch,
-) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    let goes_on = watch(&Progress::Preparing);
-    if !goes_on && !options.keep_when_stopped {
-        return Err(DiagnoseError::Cancelled);
-    }
-    let mut prepared = Prepared::new(session, options)?;
-    let work = prepared.regression.work.clone();
-    if !goes_on {
-        // Geometry alone is an answer too.
-        work.stop();
-    }
-    let told = until_stopped(&work, options, watch);
-    let watch: Watch = &told;
-    work.up_to(FIRST_SEARCH);
-    let mut found = prepared.search(watch)?;
-    work.up_to(SECOND_SEARCH);
-    let unfinished = work.ended().is_some();
-    if prepared.reconsider(&found) || unfinished {
-        work.begin_again();
-        found = if unfinished || prepared.may_go_on(&found) {
-            prepared.search_on(&found, watch)?
-        } else {
-            prepared.search(watch)?
-        };
-    }
-    work.up_to(RIVALS);
-    // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
-    // curve is held against those it has, and the verdict says that something is left.
-    if !prepared.is_capped(&found) {
-        (prepared, found) = against_rivals(&prepared, found, watch)?;
-        // What was held against the end was not left out of it.
-        work.begin_again();
-    }
-    work.up_to(OTHER_SETS);
-    final_set::test(&prepared, &mut found, watch)?;
-    if final_set::exchanged(&prepared, &mut found) {
-        final_set::test(&prepared, &mut found, watch)?;
-    }
-    final_set::as_said(&prepared, &mut found, watch)?;
-    base_misfit::withdraw(&prepared, &mut found);
-    gross::withdraw(&prepared, &mut found);
-    work.up_to(1.0);
-    Ok((prepared, found))
-}
-
-/// What was found against a slow part of the noise and a free curve: the likeliest of them.
-fn against_rivals<'a>(
-    prepared: &Prepared<'a>,
-    mut found: search::Found,
-    watch: Watch,
-) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    let slow = prepared.slow_noise();
-    let instead = prepared.slow_noise_instead(&found.fit);
-    let instead = instead.filter(|n| slow.as_ref().is_none_or(|s| !s.whitens_like(n)));
-    let noise = &prepared.regression.noise;
-    let white = noise.slow.map(|_| noise.made_white());
-    let (mut prepared, fit) = prepared.settled(&found.fit);
-    found.fit = fit;
-    free_curve::rival(&prepared, &mut found);
-    smooth_rival::rival(&prepared, &mut found);
-    let mut others = Vec::new();
-    for noise in white.into_iter().chain(slow).chain(instead) {
-        let known = &prepared.regression.noise;
-        let (rival, end) = settled_search(prepared.with_noise(noise), known, watch)?;
-        let loser = if standing(&rival, &end) > standing(&prepared, &found) {
-            prepared = rival;
-            std::mem::replace(&mut found, end)
-        } else {
-            end
-        };
-        others.push(loser.fit);
-    }
-    if prepared.regression.noise.slow.is_some() {
-        let white = prepared.with_noise(prepared.regression.noise.made_white());
-        if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
-            (prepared, found) = (white, curve);
-        }
-    }
-    let least = found.fit.ln_evidence - aliases::UNDECIDED;
-    others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
-    found.other_ends = others;
-    Ok((prepared, found))
-}
-
-/// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
-/// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
-/// noise: such a name stands unless the noise rules it out.
-fn standing(prepared: &Prepared, end: &search::Found) -> f64 {
-    let names = prepared.regression.added(&end.fit);
-    let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
-    let only = !names.is_empty() && names.iter().all(of_the_frame);
-    let favour = prepared.regression.noise.slow.is_none() && only && end.fit.shapes.is_empty();
-    end.fit.ln_evidence + if favour { aliases::UNDECIDED } else { 0.0 }
-}
-
-/// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
-/// already.
-fn settled_search<'a>(
-    mut prepared: Prepared<'a>,
-    searched: &Noise,
-    watch: Watch,
-) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    let mut found = prepared.search(watch)?;
-    for _ in 0..3 {
-        let (settled, fit) = prepared.settled(&found.fit);
-        let noise = &settled.regression.noise;
-        let same = noise.whitens_like(&prepared.regression.noise);
-        let known = noise.whitens_like(searched);
-        (prepared, found.fit) = (settled, fit);
-        if same || known {
-            break;
-        }
-        found = prepared.search_on(&found, watch)?;
-    }
-    free_curve::rival(&prepared, &mut found);
-    smooth_rival::rival(&prepared, &mut found);
-    Ok((prepared, found))
-}
-
-impl Options {
-    pub(crate) fn check(&self) -> Result<(), DiagnoseError> {
-        let named = self.allowed.without.iter();
-        for id in named.chain(self.allowed.only.iter().flatten()) {
-            if crate::effects::find(id).is_none() {
-                return Err(DiagnoseError::UnknownEffect(id.clone()));
-            }
-        }
-        match self.held_out {
-            Some(share) if !(share > 0.0 && share < 1.0) => {
-                Err(DiagnoseError::HeldOutShare(share.to_string()))
-            }
-            _ => Ok(()),
-        }
-    }
 }
 
 #[cfg(test)]

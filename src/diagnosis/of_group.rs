@@ -1,7 +1,7 @@
 //! Whether what is left is of one group of samples: a target, a socket, a setup, a station, a plane, an anchor whose
 //! samples leave more than those of the others of its kind.
 
-use super::verdict::excess_of;
+use super::excess::excess_of;
 use crate::model::shapes::Where;
 use crate::sessions::{Group, Session};
 

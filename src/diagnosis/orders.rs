@@ -19,8 +19,9 @@ use crate::linear::{Basis, along, own_products, reject_all};
 use crate::model::Model;
 
 use super::candidates::Candidate;
-use super::prepare::thinned;
-use super::regression::{Fit, Regression};
+use super::fit::Fit;
+use super::regression::Regression;
+use super::thinned::thinned;
 
 /// So many rounds over all orders at most.
 const ROUNDS: usize = 3;

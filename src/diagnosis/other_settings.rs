@@ -5,16 +5,12 @@
 //! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
 //! steps, half of a turn or several grids at once count as what they are.
 
-use crate::effects::{Setting, Term, called};
-use crate::kinematics::JointKind;
-use crate::units::deg_from_rad;
+use crate::effects::{Setting, Term};
 
-use super::aliases::{Rival, UNDECIDED};
 use super::columns::Among;
-use super::prepare::Prepared;
-use super::regression::{Fit, Regression};
-use crate::answers::diagnosis::DataProblem;
-use crate::text::Text;
+use super::fit::Fit;
+use super::regression::Regression;
+use super::rival::{Rival, UNDECIDED};
 
 /// Orders closer than this are one order and its interval.
 const NEIGHBOURS: f64 = 1.5;
@@ -22,8 +18,6 @@ const NEIGHBOURS: f64 = 1.5;
 const ALIKE: f64 = 0.02;
 /// Settings of one name that are refitted.
 const MOST: usize = 40;
-/// Steps are equal where none differs by more than this share from their median.
-const EQUAL: f64 = 0.02;
 
 /// Whether a term comes round with a setting: of others, as the time of a step, neighbours are an interval.
 fn comes_round(term: &Term) -> bool {
@@ -86,106 +80,12 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
         .collect()
 }
 
-/// What is said of steps that are equal, where settings cannot be told apart by them.
-pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataProblem> {
-    let term = rivals.first()?.removed.first()?;
-    let joint = term.joint;
-    let kind = prepared.problem.session.robot.joints[joint].kind;
-    let steps = step_of(&prepared.regression.rows.inputs.q[joint]).map(|step| match kind {
-        JointKind::Prismatic => format!("{step:.3} mm"),
-        JointKind::Revolute => format!("{:.3}°", deg_from_rad(step)),
-    });
-    let settings = rivals
-        .iter()
-        .flat_map(super::aliases::Rival::other_settings)
-        .map(shown);
-    let settings: Vec<String> = settings.collect();
-    Some(DataProblem {
-        what: text!("equal steps"),
-        evidence: match steps {
-            Some(step) => text!(
-                "the values of joint {joint} are equal steps of {step}: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
-                joint = joint + 1,
-                step = step,
-                setting = setting(term),
-                others = settings.join(", ")
-            ),
-            None => text!(
-                "the values of joint {joint} are steps that do not part them: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
-                joint = joint + 1,
-                setting = setting(term),
-                others = settings.join(", ")
-            ),
-        },
-        proposal: text!("measure the proposed poses, which are uneven steps"),
-        mend: None,
-        samples: Vec::new(),
-    })
-}
-
-/// A setting and whose it is, in words.
-fn setting(term: &Term) -> Text {
-    let (value, effect) = (shown(value(term)), called(term.effect.about().id));
-    match term.effect.about().setting {
-        Setting::Order { .. } => {
-            text!("order {value} of {effect}", value = value, effect = effect)
-        }
-        Setting::Listed(listed) => text!(
-            "{quantity} {value} of {effect}",
-            quantity = listed.quantity.name.split('_').next().unwrap_or("setting"),
-            value = value,
-            effect = effect
-        ),
-        _ => text!(
-            "setting {value} of {effect}",
-            value = value,
-            effect = effect
-        ),
-    }
-}
-
-/// A setting as it is read.
-pub(crate) fn value(term: &Term) -> f64 {
-    match term.effect.about().setting {
-        Setting::Listed(listed) => term.setting / listed.quantity.unit.inner,
-        _ => term.setting,
-    }
-}
-
-/// A number without digits that say nothing.
-pub(crate) fn shown(value: f64) -> String {
-    if value.fract() == 0.0 {
-        format!("{value:.0}")
-    } else {
-        format!("{value:.3}")
-    }
-}
-
-/// The step of values that are equal steps, inner units.
-fn step_of(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let span = sorted.last()? - sorted.first()?;
-    let same = 1e-4 * span;
-    let mut steps: Vec<f64> = sorted.windows(2).map(|w| w[1] - w[0]).collect();
-    steps.retain(|step| *step > same);
-    if steps.len() < 3 {
-        return None;
-    }
-    steps.sort_by(f64::total_cmp);
-    let median = steps[steps.len() / 2];
-    // A value that is left out makes a step of two.
-    let off = |step: &f64| (step / median - (step / median).round()).abs();
-    steps
-        .iter()
-        .all(|s| off(s) < EQUAL && *s > 0.5 * median)
-        .then_some(median)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
+    use crate::diagnosis::equal_steps::{equal_steps, step_of};
+    use crate::diagnosis::prepare::Prepared;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// One axis with a gear's error of order 88, at these angles.

@@ -7,8 +7,8 @@
 
 use nalgebra::DMatrix;
 
+use super::fit::Fit;
 use super::prepare::Prepared;
-use super::regression::Fit;
 use super::search::CHANCE;
 use super::significance::Significance;
 use crate::effects::Term;

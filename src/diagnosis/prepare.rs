@@ -5,36 +5,32 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Over, Survey, Term, find};
-use std::rc::Rc;
-
-use nalgebra::DMatrix;
-
-use crate::fit::gap::suspects_beside;
-use crate::fit::gap::{Deviations, deviations};
-use crate::fit::observed;
+use crate::fit::gap::{Deviations, deviations, suspects_beside};
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
-use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames};
+use crate::fit::regression::Rows;
+use crate::fit::{
+    DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames, observed,
+};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::sessions::Session;
 use crate::sessions::cells::cells;
+use crate::set_up_errors::DataProblem;
 use crate::side_by_side::Threads;
+use nalgebra::DMatrix;
+use std::rc::Rc;
 
 use super::candidates::Table;
+use super::fit::Fit;
+use super::found::Found;
 use super::held_out::Folds;
-use super::incomplete;
-use super::memo::Memo;
 use super::placed::Placed;
-use super::regression::{Fit, Regression};
-use super::search::{Found, Search, UNSEEN_KEPT};
-use super::{DiagnoseError, Options, Watch};
-use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
-use crate::fit::regression::Rows;
-use crate::set_up_errors::DataProblem;
+use super::regression::Regression;
+use super::thinned::thinned;
+use super::{DiagnoseError, Options, incomplete};
 
-/// A session of more samples than this is long …
-const LONG: usize = 600;
 /// … and the search looks at so many of them.
 const MOST_SAMPLES: usize = 500;
 
@@ -135,31 +131,6 @@ impl<'a> Prepared<'a> {
     pub(crate) fn may_go_on(&self, found: &Found) -> bool {
         let names = self.regression.added(&found.fit).len();
         names >= MANY_NAMES && self.regression.base.robot.joints.len() > 1
-    }
-
-    pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
-        Ok(self.searcher(watch).run()?)
-    }
-
-    /// Goes on from the end of a search under nearly the same noise.
-    pub(crate) fn search_on(&self, from: &Found, watch: Watch) -> Result<Found, DiagnoseError> {
-        let from = Found {
-            fit: self.refitted(&from.fit),
-            names_only: self.refitted(&from.names_only),
-            base_misfit: false,
-            other_ends: Vec::new(),
-        };
-        Ok(self.searcher(watch).go_on(&from)?)
-    }
-
-    fn searcher<'s>(&'s self, watch: Watch<'s>) -> Search<'s, 'a> {
-        Search {
-            regression: &self.regression,
-            folds: &self.folds,
-            most: self.cap(),
-            watch,
-            unseen: Memo::new(UNSEEN_KEPT),
-        }
     }
 
     pub(crate) fn options(&self) -> &Options {
@@ -424,26 +395,6 @@ fn estimated<'m>(
     }
 }
 
-/// The same problem with at most so many samples that count, spread evenly.
-pub(crate) fn thinned<'a>(problem: &Problem<'a>, most: usize) -> Problem<'a> {
-    let mut thinned = problem.clone();
-    let counted = problem.counted();
-    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
-    if used.len() <= LONG {
-        return thinned;
-    }
-    let mut kept = vec![false; counted.len()];
-    // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
-    for k in 0..most {
-        let (from, to) = (k * used.len() / most, (k + 1) * used.len() / most);
-        let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
-        let at = from + ((to - from) as f64 * inside) as usize;
-        kept[used[at.min(to - 1)]] = true;
-    }
-    thinned.set_counted(kept);
-    thinned
-}
-
 /// Samples that `--held-out` locks away: every so many-th of 24 sectors of the first joint, of
 /// several joints of as many stretches of the workspace.
 fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
@@ -512,3 +463,6 @@ fn keep_clusters(problem: &mut Problem) {
 }
 
 const RUN: usize = 3;
+
+/// Fits of which the error on unseen samples is kept.
+pub(crate) const UNSEEN_KEPT: usize = 64;

@@ -8,8 +8,9 @@ use crate::linear::{Basis, along, reject_all};
 use crate::model::shapes::{Profile, Shape};
 
 use super::candidates::What;
+use super::fit::Fit;
 use super::placed::Placed;
-use super::regression::{Fit, Regression};
+use super::regression::Regression;
 
 impl Regression<'_> {
     /// A candidate with its shape fitted finely to what is left.

@@ -4,7 +4,6 @@
 
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
-use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,33 +11,22 @@ use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
-use super::aliases::Rival;
 use super::candidates::{Table, What};
-use super::familywise::Familywise;
+use super::columns::lengthened;
+use super::fit::Fit;
 use super::known_fits::KnownFits;
 use super::memo::Memo;
+use super::noise_alone::Familywise;
 use super::of_base::OfBase;
-use super::placed::Placed;
 use super::projected::Grams;
-use super::scores::Score;
+use super::rival::Rival;
+use super::score::Score;
 use super::significance::Tests;
 use super::surroundings::Surroundings;
 use super::work::Work;
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
-use crate::linear::Basis;
 use crate::side_by_side::Threads;
-
-/// A model fitted to the rows.
-#[derive(Debug, Clone)]
-pub(crate) struct Fit {
-    pub(crate) model: Model,
-    pub(crate) shapes: Vec<Placed>,
-    pub(crate) residual: DVector<f64>,
-    pub(crate) basis: Arc<Basis>,
-    pub(crate) rss: f64,
-    pub(crate) ln_evidence: f64,
-}
 
 pub(crate) struct Regression<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
@@ -302,13 +290,4 @@ fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
         }
     }
     rows
-}
-
-/// A matrix with so many rows of zeros more.
-pub(super) fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
-    if more == 0 {
-        return columns;
-    }
-    let rows = columns.nrows();
-    columns.resize_vertically(rows + more, 0.0)
 }

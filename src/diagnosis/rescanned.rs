@@ -5,17 +5,16 @@
 //! columns are near enough they tell whether any setting is another ([`OfBase`](super::of_base::OfBase)); a setting is
 //! exchanged beside the fit's own.
 
-use std::cell::OnceCell;
-
+use crate::effects::{Setting, Term};
+use crate::linear::Basis;
 use nalgebra::{DMatrix, DVector};
+use std::cell::OnceCell;
 
 use super::columns::Among;
 use super::exchanged::{Exchanged, Scanned, Told};
-use super::held_out::FEW;
-use super::regression::{Fit, Regression};
+use super::fit::Fit;
+use super::regression::Regression;
 use super::surroundings::Without;
-use crate::effects::{Setting, Term};
-use crate::linear::Basis;
 
 /// Another setting rivals the term's own from this share of what that does on.
 const RIVALS: f64 = 0.6;
@@ -263,6 +262,9 @@ fn scanned_terms(regression: &Regression, fit: &Fit, white: &DMatrix<f64>) -> Ve
     }
     all
 }
+
+/// Below this number of samples every sector is left out in turn.
+pub(super) const FEW: usize = 60;
 
 #[cfg(test)]
 mod tests {

@@ -13,8 +13,8 @@ use crate::linear::{Basis, along, cross};
 use crate::observations::figures::apart;
 use crate::observations::outliers::suspected;
 
-use super::prepare::thinned;
 use super::regression::Regression;
+use super::thinned::thinned;
 
 /// With fewer samples there are no many columns to fit.
 const FEWEST: usize = 20;

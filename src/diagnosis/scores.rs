@@ -9,23 +9,13 @@ use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
 use super::candidates::{Candidate, What};
-use super::columns::Among;
+use super::columns::{Among, lengthened};
 use super::evidence::{PRICE_OF_A_NAME, choices, price_of, subsets};
+use super::fit::Fit;
 use super::projected::{Grams, Projected};
-use super::regression::{Fit, Regression, lengthened};
+use super::regression::Regression;
+use super::score::{Score, weight_of};
 use super::significance::Significance;
-
-/// What one candidate would do beside a fit.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Score {
-    pub(crate) candidate: usize,
-    /// By how much the sum of squares would fall.
-    pub(crate) gain: f64,
-    /// −ln p, less what the settings tried cost: the scale of the family-wise test.
-    pub(crate) minus_ln_p: f64,
-    /// Change of the logarithm of the evidence.
-    pub(crate) ln_odds: f64,
-}
 
 /// By how much a candidate lowers the sum of squares.
 struct Gain {
@@ -219,12 +209,4 @@ impl Regression<'_> {
         }
         Some(Gain { all, rank, parts })
     }
-}
-
-/// What a candidate pays in the family-wise test for the settings of its kind: the square root of
-/// their number, so that plain effects keep power beside the hundreds of gear orders; shapes pay
-/// three times as much as names.
-pub(crate) fn weight_of(candidate: &Candidate) -> f64 {
-    let anonymous = if candidate.named() { 0.0 } else { 3.0_f64.ln() };
-    0.5 * candidate.tried.max(1.0).ln() + anonymous
 }

@@ -6,22 +6,23 @@
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
+use crate::effects::{Over, Term};
+use crate::model::shapes::Variable;
 use std::rc::Rc;
 
-use crate::effects::{Over, Term};
-
-use super::aliases;
 use super::candidates::{Candidate, What};
 use super::columns::Among;
+use super::compatible::compatible;
+use super::fit::Fit;
+use super::found::Found;
 use super::held_out::Folds;
 use super::memo::Memo;
-use super::orders;
 use super::placed::Placed;
-use super::regression::{Fit, Regression};
-use super::scores::Score;
+use super::prepare::{Prepared, UNSEEN_KEPT};
+use super::regression::Regression;
+use super::score::{Score, by_odds};
 use super::surroundings::{Surroundings, Without};
-use super::{Cancelled, Progress, Watch};
-use crate::model::shapes::Variable;
+use super::{Cancelled, DiagnoseError, Progress, Watch, aliases, orders};
 
 /// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
 /// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less
@@ -52,18 +53,6 @@ impl Allow {
     }
 }
 
-/// How the search ended.
-pub(crate) struct Found {
-    /// The model with everything that is accepted.
-    pub(crate) fit: Fit,
-    /// The best model of names alone.
-    pub(crate) names_only: Fit,
-    /// Whether the names were withdrawn, as the geometry of several joints does not fit.
-    pub(crate) base_misfit: bool,
-    /// Ends of other searches, under another noise, that the samples do not rule out.
-    pub(crate) other_ends: Vec<Fit>,
-}
-
 pub(crate) struct Search<'s, 'a> {
     pub(crate) regression: &'s Regression<'a>,
     pub(crate) folds: &'s Folds,
@@ -72,9 +61,6 @@ pub(crate) struct Search<'s, 'a> {
     /// Errors on unseen samples.
     pub(crate) unseen: Memo<f64>,
 }
-
-/// Fits of which the error on unseen samples is kept.
-pub(crate) const UNSEEN_KEPT: usize = 64;
 
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<Found, Cancelled> {
@@ -467,29 +453,6 @@ pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
     }
 }
 
-/// Likeliest first; what is equally likely stays in the order of the catalogue.
-pub(crate) fn by_odds(scores: &mut [Score]) {
-    let key = |s: &Score| (s.ln_odds * 1e5).round();
-    scores.sort_by(|a, b| {
-        key(b)
-            .total_cmp(&key(a))
-            .then(a.candidate.cmp(&b.candidate))
-    });
-}
-
-/// Whether a name may stand beside those that are there: not beside what it becomes in the limit,
-/// and two of a kind need different settings.
-pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
-    let about = |t: &Term| t.effect.about();
-    let in_limit = |a: &Term, b: &Term| {
-        let has_limit = about(a).becomes.or(about(b).becomes).is_some();
-        has_limit && about(a).family() == about(b).family()
-    };
-    !there
-        .iter()
-        .any(|t| t.joint == term.joint && (t.same_column(term) || in_limit(t, term)))
-}
-
 /// Root mean square of σ over the measured axes, mm.
 pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
     let rows = &regression.rows;
@@ -503,6 +466,33 @@ pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
         .map(|a| regression.noise.sigma_mm[*a].powi(2))
         .sum();
     (sum / axes.len().max(1) as f64).sqrt()
+}
+
+impl<'a> Prepared<'a> {
+    pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
+        Ok(self.searcher(watch).run()?)
+    }
+
+    /// Goes on from the end of a search under nearly the same noise.
+    pub(crate) fn search_on(&self, from: &Found, watch: Watch) -> Result<Found, DiagnoseError> {
+        let from = Found {
+            fit: self.refitted(&from.fit),
+            names_only: self.refitted(&from.names_only),
+            base_misfit: false,
+            other_ends: Vec::new(),
+        };
+        Ok(self.searcher(watch).go_on(&from)?)
+    }
+
+    fn searcher<'s>(&'s self, watch: Watch<'s>) -> Search<'s, 'a> {
+        Search {
+            regression: &self.regression,
+            folds: &self.folds,
+            most: self.cap(),
+            watch,
+            unseen: Memo::new(UNSEEN_KEPT),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -22,12 +22,13 @@ use crate::effects::{Setting, Term};
 use crate::fit::regression::Rows;
 use crate::linear::{along, own_products, reject_all};
 
-use super::aliases::UNDECIDED;
 use super::evidence::PRICE_OF_A_NAME;
+use super::fit::Fit;
+use super::found::Found;
 use super::free_curve::{follows_only, with_curve};
 use super::prepare::Prepared;
-use super::regression::{Fit, Regression};
-use super::search::Found;
+use super::regression::Regression;
+use super::rival::UNDECIDED;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers.

@@ -10,8 +10,8 @@
 use crate::effects::{Setting, Term};
 
 use super::columns::Among;
-use super::final_set::Worth;
 use super::prepare::Prepared;
+use super::worth::Worth;
 
 /// What lies outside on either side.
 const TAIL: f64 = 0.025;

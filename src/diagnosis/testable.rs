@@ -2,7 +2,8 @@
 
 use super::candidates::NotTestable;
 use super::columns::Among;
-use super::regression::{Fit, Regression};
+use super::fit::Fit;
+use super::regression::Regression;
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
 pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {

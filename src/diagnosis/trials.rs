@@ -20,7 +20,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::candidates::Candidate;
 use super::projected::Projected;
-use super::scores::weight_of;
+use super::score::weight_of;
 use super::significance::{Significance, Tests};
 use crate::linear::Basis;
 use crate::side_by_side::Threads;

@@ -5,8 +5,8 @@ use crate::fit::base_model;
 use crate::fit::gap::{Spread, lengths_mm};
 use crate::model::Model;
 
+use super::fit::Fit;
 use super::prepare::Prepared;
-use super::regression::Fit;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
 

@@ -17,13 +17,13 @@ use crate::fit::{
 use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
 
-use super::final_set::worth;
+use super::fit::Fit;
 use super::orders::OrderSpread;
 use super::prepare::Prepared;
-use super::regression::Fit;
 use super::search::CHANCE;
 use super::selection::Selection;
 use super::significance::Significance;
+use super::worth::worth;
 
 /// A correction for the selection makes the fit worse by no more than this.
 const MOST_WORSE: f64 = 1.02;

@@ -4,8 +4,9 @@
 use crate::effects::{CATALOGUE, Effect, Term, form_in};
 use crate::fit::scan;
 
+use super::fit::Fit;
 use super::prepare::Prepared;
-use super::regression::{Fit, Regression};
+use super::regression::Regression;
 
 /// A name that was left out may be less likely by this much, as a logarithm, and is still as good: the noise
 /// decides between two that do the same.

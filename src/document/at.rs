@@ -1,7 +1,6 @@
 //! A value that is being read: where it stands, and what should stand there.
 
 use super::number::quoted;
-use super::object::{Kind, Object};
 use super::{Fields, Node, Path, Value};
 use crate::text::Text;
 
@@ -61,14 +60,6 @@ impl<'o> At<'o, '_> {
         }
     }
 
-    /// As [`At::list`], of one element or more.
-    pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
-        match &self.node.value {
-            Value::List(list) if list.is_empty() => self.wrong(),
-            _ => self.list(kind),
-        }
-    }
-
     /// Reads an array with one element for each of these into them; `None` when one is wrong.
     pub(crate) fn each<T>(
         &mut self,
@@ -94,14 +85,6 @@ impl<'o> At<'o, '_> {
         good.then_some(all)
     }
 
-    /// Every element of an array, unless one of them is wrong.
-    pub(crate) fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
-        self.list_by(|at| {
-            at.expected = kind.expected.into();
-            (kind.read)(at)
-        })
-    }
-
     /// As [`At::list`], of elements that are read like this.
     pub(crate) fn list_by<T>(
         &mut self,
@@ -118,33 +101,6 @@ impl<'o> At<'o, '_> {
         });
         let all: Vec<Option<T>> = all.collect();
         all.into_iter().collect()
-    }
-
-    /// The value that an object's fields make of a blank one; `None` when one of them is wrong.
-    pub(crate) fn object<T>(
-        &mut self,
-        mut blank: T,
-        declare: fn(&mut Object<'_, '_>, &mut T),
-    ) -> Option<T> {
-        self.fill(&mut blank, declare).then_some(blank)
-    }
-
-    /// Fills what the fields of an object say into a value; whether all of them were good.
-    pub(crate) fn fill<T>(
-        &mut self,
-        value: &mut T,
-        declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
-    ) -> bool {
-        let Some(members) = self
-            .fields
-            .object(self.node, self.path, self.expected.clone())
-        else {
-            return false;
-        };
-        let first = self.fields.findings.len();
-        let mut object = Object::read(self.fields, members, self.node.at, self.path);
-        declare(&mut object, value);
-        object.finish(first)
     }
 
     /// One value for each key of an object, which is its name. What is wrong in one of them was

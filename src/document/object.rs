@@ -6,8 +6,9 @@
 //! a finished one. What the function never names is a key that nobody knows.
 
 pub(crate) use super::at::At;
-use super::{Fields, Member, Node, Path, Value, optional};
 use crate::text::{Template, Text};
+
+use super::{Fields, Member, Node, Path, Value, optional};
 
 /// How one kind of value stands in a document.
 pub(crate) struct Kind<T> {
@@ -298,5 +299,50 @@ impl Object<'_, '_> {
             fields.findings.splice(first..first, notes);
         }
         self.good
+    }
+}
+
+impl At<'_, '_> {
+    /// As [`At::list`], of one element or more.
+    pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        match &self.node.value {
+            Value::List(list) if list.is_empty() => self.wrong(),
+            _ => self.list(kind),
+        }
+    }
+
+    /// Every element of an array, unless one of them is wrong.
+    pub(crate) fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        self.list_by(|at| {
+            at.expected = kind.expected.into();
+            (kind.read)(at)
+        })
+    }
+
+    /// The value that an object's fields make of a blank one; `None` when one of them is wrong.
+    pub(crate) fn object<T>(
+        &mut self,
+        mut blank: T,
+        declare: fn(&mut Object<'_, '_>, &mut T),
+    ) -> Option<T> {
+        self.fill(&mut blank, declare).then_some(blank)
+    }
+
+    /// Fills what the fields of an object say into a value; whether all of them were good.
+    pub(crate) fn fill<T>(
+        &mut self,
+        value: &mut T,
+        declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
+    ) -> bool {
+        let Some(members) = self
+            .fields
+            .object(self.node, self.path, self.expected.clone())
+        else {
+            return false;
+        };
+        let first = self.fields.findings.len();
+        let mut object = Object::read(self.fields, members, self.node.at, self.path);
+        declare(&mut object, value);
+        object.finish(first)
     }
 }

@@ -13,12 +13,12 @@ use crate::lanes::{LANES, Lanes, Lanes3};
 use crate::wide::wide;
 
 use super::inputs::Inputs;
-use super::term::Placed;
+use super::placed::Placed;
 
-mod moving;
+mod carrying;
+pub(super) mod moving;
 
-use moving::Carrying;
-pub(super) use moving::RigidMotion;
+use carrying::Carrying;
 
 /// What one sample brings with it, as the joint of the effect sees it.
 #[derive(Debug, Clone, Copy)]
@@ -342,11 +342,6 @@ impl<'a> Block<'a> {
     /// Measured torque about a joint, N·m; `None` where it was not measured.
     pub(super) fn torque_nm(&self, joint: usize, lane: usize) -> Option<f64> {
         Some(self.torque_nm[joint][lane]).filter(|torque| !torque.is_nan())
-    }
-
-    /// Torque about a joint of the load and of the links whose masses are given, N·m.
-    pub(super) fn load_nm(&self, joint: usize, lane: usize) -> f64 {
-        super::joint_compliance::torque_nm(self, joint, lane)
     }
 
     /// Side from which a joint came: 1, −1, or 0 where it is not known.

@@ -13,8 +13,8 @@
 use super::about::{About, Form, Over, Quantity, Stage};
 use super::block::Block;
 use super::gravity::{overturning_nm, overturning_slope};
-use super::measuring_frame::{left_jacobian, rotation};
 use super::needs::Need;
+use super::rotation::{left_jacobian, rotation};
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;

@@ -15,9 +15,10 @@
 //! Belongs to the calibration of every robot with several joints and is never a candidate.
 
 use super::about::{About, Form, Prior, Quantity, Role, Stage};
-use super::block::{Block, RigidMotion};
-use super::measuring_frame::{left_jacobian, rotation};
+use super::block::Block;
+use super::block::moving::RigidMotion;
 use super::needs::Need;
+use super::rotation::{left_jacobian, rotation};
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;

@@ -5,8 +5,8 @@
 
 use super::about::{About, Form, Quantity, Role, Stage};
 use super::block::Block;
+use super::joint_frame::JointFrame;
 use super::needs::Need;
-use super::term::JointFrame;
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;

@@ -11,74 +11,9 @@
 
 use nalgebra::{Point3, Vector3};
 
-use super::about::{About, Owner, Role, Setting, Stage};
-use super::block::Block;
-use super::{Effect, Placed, Term, UNKNOWN_ANCHOR, UNKNOWN_PLANE, UNKNOWN_SOCKET, UNKNOWN_STATION};
+use super::Term;
+use super::place::{MOST, Place, PlaceKind};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
-
-/// What kind of place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum PlaceKind {
-    /// A fixed point from which distances are measured, and what the instrument adds.
-    Anchor,
-    /// Where an instrument of directions stands, and how it is turned.
-    Station,
-    /// A flat.
-    Plane,
-    /// A point in which a target sits.
-    Socket,
-}
-
-/// One place of a session.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// What kind of place.
-    pub kind: PlaceKind,
-    /// Its index among those of its kind.
-    pub index: usize,
-}
-
-/// Most coefficients that a place has.
-pub(crate) const MOST: usize = 6;
-
-/// What is the same of every place; its file says the rest.
-pub(super) const ABOUT: About = About {
-    stage: Stage::World,
-    setting: Setting::Place,
-    source: "what the measurements refer to",
-    cause: phrase!("the session does not say where it is"),
-    usual_size: phrase!("any"),
-    confused_with: phrase!("the base of the robot, where nothing else says where that stands"),
-    check: phrase!("measure it with another instrument"),
-    role: Role::Place,
-    owner: Owner::Session,
-    per_joint: false,
-    ..About::PLAIN
-};
-
-/// The robot does what it does wherever it is measured from.
-pub(super) const NOTHING: fn(&Placed, &mut Block) = |_, _| {};
-
-impl PlaceKind {
-    const ALL: [Self; 4] = [Self::Anchor, Self::Station, Self::Plane, Self::Socket];
-
-    /// As a term of a model.
-    pub fn effect(self) -> &'static Effect {
-        match self {
-            Self::Anchor => &UNKNOWN_ANCHOR,
-            Self::Station => &UNKNOWN_STATION,
-            Self::Plane => &UNKNOWN_PLANE,
-            Self::Socket => &UNKNOWN_SOCKET,
-        }
-    }
-
-    /// The kind of place that a term is; `None` for an effect of the robot.
-    pub fn of(term: &Term) -> Option<Self> {
-        let id = term.effect.about().id;
-        let mut all = Self::ALL.into_iter();
-        all.find(|kind| kind.effect().about().id == id)
-    }
-}
 
 /// What a session says of a place, coefficient by coefficient; `None` where it does not.
 pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {

@@ -9,7 +9,7 @@ use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 
 use super::inputs::Inputs;
-use super::term::JointFrame;
+use super::joint_frame::JointFrame;
 
 /// What is known of one joint.
 #[derive(Debug, Clone)]

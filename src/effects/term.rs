@@ -1,18 +1,23 @@
-//! An effect in a model: which joint, which setting, how large.
+//! An effect, and an effect in a model: which joint, which setting, how large. Each names the other: a term
+//! is of an effect, and what an effect can say of itself it says of a term.
+
+use super::about::{About, Form, Quantity, Setting};
+use super::block::Block;
+use super::inputs::Inputs;
+use super::placed::Placed;
+use super::survey;
+use super::survey::Survey;
 
 use crate::numeric::extent;
 use crate::text::Text;
 use std::sync::Arc;
 
-use crate::kinematics::{Axis, JointKind, Range, Robot};
+use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
-use super::about::{Form, Quantity, Setting};
 use super::curve::Curve;
-use super::places::PlaceKind;
-use super::units::{DEGREE, MILLIRADIAN, Unit};
+use super::units::Unit;
 use super::unnamed::Rest;
-use super::{Effect, Role, find, form_with};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.
@@ -72,93 +77,6 @@ pub struct Parameter {
     pub value: f64,
 }
 
-/// Why a term could not be made from names and values.
-#[derive(Debug, Clone, PartialEq)]
-pub enum TermError {
-    /// No effect of this name.
-    UnknownEffect(String),
-    /// A joint that the robot does not have.
-    NoSuchJoint {
-        /// The joint, counted from 1.
-        joint: usize,
-        /// How many there are.
-        joints: usize,
-    },
-    /// A parameter that the effect does not have.
-    UnknownParameter {
-        /// The effect.
-        effect: &'static str,
-        /// What was given.
-        name: String,
-        /// What there is.
-        known: String,
-    },
-    /// A parameter without which the effect has no meaning.
-    Missing {
-        /// The effect.
-        effect: &'static str,
-        /// What is missing.
-        name: &'static str,
-    },
-    /// A value outside what the effect takes.
-    OutOfRange {
-        /// The effect.
-        effect: &'static str,
-        /// The parameter.
-        name: &'static str,
-        /// What was given.
-        value: f64,
-        /// What it takes.
-        expected: Text,
-    },
-}
-
-impl TermError {
-    /// In words.
-    pub fn says(&self) -> Text {
-        match self {
-            Self::UnknownEffect(effect) => text!(
-                "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
-            ),
-            Self::NoSuchJoint { joint, joints } => text!(
-                "joint {joint}: the robot has {joints}",
-                joint = joint,
-                joints = joints
-            ),
-            Self::UnknownParameter {
-                effect,
-                name,
-                known,
-            } => text!(
-                "'{effect}' has no parameter '{name}'; it has {known}",
-                effect = effect,
-                name = name,
-                known = known
-            ),
-            Self::Missing { effect, name } => {
-                text!("'{effect}' needs '{name}'", effect = effect, name = name)
-            }
-            Self::OutOfRange {
-                effect,
-                name,
-                value,
-                expected,
-            } => text!(
-                "'{effect}': {name} is {value}; expected {expected}",
-                effect = effect,
-                name = name,
-                value = value,
-                expected = expected
-            ),
-        }
-    }
-}
-
-displays_what_it_says!(TermError);
-
-impl std::error::Error for TermError {}
-
 impl Term {
     /// An effect that is absent so far: all coefficients zero.
     pub fn absent(effect: &'static Effect, joint: usize, setting: f64) -> Self {
@@ -172,86 +90,6 @@ impl Term {
             held: Held::default(),
             label: None,
         }
-    }
-
-    /// From an effect's name, a joint counted from 1 and parameters in the user's units. A
-    /// parameter that is left out is zero, a setting has to be there.
-    ///
-    /// # Errors
-    /// An unknown effect or parameter, a joint that is not there, a setting that is missing or
-    /// out of range.
-    pub fn from_parameters(
-        id: &str,
-        joint: usize,
-        given: &[(&str, f64)],
-        joints: usize,
-    ) -> Result<Self, TermError> {
-        let effect = find(id).ok_or_else(|| TermError::UnknownEffect(id.to_owned()))?;
-        let given = &renamed(given)[..];
-        let effect = form_with(effect, |form| {
-            let names = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(form, k));
-            let known = |(name, _): &(&str, f64)| names.iter().any(|n| n.contains(name));
-            given.iter().all(known)
-        });
-        let about = effect.about();
-        if joint == 0 || joint > joints {
-            return Err(TermError::NoSuchJoint { joint, joints });
-        }
-        if about.role == Role::Unexplained {
-            let (effect, name) = (about.id, "curve");
-            return Err(TermError::Missing { effect, name });
-        }
-        let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
-        let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
-        if let Some((name, _)) = given.iter().find(|(name, _)| !is_known(name)) {
-            return Err(TermError::UnknownParameter {
-                effect: about.id,
-                name: (*name).to_owned(),
-                known: known[0].join(", "),
-            });
-        }
-        // A quantity of a sliding joint goes by its own name.
-        let inner_value = |quantity: Quantity| {
-            let turning = given.iter().find(|g| g.0 == quantity.name);
-            let on_slide = quantity.on(JointKind::Prismatic);
-            let sliding = given.iter().find(|g| g.0 == on_slide.name);
-            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.unit.inner;
-            turning
-                .map(|g| inner(g, quantity))
-                .or_else(|| sliding.map(|g| inner(g, on_slide)))
-        };
-        let value = |name: &str| given.iter().find(|g| g.0 == name).map(|g| g.1);
-        let mut term = Self::absent(effect, joint - 1, 0.0);
-        if let Some(quantity) = setting_quantity(about.setting) {
-            let missing = TermError::Missing {
-                effect: about.id,
-                name: quantity.name,
-            };
-            let usual = || match about.setting {
-                Setting::Listed(listed) => (listed.usual)(joint - 1),
-                _ => None,
-            };
-            let usual = || usual().map(|value| value * quantity.unit.inner);
-            term.setting = inner_value(quantity).or_else(usual).ok_or(missing)?;
-            let outer = term.setting / quantity.unit.inner;
-            check_setting(effect, [joint - 1, joints], quantity.name, outer)?;
-        }
-        match about.form {
-            Form::Plain(quantities) => {
-                for (coefficient, quantity) in term.coefficients.iter_mut().zip(quantities) {
-                    *coefficient = inner_value(*quantity).unwrap_or(0.0);
-                }
-            }
-            Form::Harmonic(quantity) => {
-                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.unit.inner;
-                let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
-                term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
-            }
-            Form::Fading(quantity) => {
-                term.coefficients[0] = inner_value(quantity).unwrap_or(0.0);
-            }
-        }
-        Ok(term)
     }
 
     /// The parameters as the user reads them, on a joint that turns.
@@ -328,30 +166,6 @@ impl Term {
         self.coefficients.get(index).copied().unwrap_or(0.0)
     }
 
-    /// The coefficients after a step, which moves no fade by more than a factor [`e^½`](fade) at
-    /// once: far from the solution a linear step means nothing for it.
-    pub(crate) fn step(&mut self, by: &[f64]) {
-        let held = self.held;
-        for (k, (coefficient, by)) in self.coefficients.iter_mut().zip(by).enumerate() {
-            if !held.contains(k) {
-                *coefficient += by;
-            }
-        }
-        let free_turn = match self.effect.about().setting {
-            Setting::Setup => true,
-            Setting::Place => PlaceKind::of(self) == Some(PlaceKind::Station),
-            _ => false,
-        };
-        if free_turn && !held.contains(0) {
-            super::measuring_frame::unwind(&mut self.coefficients);
-        }
-        if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
-            let before = self.coefficients[1] - by;
-            let moved = before + by.clamp(-LONGEST_STEP, LONGEST_STEP);
-            self.coefficients[1] = moved.clamp(-FARTHEST, FARTHEST);
-        }
-    }
-
     /// The effect's name for reading; of a robot with several joints with the joint, counted from 1.
     pub fn name_on(&self, robot: &crate::kinematics::Robot) -> String {
         let about = self.effect.about();
@@ -393,26 +207,6 @@ impl PartialEq for Term {
             && self.rest == other.rest
     }
 }
-
-/// Parameters under the names that they have now: a measuring frame's turns were in degrees once.
-fn renamed<'n>(given: &[(&'n str, f64)]) -> Vec<(&'n str, f64)> {
-    const TURNS: [(&str, &str); 3] = [
-        ("about_x_deg", "about_x_mrad"),
-        ("about_y_deg", "about_y_mrad"),
-        ("about_z_deg", "about_z_mrad"),
-    ];
-    let now = |(name, value): &(&'n str, f64)| {
-        let turn = TURNS.iter().find(|(before, _)| before == name);
-        turn.map_or((*name, *value), |(_, now)| {
-            (*now, value * DEGREE / MILLIRADIAN)
-        })
-    };
-    given.iter().map(now).collect()
-}
-
-/// How far a fade moves in one step, and from its setting, as logarithms.
-const LONGEST_STEP: f64 = 0.5;
-const FARTHEST: f64 = 3.0;
 
 /// The fade of a setting and its coefficient u: f₀ eᵘ.
 pub(super) fn fade(setting: f64, u: f64) -> f64 {
@@ -480,139 +274,6 @@ pub(crate) fn coefficient_names_on(effect: &Effect, kind: JointKind) -> Vec<&'st
     names
 }
 
-fn check_setting(
-    effect: &Effect,
-    [joint, joints]: [usize; 2],
-    name: &'static str,
-    given: f64,
-) -> Result<(), TermError> {
-    let about = effect.about();
-    let expected = match about.setting {
-        Setting::Order { from, to } => {
-            let fraction = about.setting.takes_fractions();
-            let whole = fraction || given.fract() == 0.0;
-            let inside = given >= f64::from(from) && given <= f64::from(to);
-            (!(whole && inside)).then(|| {
-                if fraction {
-                    text!("a number from {from} to {to}", from = from, to = to)
-                } else {
-                    text!("a whole number from {from} to {to}", from = from, to = to)
-                }
-            })
-        }
-        Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| text!("zero or more")),
-        Setting::Time => (!given.is_finite()).then(|| text!("a time")),
-        Setting::Listed(listed) => {
-            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.into())
-        }
-        Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
-    };
-    match expected {
-        Some(expected) => Err(TermError::OutOfRange {
-            effect: about.id,
-            name,
-            value: given,
-            expected,
-        }),
-        None => Ok(()),
-    }
-}
-
-/// Directions and points of one joint that effects refer to, base frame, at home.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JointFrame {
-    /// A point on the axis, mm.
-    pub origin_mm: [f64; 3],
-    /// Along the axis, a unit vector.
-    pub along: [f64; 3],
-    /// Across the axis: the base frame's x, made perpendicular (y where x is along the axis).
-    pub across_1: [f64; 3],
-    /// Across the axis, a quarter turn further.
-    pub across_2: [f64; 3],
-    /// From the axis to the tool's origin; zero where the tool lies on the axis.
-    pub radial: [f64; 3],
-    /// A quarter turn from `radial`, in the joint's positive sense.
-    pub tangential: [f64; 3],
-    /// The tool's distance from the axis, mm.
-    pub radius_mm: f64,
-    /// The point on the axis at the height of the tool's origin, mm.
-    pub foot_mm: [f64; 3],
-}
-
-impl JointFrame {
-    /// The frame of a joint; of one that the robot has not, about the base's z.
-    pub fn new(robot: &Robot, joint: usize) -> Self {
-        use nalgebra::Vector3;
-        let base_z = Axis {
-            direction: Vector3::z_axis(),
-            point_mm: nalgebra::Point3::origin(),
-        };
-        let axis = robot.joints.get(joint).map_or(base_z, |joint| joint.axis);
-        let along = axis.direction.into_inner();
-        let across = |v: Vector3<f64>| v - along * along.dot(&v);
-        let x = across(Vector3::x());
-        let across_1 = if x.norm() > 1e-3 {
-            x
-        } else {
-            across(Vector3::y())
-        }
-        .normalize();
-        let tool = robot.base_from_tool.translation.vector;
-        let arm = tool - axis.point_mm.coords;
-        let radial = across(arm);
-        let radius_mm = radial.norm();
-        let on_axis = radius_mm <= 1e-9 * (1.0 + arm.norm());
-        let radial = if on_axis {
-            Vector3::zeros()
-        } else {
-            radial / radius_mm
-        };
-        Self {
-            origin_mm: axis.point_mm.coords.into(),
-            along: along.into(),
-            across_1: across_1.into(),
-            across_2: along.cross(&across_1).into(),
-            radial: radial.into(),
-            tangential: along.cross(&radial).into(),
-            radius_mm: if on_axis { 0.0 } else { radius_mm },
-            foot_mm: (axis.point_mm.coords + along * along.dot(&arm)).into(),
-        }
-    }
-
-    /// The plane that the tool turns in: away from the axis at home, and a quarter turn further. Of a
-    /// tool on the axis any direction across it will do.
-    pub(crate) fn plane_of_motion(&self) -> [[f64; 3]; 2] {
-        if self.radius_mm > 0.0 {
-            [self.radial, self.tangential]
-        } else {
-            [self.across_1, self.across_2]
-        }
-    }
-}
-
-/// A term in its place in a model: what an effect gets to act with.
-#[derive(Debug, Clone)]
-pub struct Placed {
-    /// Joint, counted from 0.
-    pub joint: usize,
-    /// The scanned parameter.
-    pub setting: f64,
-    /// Coefficients in inner units.
-    pub coefficients: Vec<f64>,
-    /// The curve of an unexplained correction.
-    pub curve: Option<Arc<Curve>>,
-    /// What predicts without a name.
-    pub rest: Option<Arc<Rest>>,
-    /// Where its columns begin among the model's.
-    pub first_column: usize,
-    /// The joint's frame.
-    pub frame: JointFrame,
-    /// Direction of gravity, base frame; `None`: unknown.
-    pub down: Option<[f64; 3]>,
-    /// Time of the first sample, s.
-    pub start_s: f64,
-}
-
 /// Limits of a joint, else the range of its values in the data.
 pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     robot.joints[joint].limits.unwrap_or_else(|| {
@@ -621,9 +282,64 @@ pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     })
 }
 
+/// One physical effect: the words about it, and what it does.
+pub struct Effect {
+    pub(super) about: About,
+    /// Whether there is such an effect on a joint at all, whatever is measured.
+    pub exists_on: fn(usize, JointKind) -> bool,
+    /// The same effect with other parameters, for sessions that know less of the machine; one whose
+    /// parameters another has as well stands before it.
+    pub other_forms: &'static [&'static Effect],
+    /// Which of [`Effect::other_forms`] a session like this one takes for a joint, if any.
+    pub takes_form: fn(&Survey, usize) -> Option<&'static Effect>,
+    /// What in the controller's data would remove the effect where commands of the joints cannot;
+    /// `None` where only work on the machine does.
+    pub remedy: Option<fn(&Robot, &Term) -> Text>,
+    /// Figures of the effect in a session that are no parameters of it.
+    pub figures: fn(&Placed, &Robot, &Inputs) -> Vec<Figure>,
+    /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
+    pub act: fn(&Placed, &mut Block),
+}
+
+/// The name of a figure with its unit, and the value where the samples show it.
+pub type Figure = (&'static str, Option<f64>);
+
+impl Effect {
+    /// An effect of one form on every joint, without remedy and figures.
+    pub const fn new(about: About, act: fn(&Placed, &mut Block)) -> Self {
+        Self {
+            about,
+            exists_on: |_, _| true,
+            other_forms: &[],
+            takes_form: |_, _| None,
+            remedy: None,
+            figures: |_, _, _| Vec::new(),
+            act,
+        }
+    }
+
+    /// Its name, equation, parameters and the words about it.
+    pub const fn about(&self) -> &About {
+        &self.about
+    }
+
+    /// Why this session cannot show the effect on this joint; `None` where it can: the first of
+    /// its needs that is not met.
+    pub fn obstacle(&self, survey: &Survey, joint: usize) -> Option<Text> {
+        if joint >= survey.joints.len() {
+            return Some(survey::no_joint(joint));
+        }
+        let needs = self.about.needs.iter();
+        needs
+            .map(|need| (need.unmet)(survey, joint))
+            .find_map(|reason| reason)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::effects::units::DEGREE;
 
     #[test]
     fn a_sliding_joints_offset_is_in_millimetres() {

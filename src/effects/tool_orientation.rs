@@ -7,8 +7,8 @@
 use super::about::{About, Form, Prior, Quantity, Role, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
-use super::measuring_frame::{left_jacobian, rotation};
 use super::needs::Need;
+use super::rotation::{left_jacobian, rotation};
 use super::units::Unit;
 use super::{Effect, Placed};
 use crate::lanes::{add_scaled, cross, minus, times};

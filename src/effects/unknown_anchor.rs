@@ -4,7 +4,7 @@
 
 use super::about::{About, Form, Quantity};
 use super::units::Unit;
-use super::{Effect, places};
+use super::{Effect, place};
 
 const ABOUT: About = About {
     id: "unknown-anchor",
@@ -16,8 +16,8 @@ const ABOUT: About = About {
         Quantity::new("offset_mm", Unit::MM),
     ]),
     equation: "distance = |p − a| + offset",
-    ..places::ABOUT
+    ..place::ABOUT
 };
 
 /// The effect `unknown-anchor`: position and offset of a distance's anchor.
-pub static UNKNOWN_ANCHOR: Effect = Effect::new(ABOUT, places::NOTHING);
+pub static UNKNOWN_ANCHOR: Effect = Effect::new(ABOUT, super::place::NOTHING);

@@ -4,7 +4,7 @@
 
 use super::about::{About, Form, Quantity};
 use super::units::Unit;
-use super::{Effect, places};
+use super::{Effect, place};
 
 const ABOUT: About = About {
     id: "unknown-plane",
@@ -16,8 +16,8 @@ const ABOUT: About = About {
         Quantity::new("distance_mm", Unit::MM),
     ]),
     equation: "n·p = d",
-    ..places::ABOUT
+    ..place::ABOUT
 };
 
 /// The effect `unknown-plane`: normal and distance of a touched plane.
-pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, places::NOTHING);
+pub static UNKNOWN_PLANE: Effect = Effect::new(ABOUT, super::place::NOTHING);

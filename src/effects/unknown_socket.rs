@@ -3,15 +3,15 @@
 //! No effect of the robot: see [`super::places`].
 
 use super::about::{About, Form, Quantity};
-use super::{Effect, places};
+use super::{Effect, place};
 
 const ABOUT: About = About {
     id: "unknown-socket",
     title: phrase!("Socket"),
     form: Form::Plain(&Quantity::XYZ_MM),
     equation: "p = s",
-    ..places::ABOUT
+    ..place::ABOUT
 };
 
 /// The effect `unknown-socket`: position of a socket in the base frame.
-pub static UNKNOWN_SOCKET: Effect = Effect::new(ABOUT, places::NOTHING);
+pub static UNKNOWN_SOCKET: Effect = Effect::new(ABOUT, super::place::NOTHING);

@@ -4,7 +4,7 @@
 
 use super::about::{About, Form, Quantity};
 use super::units::Unit;
-use super::{Effect, places};
+use super::{Effect, place};
 
 const ABOUT: About = About {
     id: "unknown-station",
@@ -18,8 +18,8 @@ const ABOUT: About = About {
         Quantity::new("z_mm", Unit::MM),
     ]),
     equation: "direction = R(ω)ᵀ (p − s)",
-    ..places::ABOUT
+    ..place::ABOUT
 };
 
 /// The effect `unknown-station`: position and attitude of an instrument of directions.
-pub static UNKNOWN_STATION: Effect = Effect::new(ABOUT, places::NOTHING);
+pub static UNKNOWN_STATION: Effect = Effect::new(ABOUT, super::place::NOTHING);

@@ -13,6 +13,7 @@ use std::sync::Arc;
 use super::about::{About, Form, Role, Stage};
 use super::block::Block;
 use super::needs::Need;
+use super::torque::torque_nm;
 use super::unexplained::carried;
 use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
@@ -134,7 +135,7 @@ fn at<'r>(robot: &'r Robot, block: &Block, joint: usize, lane: usize) -> At<'r> 
         q: (0..robot.joints.len())
             .map(|j| block.command(j, lane))
             .collect(),
-        load_nm: block.load_nm(joint, lane),
+        load_nm: torque_nm(block, joint, lane),
         torque_nm: block.torque_nm(joint, lane).unwrap_or(0.0),
         side: block.side(joint, lane),
         speed: block.speed(joint, lane),

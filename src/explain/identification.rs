@@ -2,10 +2,12 @@
 //! it is to be read with.
 
 #[cfg(feature = "cli")]
-use super::diagnosis::expected;
-use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
+use super::detail::to_the_nanometre;
 #[cfg(feature = "cli")]
-use super::{to_the_nanometre, values};
+use super::diagnosis::expected;
+#[cfg(feature = "cli")]
+use super::values;
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, Unusable};
 #[cfg(feature = "cli")]

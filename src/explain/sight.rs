@@ -3,7 +3,8 @@
 use super::{Block, Detail, Fact, Section, Topic};
 use crate::diagnosis::Diagnosis;
 use crate::present::limits;
-use crate::present::names::{detection_limit, title};
+use crate::present::limits::detection_limit;
+use crate::present::names::title;
 
 /// Every effect that was looked for and not found, with the size from which it would have been seen.
 pub(super) fn limits(d: &Diagnosis, detail: Detail) -> Option<Section> {

@@ -1,6 +1,7 @@
 //! A model held against a session: what it leaves there, and what its corrected commands would.
 
-use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open, to_the_nanometre as length};
+use super::detail::to_the_nanometre as length;
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
 use crate::text::ByTitles;
 

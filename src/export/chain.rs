@@ -14,7 +14,7 @@
 
 use super::corrected::{Corrected, differences};
 use super::options::Zeros;
-use super::sidecar::poses;
+use super::poses::poses;
 use super::{ExportError, Job};
 use crate::compensation::{Compensation, Side, TableError};
 use crate::effects::{Stage, Term};

@@ -17,7 +17,7 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 use super::Job;
-use super::sidecar::poses;
+use super::poses::poses;
 use crate::compensation::Side;
 use crate::compensation::plan::is_of_the_measurement;
 use crate::effects::{Inputs, Stage, Term};

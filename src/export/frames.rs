@@ -14,7 +14,8 @@ use super::description::{Level, Written, finish};
 use super::euler::Frame;
 use super::options::Zeros;
 use super::steps::{Step, fit, motion, ranges};
-use super::{Export, ExportError, Exporter, Format, Job, several_joints};
+use super::{Export, ExportError, Exporter, Format, Job};
+use super::exporter::several_joints;
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 
 pub(super) const FORMAT: Format = Format {

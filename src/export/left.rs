@@ -12,11 +12,10 @@
 //! A table may add 1 % of the tolerance. Where no tolerance is given, the model's own gap stands in
 //! for it, or 0.01 mm where that is smaller.
 
-use super::ReadBack;
+use super::poses::poses;
 use super::rules::{Directions, Rules};
 use super::sheet::Sheet;
-use super::sidecar::poses;
-use super::{ExportError, Job};
+use super::{ExportError, Job, ReadBack};
 use crate::compensation::inverse::places;
 use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;

@@ -8,7 +8,7 @@
 //! Half of all controllers want c and half of them want e; [`Says`] is the one place that knows.
 
 use crate::kinematics::JointKind;
-use crate::text::{Template, Text};
+use crate::text::Template;
 
 /// What the numbers of a table are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,12 +104,6 @@ pub struct Rules {
 }
 
 impl Rules {
-    /// What the format is called among people.
-    pub fn title(&self) -> Text {
-        let format = super::find(self.format);
-        format.map_or_else(|| Text::verbatim(self.format), |format| format.title.into())
-    }
-
     /// Unit of the file's numbers.
     pub fn unit(&self, kind: JointKind) -> &'static str {
         match kind {

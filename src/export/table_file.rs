@@ -5,11 +5,12 @@
 //! 3. written, and read back by the format's own reader, which has to give the same;
 //! 4. what the controller will make of it ([`left`](super::left)), and the sidecar that says so.
 
+use super::exporter::any_robot;
 use super::left::{Allowance, Exact, Left};
 use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
-use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, any_robot, grid};
+use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, grid};
 use crate::text::{Template, Text};
 
 /// What tells one table format from another.

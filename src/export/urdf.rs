@@ -17,14 +17,17 @@
 //! Source: the XML specification at wiki.ros.org/urdf/XML.
 
 mod in_place;
+mod origin;
 
 use super::chain::Chain;
 use super::description::{Written, finish};
-use super::euler::{rpy, three, tidy};
+use super::euler::three;
 use super::names::{Names, escaped};
-use super::{Export, ExportError, Exporter, Format, Job, any_robot};
+use super::{Export, ExportError, Exporter, Format, Job};
+use super::exporter::any_robot;
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource, robot_from_urdf};
 use crate::text::Text;
+use origin::{MM_PER_M, origin};
 
 pub(super) const FORMAT: Format = Format {
     id: "urdf",
@@ -37,13 +40,11 @@ pub(super) const FORMAT: Format = Format {
 
 struct Urdf;
 
-const MM_PER_M: f64 = 1e3;
-
 impl Exporter for Urdf {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
         if let Some(reference) = job.options.reference {
-            let written = in_place::write(job, &chain, reference)?;
+            let written = in_place::write(job, &chain, reference, FORMAT.id)?;
             return finish(job, &chain, written);
         }
         let names = Names::new(&chain.robot);
@@ -131,12 +132,6 @@ pub(super) fn write(job: &Job, chain: &Chain, names: &Names) -> String {
     }
     line("</robot>");
     text
-}
-
-fn origin(pose: &Pose) -> String {
-    let xyz = (pose.translation.vector / MM_PER_M).map(tidy);
-    let rpy = rpy(pose.rotation.to_rotation_matrix().matrix());
-    format!("xyz=\"{}\" rpy=\"{}\"", three(&xyz), three(&rpy))
 }
 
 /// The chain that a file describes.

@@ -15,23 +15,23 @@
 
 use std::borrow::Cow;
 
-use nalgebra::Isometry3;
-
 use crate::effects::{
     Effect, LINK_GEOMETRY, MEASURING_FRAME, Setting, TOOL_ORIENTATION, TOOL_POSITION, Term,
     joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::sessions::{Session, Sigma};
+use crate::sessions::Session;
 use crate::text::Text;
 
 use super::estimator::fit_without_outliers;
+use super::frames::frames_from;
 use super::gauge::with_gauge;
 use super::observed;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
+use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
 use crate::model::rigid_motion::best_rigid_motion;
@@ -39,9 +39,6 @@ use crate::model::rigid_motion::best_rigid_motion;
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
 const NEVER_ALIGNED_MM: f64 = 100.0;
-
-/// Noise where nobody says, mm: what a tracker has.
-pub(super) const USUAL_NOISE_MM: f64 = 0.05;
 /// How often priors may be weighed anew and let go.
 const MOST_ROUNDS: usize = 8;
 /// A variance that changes by no more than this, as a logarithm, has settled.
@@ -119,29 +116,6 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
 /// setups does not say where its instrument stands, and that is no error of the robot.
 pub(crate) fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
     Model::new(robot.clone(), free_frames(session, problem))
-}
-
-/// A frame for each setup, or the one of the instrument; `motion` says where it is from the samples
-/// that it is asked for.
-pub(super) fn frames_from(
-    session: &Session,
-    motion: impl Fn(&dyn Fn(usize) -> bool) -> Option<Isometry3<f64>>,
-) -> Vec<Term> {
-    let setups = session.samples.setups.as_ref();
-    let frame = |setup: usize| {
-        let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
-        term.label = setups.map(|s| s.names[setup].as_str().into());
-        let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
-        if let Some(motion) = motion(&inside) {
-            let turn = motion.rotation.scaled_axis();
-            let shift = motion.translation.vector;
-            term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
-        }
-        term
-    };
-    (0..setups.map_or(1, |s| s.names.len()))
-        .map(frame)
-        .collect()
 }
 
 /// Each target's own part, where the session shows several.
@@ -263,21 +237,6 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -
         variance: stated_variance(problem).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
         ..Priors::default()
     }
-}
-
-/// Variance of a coordinate of weight one, where the instrument's maker says.
-pub(super) fn stated_variance(problem: &Problem) -> Option<f64> {
-    if let Some(layer) = &problem.observed {
-        return Some(layer.unit_mm * layer.unit_mm);
-    }
-    problem
-        .session
-        .instrument
-        .sigma_mm
-        .map(|sigma| match sigma {
-            Sigma::Overall(sigma) => sigma * sigma,
-            Sigma::PerAxis(_) => 1.0,
-        })
 }
 
 /// The same as the residuals show it: where something is missing they weigh less beside the priors.

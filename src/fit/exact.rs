@@ -6,25 +6,23 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::places::PlaceKind;
 use crate::effects::{
-    Effect, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, called, find, form_in, role,
+    Effect, JointValues, OF_A_SINGLE_AXIS, PlaceKind, Role, Setting, Survey, Term, called, find,
+    form_in, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
 use crate::text::Text;
 
-use super::IdentifyError;
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
-use super::gap::suspects;
-use super::gap::{Deviations, Spread, deviations, lengths_mm};
+use super::gap::{Deviations, Spread, deviations, lengths_mm, suspects};
 use super::levels::levels;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::undetermined_combinations;
-use super::{base_model, observed, scan};
+use super::{IdentifyError, base_model, observed, scan};
 use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
 };

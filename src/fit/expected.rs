@@ -14,8 +14,8 @@ pub(crate) use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 
-use super::gauge::spread;
 use super::problem::Problem;
+use super::spread::spread;
 
 /// Poses over the joint ranges.
 const POSES: usize = 400;

@@ -35,9 +35,10 @@ use crate::observations::Layer;
 use crate::sessions::Sigma;
 use crate::text::Text;
 
-use super::base_model::{USUAL_NOISE_MM, stated_variance};
 use super::observed;
 use super::problem::Problem;
+use super::spread::spread;
+use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
@@ -50,7 +51,6 @@ const NAMED_PART: f64 = 0.02;
 const ROUNDING_MM: f64 = 1e-6;
 /// The gauge is found from so many samples at most.
 const MOST_SAMPLES: usize = 3000;
-const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 
 /// The model with everything held that the samples cannot show, whatever was held in it before.
 pub(crate) fn gauged(problem: &Problem, start: &Model) -> Model {
@@ -223,24 +223,6 @@ fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
         }
     });
     rows
-}
-
-/// At most so many of those that count, in order: a step of the golden ratio inside each stretch, so
-/// that no rhythm of the poses is hit.
-pub(crate) fn spread(used: &[bool], most: usize) -> Vec<usize> {
-    let used: Vec<usize> = (0..used.len()).filter(|i| used[*i]).collect();
-    if used.len() <= most {
-        return used;
-    }
-    let stretch = used.len() as f64 / most as f64;
-    let at = |k: usize| ((k as f64 + (k as f64 * GOLDEN_RATIO).fract()) * stretch).floor();
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a place among the samples"
-    )]
-    let index = |k: usize| (at(k) as usize).min(used.len() - 1);
-    (0..most).map(|k| used[index(k)]).collect()
 }
 
 /// What the session states of its targets' places, as rows of their own.

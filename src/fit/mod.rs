@@ -1,6 +1,5 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
-use crate::text::Text;
 
 pub(crate) mod base_model;
 pub(crate) mod expected;
@@ -17,14 +16,19 @@ pub(crate) mod solver;
 pub(crate) mod uncertainty;
 
 mod adaptive;
+mod error;
 mod estimator;
 mod exact;
 #[cfg(test)]
 mod example;
+mod frames;
 pub(crate) mod observed;
 pub(crate) mod plane;
+mod prior_rows;
 mod regional;
+pub(crate) mod spread;
 mod unidentifiable;
+mod usual_noise;
 
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, Unusable};
 pub use crate::answers::identification::{
@@ -33,62 +37,8 @@ pub use crate::answers::identification::{
 };
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use base_model::free_frames;
+pub use error::IdentifyError;
 pub(crate) use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
 pub(crate) use exact::{covariance_of, outliers, parameters_of, report};
 pub use regional::identify_regional;
-
-/// Why an identification could not be made.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum IdentifyError {
-    /// No effect of this name.
-    UnknownEffect(String),
-    /// Every sample is held out or cannot be used.
-    NothingToFit,
-    /// The paper's method is for one revolute joint.
-    NotASingleRevoluteJoint(Text),
-    /// The regions make no sense.
-    Regions(crate::sessions::division::RegionError),
-    /// The session is no whole one: columns of different lengths, more joints than a robot has.
-    Rejected(crate::diagnostic::Rejected),
-    /// Whoever asked does not want the answer any more.
-    Cancelled,
-}
-
-impl IdentifyError {
-    /// In words.
-    pub fn says(&self) -> Text {
-        match self {
-            Self::UnknownEffect(effect) => text!(
-                "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
-            ),
-            Self::NothingToFit => text!(
-                "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
-            ),
-            Self::NotASingleRevoluteJoint(because) => text!(
-                "regional identification is for a single revolute joint; {because}",
-                because = because
-            ),
-            Self::Regions(given) => given.says(),
-            Self::Rejected(inner) => inner.says(),
-            Self::Cancelled => text!("the identification was cancelled"),
-        }
-    }
-}
-
-displays_what_it_says!(IdentifyError);
-
-impl std::error::Error for IdentifyError {}
-
-impl From<crate::sessions::division::RegionError> for IdentifyError {
-    fn from(error: crate::sessions::division::RegionError) -> Self {
-        Self::Regions(error)
-    }
-}
-
-impl From<crate::diagnostic::Rejected> for IdentifyError {
-    fn from(error: crate::diagnostic::Rejected) -> Self {
-        Self::Rejected(error)
-    }
-}

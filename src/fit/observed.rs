@@ -3,18 +3,17 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::places::PlaceKind;
-use crate::effects::{Held, Role, Setting, TOOL_ORIENTATION, Term};
+use crate::effects::{Held, PlaceKind, Role, Setting, TOOL_ORIENTATION, Term};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
-use super::base_model::frames_from;
-use super::gauge::spread;
+use super::frames::frames_from;
 use super::priors::key;
 use super::problem::Problem;
+use super::spread::spread;
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
 

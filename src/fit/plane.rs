@@ -4,8 +4,8 @@
 //! x is the radial direction at home, y a quarter turn further; ΔP = nominal − measured, and l1 is
 //! the reflector's distance from the axis.
 
+use crate::effects::JointFrame;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::term::JointFrame;
 use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
 use crate::sessions::Region;
 use crate::sincos::sin_cos_all;

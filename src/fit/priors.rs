@@ -18,8 +18,6 @@ use crate::effects::{Setting, Term};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-use super::normal::Normal;
-
 /// A prior that is missed by so many σ was wrong, and is let go.
 /// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
 /// `--no-prior` leaves them out.
@@ -45,9 +43,6 @@ pub struct Priors {
 
 /// Which coefficient: effect, joint, setting, coefficient.
 pub(super) type Key = (&'static str, usize, u64, usize);
-
-/// How well a size that no measurement shows is held, as a ratio.
-const SIZE: f64 = 1e-6;
 
 impl Priors {
     /// Of a robot that was not measured, by an instrument that was not aligned.
@@ -78,45 +73,6 @@ impl Priors {
             JointKind::Revolute => prior.sigma,
             JointKind::Prismatic => prior.sigma_on_slide,
         })
-    }
-
-    /// Adds the rows of the priors to the normal equations of the samples.
-    pub(super) fn add(&self, model: &Model, normal: &mut Normal) {
-        self.add_size(model, normal);
-        if !self.weak && self.targets_mm.is_none() {
-            return;
-        }
-        let mut first = 0;
-        for term in model.terms() {
-            for (k, value) in term.coefficients.iter().enumerate() {
-                let free = !term.held.contains(k);
-                if let (true, Some(sigma)) = (free, self.sigma(model, term, k)) {
-                    let weight = self.variance / (sigma * sigma);
-                    normal.gram[(first + k, first + k)] += weight;
-                    normal.gradient[first + k] -= weight * value;
-                    normal.cost += weight * value * value;
-                }
-            }
-            first += term.coefficients.len();
-        }
-    }
-
-    /// The row that holds the size.
-    fn add_size(&self, model: &Model, normal: &mut Normal) {
-        if self.size.is_empty() {
-            return;
-        }
-        let row = self.size_row(model);
-        let coefficients = model.coefficients();
-        let weight = self.variance / (SIZE * SIZE);
-        let size: f64 = row.iter().zip(&coefficients).map(|(w, x)| w * x).sum();
-        for (i, a) in row.iter().enumerate().filter(|own| *own.1 != 0.0) {
-            normal.gradient[i] -= weight * size * a;
-            for (j, b) in row.iter().enumerate() {
-                normal.gram[(i, j)] += weight * a * b;
-            }
-        }
-        normal.cost += weight * size * size;
     }
 
     /// The weights of the size beside the coefficients of a model; nothing of what is held.
@@ -182,6 +138,7 @@ pub(super) fn key(term: &Term, coefficient: usize) -> Key {
 mod tests {
     use super::*;
     use crate::effects::CATALOGUE;
+    use crate::fit::normal::Normal;
     use crate::simulation::parse_scenario;
 
     /// Every effect of which something is known beforehand, on both joints, with these coefficients in turn.

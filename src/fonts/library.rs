@@ -12,6 +12,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::face::Face;
 use super::is_worth_a_font;
+use super::unshown::{is_hangul, is_kana};
 use fontdb::{Database, FaceInfo, Source, Style};
 
 /// More faces than this are not taken for one text: each is held in memory.
@@ -70,24 +71,6 @@ fn language(missing: &BTreeSet<char>) -> Language {
     } else {
         Language::Chinese
     }
-}
-
-fn is_kana(c: char) -> bool {
-    matches!(c, '\u{3041}'..='\u{30FF}' | '\u{31F0}'..='\u{31FF}' | '\u{FF66}'..='\u{FF9F}')
-}
-
-fn is_hangul(c: char) -> bool {
-    matches!(c, '\u{1100}'..='\u{11FF}' | '\u{3130}'..='\u{318F}' | '\u{AC00}'..='\u{D7A3}')
-}
-
-/// Whether a character belongs to Chinese, Japanese or Korean.
-pub(super) fn is_east_asian(c: char) -> bool {
-    is_hangul(c)
-        || matches!(
-            c,
-            '\u{2E80}'..='\u{A4CF}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}'
-                | '\u{FF00}'..='\u{FFEF}' | '\u{20000}'..='\u{3FFFD}'
-        )
 }
 
 /// What a face is wanted for.

@@ -4,8 +4,8 @@ use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::importers::columns::{Column, Columns};
-use crate::importers::headings::Role;
-use crate::importers::session::Job;
+use crate::importers::job::Job;
+use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::assemble::{self, Declared};
 use crate::sessions::columns::{Heading, Layout, Quantity, REMARKS, Unit};

@@ -10,9 +10,9 @@ use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::companion_file::{COMMANDS, points_of};
 use crate::importers::formats::csv;
+use crate::importers::job::Job;
 use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};
-use crate::importers::session::Job;
 use crate::sessions::columns::{Quantity, Unit};
 
 impl Job<'_> {

@@ -1,6 +1,6 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
-use crate::importers::headings::Role;
+use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
 use crate::sessions::{Azimuth, Lines};

@@ -8,53 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 
+use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::formats::OwnOption;
-use crate::importers::headings::Role;
+use crate::importers::job::Job;
 use crate::importers::matching::{counted, listed};
-use crate::importers::session::Job;
+use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
 use crate::sessions::{Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station};
-
-/// Option: the socket of all samples.
-pub(crate) const SOCKET: &str = "socket";
-/// Option: the plane of all samples.
-pub(crate) const PLANE: &str = "plane";
-/// Option: known distances between sockets.
-const SOCKET_DISTANCES: &str = "socket-distances";
-
-pub(crate) const SOCKET_OPTION: OwnOption = OwnOption {
-    name: SOCKET,
-    title: phrase!("Socket"),
-    value: "NAME",
-    help: phrase!(
-        "the socket that the target sat in for all rows, where no column names it: joint values are enough then"
-    ),
-    values: &[],
-};
-
-pub(crate) const PLANE_OPTION: OwnOption = OwnOption {
-    name: PLANE,
-    title: phrase!("Plane"),
-    value: "NAME",
-    help: phrase!(
-        "the plane that was touched in all rows, where no column names it: joint values are enough then"
-    ),
-    values: &[],
-};
-
-pub(crate) const SOCKET_DISTANCES_OPTION: OwnOption = OwnOption {
-    name: SOCKET_DISTANCES,
-    title: phrase!("Distances between sockets"),
-    value: "A-B=MM,…",
-    help: phrase!(
-        "known distances between sockets, mm, such as S1-S2=400: one of them sets the size of the robot"
-    ),
-    values: &[],
-};
 
 impl Job<'_> {
     /// Declares what the samples name, and completes the columns that name it.

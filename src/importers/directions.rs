@@ -5,8 +5,8 @@
 //! taken up on that side. Before its first motion a joint's side is unknown (0).
 
 use crate::importers::columns::{Column, Columns};
+use crate::importers::job::{Job, Matched};
 use crate::importers::matching::Matching;
-use crate::importers::session::{Job, Matched};
 use crate::sessions::columns::{Quantity, Unit};
 
 /// A joint that moves less than this has not moved, rad or mm: what rounding leaves.

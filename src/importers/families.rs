@@ -6,7 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::importers::headings::{Role, Words, is_among, words_and_unit};
+use crate::importers::headings::{Words, is_among, words_and_unit};
+use crate::importers::role::Role;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 

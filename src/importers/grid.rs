@@ -7,7 +7,8 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::importers::decimals::{Decimal, Decision, Votes, shape};
-use crate::importers::headings::{Role, understand};
+use crate::importers::headings::understand;
+use crate::importers::role::Role;
 use crate::importers::rows::{OpenQuote, Row, Rows, Separator};
 use crate::importers::settings::{About, Question};
 use crate::importers::units;

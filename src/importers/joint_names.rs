@@ -4,7 +4,9 @@
 //! shoulder_pan_joint position`) it is a guess, as any heading of another program. A joint that is
 //! called like something that is measured (`x`) is not recognised by its name.
 
-use crate::importers::headings::{self, COMMANDED, READ_BACK, Role, is_among, words_and_unit};
+use crate::importers::headings;
+use crate::importers::headings::{COMMANDED, READ_BACK, is_among, words_and_unit};
+use crate::importers::role::Role;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Heading, Quantity, Unit};
 

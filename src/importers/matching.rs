@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
-use crate::importers::headings::Role;
+use crate::importers::role::Role;
 
 named! {
     /// How commands find their measurements.

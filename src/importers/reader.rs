@@ -1,19 +1,17 @@
 //! One file being read: what is given, what was found out, and the cells of a table whose columns
 //! are known.
 
+use super::settings::Case;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
-use crate::importers::declared::{PLANE, SOCKET};
-use crate::importers::euler;
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::Role;
-use crate::importers::joint_names;
-use crate::importers::settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
+use crate::importers::options::{PLANE, SOCKET};
+use crate::importers::role::Role;
+use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::units::AngleUnit;
-use crate::importers::{clock_text, units};
-use crate::progress::Part;
+use crate::importers::{clock_text, euler, joint_names, units};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
@@ -25,18 +23,6 @@ const SHOWN_ROWS: usize = 8;
 const AUTO: &str = "auto";
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
-
-pub(crate) struct Case<'a> {
-    /// The file as text; empty where it is none.
-    pub(crate) text: &'a str,
-    /// The file as it is.
-    pub(crate) bytes: &'a [u8],
-    pub(crate) reading: &'a Reading,
-    pub(crate) place: Place,
-    pub(crate) found: Inspection,
-    /// The work that reading it is a part of.
-    pub(crate) part: Part<'a>,
-}
 
 impl<'a> Case<'a> {
     pub(crate) fn ask(&mut self, about: About, says: impl Into<Text>, answers: &[&str]) {

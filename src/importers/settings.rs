@@ -1,18 +1,19 @@
 //! What a person can say about a file, what the program found out by itself, and what it has to
 //! ask.
 
-use crate::text::Text;
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-
 use crate::diagnostic::{Diagnostic, Place};
+use crate::importers::by_heading::ByHeading;
+use crate::importers::columns::Columns;
 use crate::importers::decimals::Decimal;
-use crate::importers::formats::Importer;
-use crate::importers::headings::Role;
-use crate::importers::profile::ByHeading;
+use crate::importers::role::Role;
 use crate::importers::rows::Separator;
 use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
+use crate::progress::Part;
+use crate::text::{Template, Text};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
 
 /// What a person says about a file. Everything may be left open; what cannot be found out is
 /// asked.
@@ -224,4 +225,129 @@ pub struct Inspection {
     pub questions: Vec<Question>,
     /// Errors, warnings and notes.
     pub findings: Vec<Diagnostic>,
+}
+
+pub(crate) struct Case<'a> {
+    /// The file as text; empty where it is none.
+    pub(crate) text: &'a str,
+    /// The file as it is.
+    pub(crate) bytes: &'a [u8],
+    pub(crate) reading: &'a Reading,
+    pub(crate) place: Place,
+    pub(crate) found: Inspection,
+    /// The work that reading it is a part of.
+    pub(crate) part: Part<'a>,
+}
+
+/// A format that instruments write.
+pub struct Importer {
+    /// Its name for `--as`.
+    pub id: &'static str,
+    /// What it is, for somebody who has only the file.
+    pub plainly: Template,
+    /// What is asked about its files.
+    pub asks: Asks,
+    /// Options that only this format has.
+    pub options: &'static [OwnOption],
+    /// How its files are known from others.
+    pub(crate) known_by: KnownBy,
+    pub(crate) read: fn(&mut Case<'_>) -> Option<Columns>,
+}
+
+impl PartialEq for Importer {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Importer {}
+
+impl fmt::Debug for Importer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id)
+    }
+}
+
+/// What a person is asked about the files of a format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a question of the sheet by itself"
+)]
+pub struct Asks {
+    /// The separator, the header and the decimal sign.
+    pub table: bool,
+    /// What the columns mean.
+    pub columns: Meanings,
+    /// Whether y points upwards, as it does in some formats.
+    pub y_up: bool,
+    /// Which of the things that the file names are to be taken.
+    pub names: bool,
+    /// Which joint was measured.
+    pub joint: bool,
+}
+
+impl Asks {
+    /// As of any table.
+    pub const TABLE: Self = Self {
+        table: true,
+        columns: Meanings::Session,
+        y_up: false,
+        names: false,
+        joint: false,
+    };
+}
+
+/// What the columns of a format can mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meanings {
+    /// What a session's columns can.
+    Session,
+    /// The format has them fixed.
+    Fixed,
+    /// One of these: the word, and what a person calls it.
+    Own(&'static [(&'static str, &'static str)]),
+}
+
+/// An option of the command line that one format has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OwnOption {
+    /// Its name without the dashes.
+    pub name: &'static str,
+    /// What the window calls it.
+    pub title: Template,
+    /// What stands for its value in the help, such as `TOPIC`.
+    pub value: &'static str,
+    /// What it says.
+    pub help: Template,
+    /// The values that it can have; empty: any.
+    pub values: &'static [&'static str],
+}
+
+/// How the files of a format are known when nobody says what they are.
+pub(crate) enum KnownBy {
+    /// By their first bytes, which no other format has: they are no text.
+    Bytes(fn(&[u8]) -> bool),
+    /// By how their text starts, as that of no other format does.
+    Text(fn(&str) -> bool),
+    /// By having nothing against them; who is pickier is asked earlier.
+    Reading {
+        /// Its turn among the formats that are asked.
+        turn: u8,
+        /// Whether it suits, by what reading it brought.
+        suits: Suits,
+    },
+}
+
+/// Whether a file suits a format, by what reading it brought.
+pub(crate) type Suits = fn(&Trial) -> bool;
+
+/// What came of reading a file as one of a format.
+pub(crate) struct Trial {
+    /// Nothing is wrong, and the columns need no explanation.
+    pub(crate) is_sound: bool,
+    /// The headings, if the table has a header.
+    pub(crate) headings: Option<Vec<String>>,
+    /// Nothing is left to ask.
+    pub(crate) is_complete: bool,
 }

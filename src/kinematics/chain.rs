@@ -15,7 +15,9 @@
 
 use nalgebra::Point3;
 
-use super::robot::{Axis, JointKind, Pose, Robot};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::{Axis, Robot, value_of};
 use super::screw::joint_motion;
 
 impl Robot {
@@ -56,11 +58,6 @@ impl Robot {
         }
         motions
     }
-}
-
-/// The value of a joint in a pose; NaN where the pose has none.
-pub(super) fn value_of(q: &[f64], joint: usize) -> f64 {
-    q.get(joint).copied().unwrap_or(f64::NAN)
 }
 
 /// A point after one joint moved, by Rodrigues' formula about a line.

@@ -14,7 +14,9 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
-use super::robot::{JointKind, Pose, Robot};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::Robot;
 
 /// Axes meet, or are parallel, within this part of the reach, or this sine.
 const MEETS: f64 = 1e-7;

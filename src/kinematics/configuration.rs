@@ -9,7 +9,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Point3, Vector3};
 
-use super::robot::{JointKind, Robot};
+use super::joint_kind::JointKind;
+use super::robot::Robot;
 
 /// A joint this near to a border (rad) is on both sides of it: a program rounds.
 const ON_THE_BORDER: f64 = 1e-4;

@@ -12,49 +12,11 @@
 //!
 //! Sources: Denavit & Hartenberg 1955 (in Paul's form, 1981); Craig, *Introduction to Robotics*, 1986.
 
-use nalgebra::{Point3, UnitQuaternion, Vector3};
+use nalgebra::{Point3, Vector3};
 
-use super::robot::{
-    Axis, Joint, JointKind, KinematicsError, MOST_JOINTS, Pose, Robot, RobotSource,
-};
-
-/// Which of the two customs a row follows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DhConvention {
-    /// Paul: the joint first, then the link.
-    Standard,
-    /// Craig: the link first, then the joint.
-    Modified,
-}
-
-/// One row of a Denavit–Hartenberg table, one joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DhRow {
-    /// Length of the common normal, mm.
-    pub a_mm: f64,
-    /// Twist of the axes about it, rad.
-    pub alpha_rad: f64,
-    /// Offset along the joint's axis, at home, mm.
-    pub d_mm: f64,
-    /// Angle about the joint's axis, at home, rad.
-    pub theta_rad: f64,
-    /// Which custom the row follows.
-    pub convention: DhConvention,
-    /// Whether the joint turns or slides.
-    pub kind: JointKind,
-}
-
-impl DhRow {
-    /// The part across the joint, `Tx(a) Rx(α)`.
-    fn link(&self) -> Pose {
-        about(Vector3::x_axis(), self.alpha_rad) * Pose::translation(self.a_mm, 0.0, 0.0)
-    }
-
-    /// The part along the joint at home, `Rz(θ) Tz(d)`.
-    fn joint(&self) -> Pose {
-        about(Vector3::z_axis(), self.theta_rad) * Pose::translation(0.0, 0.0, self.d_mm)
-    }
-}
+use super::dh_row::{DhRow, frames};
+use super::pose::Pose;
+use super::robot::{Axis, Joint, KinematicsError, MOST_JOINTS, Robot, RobotSource};
 
 /// The robot of a Denavit–Hartenberg table, joints named `joint 1` and so on, gravity unknown.
 ///
@@ -97,45 +59,10 @@ pub fn robot_from_dh(name: impl Into<String>, rows: &[DhRow]) -> Result<Robot, K
     })
 }
 
-/// At home in the base frame: for each row the frame before its joint and the one behind it, both
-/// with z along the joint; and the frame behind the last row.
-fn frames(rows: &[DhRow]) -> (Vec<[Pose; 2]>, Pose) {
-    let mut base_from_frame = Pose::identity();
-    let mut frames = Vec::with_capacity(rows.len());
-    for row in rows {
-        let (link, joint) = (row.link(), row.joint());
-        match row.convention {
-            DhConvention::Standard => {
-                frames.push([base_from_frame, base_from_frame * joint]);
-                base_from_frame *= joint * link;
-            }
-            DhConvention::Modified => {
-                let before = base_from_frame * link;
-                frames.push([before, before * joint]);
-                base_from_frame = before * joint;
-            }
-        }
-    }
-    (frames, base_from_frame)
-}
-
-/// The frame behind each joint of a table at home, in the base frame, z along the joint.
-pub(super) fn link_frames(rows: &[DhRow]) -> Vec<Pose> {
-    frames(rows)
-        .0
-        .into_iter()
-        .map(|[_, behind]| behind)
-        .collect()
-}
-
-fn about(axis: nalgebra::Unit<Vector3<f64>>, angle_rad: f64) -> Pose {
-    let rotation = UnitQuaternion::from_axis_angle(&axis, angle_rad);
-    Pose::from_parts(Vector3::zeros().into(), rotation)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinematics::{DhConvention, JointKind};
     use nalgebra::Matrix4;
     use proptest::prelude::*;
 

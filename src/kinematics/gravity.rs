@@ -13,7 +13,9 @@
 
 use nalgebra::{Point3, Vector3};
 
-use super::robot::{JointKind, Pose, Robot};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::Robot;
 
 const M_PER_MM: f64 = 1e-3;
 

@@ -15,10 +15,11 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, Point3, UnitQuaternion, Vector3};
 
-use super::chain::value_of;
 use super::closed_form::ClosedForm;
+use super::joint_kind::JointKind;
+use super::pose::Pose;
 use super::quaternion;
-use super::robot::{JointKind, Pose, Robot};
+use super::robot::{Robot, value_of};
 
 /// Starts that are spread over the travel.
 const STARTS: usize = 72;

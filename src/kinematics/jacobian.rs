@@ -14,8 +14,8 @@ use nalgebra::Matrix6xX;
 
 use crate::decompose;
 
-use super::chain::value_of;
-use super::robot::{Pose, Robot};
+use super::pose::Pose;
+use super::robot::{Robot, value_of};
 use super::screw::{Twist, joint_motion};
 
 /// Joint values at which [`Robot::mobility`] looks, in turns of the golden angle: no two joints

@@ -48,10 +48,13 @@ mod closed_form;
 pub(crate) mod configuration;
 pub(crate) mod description;
 pub(crate) mod dh;
+mod dh_row;
 pub(crate) mod gravity;
 pub(crate) mod inverse;
 pub(crate) mod jacobian;
+mod joint_kind;
 pub(crate) mod mjcf;
+mod pose;
 mod problems;
 pub(crate) mod quaternion;
 pub(crate) mod robot;
@@ -69,13 +72,15 @@ pub(crate) mod testing;
 
 pub use configuration::Statement;
 pub use description::{DescribedRobot, DescriptionFormat, robot_from_file};
-pub use dh::{DhConvention, DhRow, robot_from_dh};
+pub use dh::robot_from_dh;
+pub use dh_row::{DhConvention, DhRow};
 pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
+pub use joint_kind::JointKind;
 pub use mjcf::robot_from_mjcf;
+pub use pose::Pose;
 pub(crate) use robot::MOST_JOINTS;
 pub use robot::{
-    Axis, Follows, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
-    pose_from_parts,
+    Axis, Follows, Joint, KinematicsError, LinkMass, Range, Robot, RobotSource, pose_from_parts,
 };
 pub use urdf::robot_from_urdf;
 pub use urdf_edit::{UrdfChain, UrdfJoint, urdf_chain_of, urdf_with};

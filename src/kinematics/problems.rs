@@ -1,6 +1,8 @@
 //! What can be wrong with a robot: numbers that are no numbers, joints that cannot be told apart.
 
-use super::robot::{Axis, Joint, JointKind, MOST_JOINTS, Pose, Robot};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::{Axis, Joint, MOST_JOINTS, Robot};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 

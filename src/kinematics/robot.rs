@@ -3,14 +3,11 @@
 //! Everything stands at the home pose (every joint value zero) and in the base frame. Lengths in
 //! mm, angles in rad, masses in kg, gravity in m/s².
 
-use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
+use nalgebra::{Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
-use super::chain::value_of;
-use super::dh::{DhRow, link_frames};
-use crate::units::{deg_from_rad, rad_from_deg};
-
-/// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
-pub type Pose = Isometry3<f64>;
+use super::dh_row::{DhRow, link_frames};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
 
 /// Below this length a direction is taken to be zero: what is left of it is rounding.
 const SHORTEST_DIRECTION: f64 = 1e-12;
@@ -42,53 +39,6 @@ pub enum KinematicsError {
         /// How many there are.
         found: usize,
     },
-}
-
-named! {
-    /// What a joint does with its value.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum JointKind {
-        /// Turns about its axis; the value is an angle in rad.
-        Revolute = "revolute",
-        /// Slides along its axis; the value is a length in mm.
-        Prismatic = "prismatic",
-    }
-    /// Its word in files.
-    pub fn name;
-}
-
-impl JointKind {
-    /// The user's unit of its values, as names in files carry it: `deg` or `mm`.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Revolute => "deg",
-            Self::Prismatic => "mm",
-        }
-    }
-
-    /// The same unit, as it stands behind a number.
-    pub fn sign(self) -> &'static str {
-        match self {
-            Self::Revolute => "°",
-            Self::Prismatic => " mm",
-        }
-    }
-
-    /// A value (rad or mm) in the user's unit.
-    pub fn outer(self, inner: f64) -> f64 {
-        match self {
-            Self::Revolute => deg_from_rad(inner),
-            Self::Prismatic => inner,
-        }
-    }
-
-    /// A value in the user's unit in rad or mm.
-    pub fn inner(self, outer: f64) -> f64 {
-        match self {
-            Self::Revolute => rad_from_deg(outer),
-            Self::Prismatic => outer,
-        }
-    }
 }
 
 /// The line in space about or along which a joint moves, at home, in the base frame.
@@ -365,6 +315,11 @@ impl Robot {
         robot.source = RobotSource::Axes;
         robot
     }
+}
+
+/// The value of a joint in a pose; NaN where the pose has none.
+pub(super) fn value_of(q: &[f64], joint: usize) -> f64 {
+    q.get(joint).copied().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]

@@ -7,8 +7,10 @@
 
 use nalgebra::{Point3, Translation3, Vector3, Vector6};
 
+use super::joint_kind::JointKind;
+use super::pose::Pose;
 use super::quaternion;
-use super::robot::{Axis, JointKind, Pose};
+use super::robot::Axis;
 
 /// A small or finite motion of a body, or its rate: (ω, v) in rad and mm, per unit of what causes it.
 #[derive(Debug, Clone, Copy, PartialEq)]

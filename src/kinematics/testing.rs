@@ -3,8 +3,10 @@
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 
+use super::joint_kind::JointKind;
+use super::pose::Pose;
 use super::quaternion;
-use super::robot::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
+use super::robot::{Axis, Joint, LinkMass, Robot};
 use super::screw::Twist;
 
 /// The pose with one joint moved.

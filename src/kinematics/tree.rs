@@ -10,16 +10,15 @@
 //! tool, each moving joint one axis at home. What is fixed to a link is part of it; a side branch
 //! with a joint of its own is left out, because its pose is not known.
 
+use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::text::{Template, Text};
+use crate::units::LARGEST_JOINT_VALUE;
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::robot::{
-    Axis, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot, RobotSource,
-};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::{Axis, Follows, Joint, LinkMass, MOST_JOINTS, Range, Robot, RobotSource};
 use super::screw::joint_motion;
-use super::urdf::MM_PER_M;
-use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::units::LARGEST_JOINT_VALUE;
 
 /// What a joint does.
 #[derive(Debug, Clone)]
@@ -429,3 +428,5 @@ fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
     names.join(", ")
 }
+
+pub(super) const MM_PER_M: f64 = 1e3;

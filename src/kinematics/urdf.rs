@@ -19,12 +19,12 @@ use std::path::Path;
 
 use nalgebra::{Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
-use super::robot::{JointKind, Pose, Robot};
-use super::tree::{Body, BodyJoint, Mass, Mimic, Motion, Tree, limits};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::Robot;
+use super::tree::{Body, BodyJoint, MM_PER_M, Mass, Mimic, Motion, Tree, limits};
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
-
-pub(super) const MM_PER_M: f64 = 1e3;
 
 /// The chain from link `base` to link `tip` of the URDF document `text`, which came from `file`.
 ///

@@ -9,7 +9,8 @@ use std::path::Path;
 
 use roxmltree::Node;
 
-use super::robot::{Pose, Robot};
+use super::pose::Pose;
+use super::robot::Robot;
 use super::urdf;
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
@@ -185,7 +186,8 @@ fn difference(found: &Robot, robot: &Robot) -> Option<Text> {
         let direction = own.axis.direction.into_inner() - other.axis.direction.into_inner();
         let off = own.axis.point_mm - other.axis.point_mm;
         let across = off - other.axis.direction.into_inner() * off.dot(&other.axis.direction);
-        let elsewhere = own.kind == super::robot::JointKind::Revolute && across.norm() > SAME_MM;
+        let elsewhere =
+            own.kind == super::joint_kind::JointKind::Revolute && across.norm() > SAME_MM;
         (own.name != other.name
             || own.kind != other.kind
             || direction.norm() > SAME_DIRECTION

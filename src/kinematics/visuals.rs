@@ -11,7 +11,7 @@
 
 use std::path::Path;
 
-use super::robot::Pose;
+use super::pose::Pose;
 use super::urdf;
 use super::xml::{Document, ROOT, read_text};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
@@ -79,7 +79,7 @@ fn meshes(document: &Document, link: usize, what: &str) -> Result<Vec<Visual>, R
             all.push(Visual {
                 behind: 0,
                 base_from_mesh: urdf::origin(document, part)?,
-                scale_mm: scale.map(|s| s * urdf::MM_PER_M),
+                scale_mm: scale.map(|s| s * super::tree::MM_PER_M),
                 file: document.required(mesh, "filename")?.to_owned(),
                 place: document.place(mesh),
             });

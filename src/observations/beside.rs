@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::effects::JointValues;
-use crate::effects::places::MOST;
+use crate::effects::place::MOST;
 use crate::model::Model;
 use crate::sessions::{Group, Mend, Session};
 

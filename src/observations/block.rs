@@ -1,7 +1,7 @@
 //! A block of observations as rows: what is left of each, and how that follows every coefficient.
 
 use crate::effects::Held;
-use crate::effects::places::MOST;
+use crate::effects::place::MOST;
 use crate::lanes::{LANES, Lanes, Lanes3};
 
 use super::Residual;

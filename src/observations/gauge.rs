@@ -23,7 +23,8 @@ use crate::lanes::cross;
 use crate::model::Model;
 
 use super::{KINDS, Layer, Looks};
-use crate::effects::places::{Place, PlaceKind, stated};
+use crate::effects::places::stated;
+use crate::effects::{Place, PlaceKind};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Open {

@@ -6,7 +6,7 @@
 //! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
 //! mm to an estimator of points is one here too.
 
-use crate::effects::{Held, Inputs, JointValues};
+use crate::effects::{Held, Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::{LANES, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
@@ -14,7 +14,8 @@ use crate::sessions::Session;
 use super::block::RowBlock;
 use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
 use super::{KINDS, Kind, Looks, Residual, Seen, Unit};
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
+use crate::effects::place::MOST;
+use crate::effects::places::stated;
 
 /// All observations of a session: residuals and derivatives for a model.
 #[derive(Debug, Clone)]

@@ -9,13 +9,14 @@ use nalgebra::{
 };
 
 use crate::decompose;
-use crate::effects::Term;
+use crate::effects::{Place, PlaceKind, Term, places};
 use crate::model::Model;
 use crate::sessions::Session;
 
 use super::kinds::orientation::measured;
 use super::{KINDS, Layer, Looks, Residual, Seen};
-use crate::effects::places::{self, MOST, Place, PlaceKind, stated};
+use crate::effects::place::MOST;
+use crate::effects::places::stated;
 
 /// As many observations of a place say where it is.
 const MOST_ITEMS: usize = 200;

@@ -2,8 +2,8 @@
 //! keeps the order of its keys.
 
 use crate::document::Member;
+pub use crate::document::Value as Json;
 pub(crate) use crate::document::object;
-pub use crate::document::{Node, Value as Json};
 
 /// A value, or nothing: the key is left out then. An empty list is nothing.
 pub fn given(value: impl Into<Json>) -> Json {

@@ -4,12 +4,13 @@
 //! What never applies to such a robot is not said. A limit beyond the sizes that any machine has is no
 //! limit: the effect is not observable with these poses.
 
-use super::names::parameter;
-use super::numbers::significant;
 use crate::diagnosis::{Diagnosis, Limit, Sight};
 use crate::effects::find;
 use crate::kinematics::Robot;
 use crate::text::{Text, current};
+
+use super::names::parameter;
+use super::numbers::significant;
 
 /// A line: whom it is about, and what is said.
 #[derive(Debug, Clone, PartialEq)]
@@ -234,6 +235,29 @@ impl Sizes {
             .trim_end()
             .to_owned()
     }
+}
+
+/// From which size (95 %) an effect would have been seen, parameter by parameter.
+pub(crate) fn detection_limit(limit: &Limit) -> String {
+    let seen = |(full, size): &(&str, f64)| sight(limit.effect, full, *size);
+    let all = |one: Sight| limit.sizes.iter().all(|size| seen(size) == one);
+    if all(Sight::AtAnySize) {
+        return say!("any size, there is no noise").to_owned();
+    }
+    if all(Sight::AtNoSize) {
+        return say!("not observable with these poses").to_owned();
+    }
+    let sizes = limit.sizes.iter().map(|(full, size)| {
+        let (name, unit) = parameter(full);
+        match sight(limit.effect, full, *size) {
+            Sight::Above(size) => {
+                format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
+            }
+            Sight::AtAnySize => say!("{name}: any size, there is no noise", name = name),
+            Sight::AtNoSize => say!("{name}: not observable with these poses", name = name),
+        }
+    });
+    sizes.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -1,8 +1,6 @@
 //! What people call effects and their parameters, in the language of this thread.
 
-use super::limits::sight;
 use super::numbers::significant;
-use crate::diagnosis::{Limit, Sight};
 use crate::effects::find;
 use crate::effects::units::Unit;
 use crate::fit::Estimate;
@@ -91,29 +89,6 @@ pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
 /// What is said of a value that no machine has, with the usual size.
 pub(crate) fn usual_size(one: &Estimate) -> &'static str {
     find(one.effect).map_or("", |effect| spoken(effect.about().usual_size))
-}
-
-/// From which size (95 %) an effect would have been seen, parameter by parameter.
-pub(crate) fn detection_limit(limit: &Limit) -> String {
-    let seen = |(full, size): &(&str, f64)| sight(limit.effect, full, *size);
-    let all = |one: Sight| limit.sizes.iter().all(|size| seen(size) == one);
-    if all(Sight::AtAnySize) {
-        return say!("any size, there is no noise").to_owned();
-    }
-    if all(Sight::AtNoSize) {
-        return say!("not observable with these poses").to_owned();
-    }
-    let sizes = limit.sizes.iter().map(|(full, size)| {
-        let (name, unit) = parameter(full);
-        match sight(limit.effect, full, *size) {
-            Sight::Above(size) => {
-                format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
-            }
-            Sight::AtAnySize => say!("{name}: any size, there is no noise", name = name),
-            Sight::AtNoSize => say!("{name}: not observable with these poses", name = name),
-        }
-    });
-    sizes.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -8,11 +8,11 @@
 //! session cannot give is null, and `missing` says why. `after` is null without a model.
 
 use super::json::{Json, keyed, list, object};
-use crate::standards::Standards;
 use crate::standards::axis::{AxisTest, STANDARD_RUNS, Series};
 use crate::standards::path::{PathAttained, PathFigures};
-use crate::standards::pose::{Attained, Largest, PoseFigures, PoseTest, STANDARD_CYCLES, Turned};
+use crate::standards::pose::{Largest, PoseFigures, PoseTest, STANDARD_CYCLES};
 use crate::standards::positioning::{AtPosition, Positioning};
+use crate::standards::{Attained, Standards, Turned};
 
 /// The document of some figures.
 pub fn document(s: &Standards) -> Json {

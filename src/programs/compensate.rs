@@ -4,190 +4,29 @@
 //! commands ([`super::corrected`]); the numbers of those are written, and what was written is read back
 //! before it is given out. Everything else keeps its bytes.
 
-use std::path::Path;
-
 use nalgebra::{Rotation3, Vector3};
 
-use crate::compensation::{TableError, VerifiedCalibration};
-use crate::diagnostic::Rejected;
+use crate::compensation::TableError;
+use crate::effects::Term;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::{Role, Term};
-use crate::kinematics::{Pose, Robot};
-use crate::model::Calibration;
+use crate::kinematics::Robot;
 use crate::text::Text as Sentence;
-use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 
 use super::answer::{Answer, Left, Outcome, Reason, Written};
 use super::axes::Axes;
 use super::convention::Convention;
 use super::corrected::corrected;
-use super::frames::{self, ModelTool};
-use super::program_frames::{Differences, Holds, ProgramFrames, Reading, settled};
+use super::program::Program;
+use super::program_frames::Reading;
+use super::request::{CompensateError, Request, measured_frame};
 use super::resolve::{Resolved, Resolver};
-use super::rewrite;
-use super::target::{Program, Remark, Shape, Target};
+use super::settle::settled;
+use super::target::{Remark, Shape, Target};
 use super::text::Text;
-use super::{Language, sequence};
+use super::{frames, rewrite, sequence};
 
 /// What is read back may differ from what was meant by rounding of numbers, mm and rad, per number.
 const ROUNDING: f64 = 1e-3;
-
-/// What is to be corrected, and with what.
-#[derive(Debug, Clone)]
-pub struct Request<'a> {
-    /// The model.
-    pub calibration: &'a VerifiedCalibration,
-    /// The file.
-    pub bytes: &'a [u8],
-    /// How to read it.
-    pub language: &'static Language,
-    /// Its name, for messages.
-    pub file: Option<&'a Path>,
-    /// Load at the tool's origin where the file says none, kg.
-    pub load_kg: f64,
-    /// Joint values before the first target, rad or mm.
-    pub start: Option<Vec<f64>>,
-    /// The frame in which the file gives its poses, in the robot's base frame, where it declares none
-    /// itself; `None`: the base.
-    pub frame: Option<Pose>,
-    /// Which of the program's tools is the model's; `None`: the only one.
-    pub tool: Option<ModelTool>,
-    /// What holds where the program's tool, frame or load is not the model's.
-    pub frames: ProgramFrames,
-    /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
-    /// so that what the first joint shares with it is corrected too.
-    pub measured_frame: bool,
-}
-
-/// Why nothing was corrected.
-#[derive(Debug)]
-pub enum CompensateError {
-    /// The file cannot be read.
-    Rejected(Rejected),
-    /// The model makes no corrections.
-    Model(TableError),
-    /// The start does not have one value per joint.
-    Start {
-        /// How many were given.
-        found: usize,
-        /// How many joints there are.
-        expected: usize,
-    },
-    /// A number of the request that no robot has.
-    NoNumber(&'static str),
-    /// The model has no such frame.
-    NoMeasuredFrame,
-    /// The program's tool, frame or load is not the model's, and which holds is not settled.
-    Differs(Differences),
-    /// One tool or frame is given, and the program has several.
-    Several {
-        /// Tool or frame.
-        what: &'static str,
-        /// Those of the program.
-        names: String,
-    },
-    /// The program has no such tool.
-    Tool {
-        /// The name.
-        found: String,
-        /// Tools that the program uses.
-        expected: String,
-    },
-    /// What was written does not read back as it was meant.
-    ReadBack(String),
-}
-
-impl CompensateError {
-    /// In words.
-    pub fn says(&self) -> Sentence {
-        match self {
-            Self::Rejected(inner) => inner.says(),
-            Self::Model(inner) => inner.says(),
-            Self::Start { found, expected } => text!(
-                "{found} joint values to start from; expected {expected}, one for each joint of the model",
-                found = found,
-                expected = expected
-            ),
-            Self::NoNumber(option) => text!(
-                "{option}: expected finite numbers within a robot's range",
-                option = option
-            ),
-            Self::NoMeasuredFrame => text!(
-                "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
-            ),
-            Self::Differs(differences) => differences.says(),
-            Self::Several { what, names } => text!(
-                "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the program declares it",
-                what = what,
-                names = names
-            ),
-            Self::Tool { found, expected } => text!(
-                "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ",
-                found = found,
-                expected = expected
-            ),
-            Self::ReadBack(what) => text!(
-                "what was written reads back differently: {what}",
-                what = what
-            ),
-        }
-    }
-}
-
-displays_what_it_says!(CompensateError);
-
-impl std::error::Error for CompensateError {}
-
-impl From<Rejected> for CompensateError {
-    fn from(error: Rejected) -> Self {
-        Self::Rejected(error)
-    }
-}
-
-impl From<TableError> for CompensateError {
-    fn from(error: TableError) -> Self {
-        Self::Model(error)
-    }
-}
-
-impl Request<'_> {
-    /// What of it is not finite, or beyond any robot's range.
-    fn no_number(&self) -> Option<&'static str> {
-        let length = |mm: &f64| mm.abs() <= LARGEST_LENGTH_MM;
-        let pose = |pose: &Pose| {
-            let turn = &pose.rotation.coords;
-            pose.translation.vector.iter().all(length) && (turn.norm() - 1.0).abs() <= 1e-6
-        };
-        let load = |kg: f64| kg.abs() <= LARGEST_MASS_KG;
-        let start = self.start.iter().flatten();
-        let on_flange = match &self.tool {
-            Some(ModelTool::OnFlange(tool)) => pose(tool),
-            _ => true,
-        };
-        let given = |holds: &Holds<Pose>| match holds {
-            Holds::Given(own) => pose(own),
-            _ => true,
-        };
-        let given_load = match self.frames.load {
-            Holds::Given(kg) => load(kg),
-            _ => true,
-        };
-        let all = [
-            (
-                start.into_iter().all(|q| q.abs() <= LARGEST_JOINT_VALUE),
-                "the start",
-            ),
-            (load(self.load_kg) && given_load, "the load"),
-            (
-                self.frame.as_ref().is_none_or(pose) && given(&self.frames.frame),
-                "the frame",
-            ),
-            (on_flange && given(&self.frames.tool), "the tool"),
-        ];
-        let wrong = all.into_iter().find(|(fits, _)| !fits);
-        wrong.map(|(_, what)| what)
-    }
-}
 
 /// Corrects the targets of a file.
 ///
@@ -297,12 +136,6 @@ fn resolved(
         results[k] = resolver.resolve(&program.targets[k]);
     }
     results
-}
-
-/// The measuring frame of a session that was brought into the robot's base.
-pub(super) fn measured_frame(calibration: &Calibration) -> Option<&Term> {
-    let mut terms = calibration.model.terms().iter();
-    terms.find(|t| t.effect.about().role == Role::FreeFrame && t.label.is_none())
 }
 
 /// What of the measuring frame and the first axis samples show only together, so that it is taken from the drawing.

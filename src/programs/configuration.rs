@@ -3,7 +3,7 @@
 use crate::kinematics::Robot;
 use crate::kinematics::configuration::{Statement, quadrant_of, turns_of};
 
-use super::rewrite::Edit;
+use super::edit::Edit;
 use super::target::{Mark, Signs, Target};
 
 /// What has to be written for a target's configuration at the corrected values.

@@ -17,11 +17,12 @@ use crate::kinematics::{JointKind, Pose, Robot};
 
 use super::answer::{Left, Reason, Written};
 use super::axes::Axes;
-use super::compensate::{Request, measured_frame};
 use super::configuration::leaves_its_sides;
+use super::program::Program;
+use super::request::{Request, measured_frame};
 use super::resolve::{Resolved, beyond_a_limit, first_beyond};
 use super::sequence::Sequence;
-use super::target::{Program, Target};
+use super::target::Target;
 
 /// More than this of a position or an orientation is not reached, mm and rad.
 const REACHED: [f64; 2] = [1e-4, 1e-7];

@@ -13,7 +13,8 @@ use crate::sessions::columns::{Heading, Quantity, Unit};
 use super::axes::Axes;
 use super::number::{NoNumber, Number};
 use super::pose::{Frame, Orientation};
-use super::target::{Circumstances, Problem, Program, Remark, Shape, Target};
+use super::program::Program;
+use super::target::{Circumstances, Problem, Remark, Shape, Target};
 use super::text::Text;
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {

@@ -20,8 +20,9 @@ use std::ops::Range;
 
 use super::answer::{Left, Reason};
 use super::axes::Axes;
-use super::frames::{declare, declare_none};
-use super::target::{Problem, Program, Remark};
+use super::program::Program;
+use super::referred::{declare, declare_none};
+use super::target::{Problem, Remark};
 use super::text::Text;
 use super::tokens::{Dialect, Source};
 

@@ -21,7 +21,8 @@ use super::axes::Axes;
 use super::moves::{Goal, Moves};
 use super::number::Number;
 use super::pose::{Frame, Orientation};
-use super::target::{Mark, Problem, Program, Remark, Shape, Signs, Target};
+use super::program::Program;
+use super::target::{Mark, Problem, Remark, Shape, Signs, Target};
 use super::text::Text;
 use super::tokens::{Dialect, Source, Words};
 

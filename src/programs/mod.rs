@@ -21,50 +21,43 @@ mod configuration;
 mod convention;
 mod corrected;
 mod csv;
+mod edit;
 mod fanuc;
 mod frames;
 mod krl;
+mod language;
 mod moves;
 mod number;
 mod pose;
+mod program;
 mod program_frames;
 mod rapid;
+mod referred;
+mod request;
 mod resolve;
 mod rewrite;
 mod sequence;
+mod settle;
+mod stated_load;
 mod target;
 mod text;
 mod tokens;
 mod urscript;
+mod used_frames;
 mod write;
 
 pub use answer::{Answer, Left, Outcome, Reason, Written};
 pub use axes::{Axes, Slot};
-pub use compensate::{CompensateError, Request, compensate};
-pub use frames::ModelTool;
+pub use compensate::compensate;
+pub use language::Language;
 pub use number::Number;
 pub use pose::{Frame, Orientation};
-pub use program_frames::{Difference, Differences, Differing, Holds, ProgramFrames};
-pub use target::{Circumstances, Program, Remark, Shape, Target};
+pub use program::Program;
+pub use program_frames::{Difference, Differences, Differing, Holds, ModelTool, ProgramFrames};
+pub use request::{CompensateError, Request};
+pub use target::{Circumstances, Remark, Shape, Target};
 pub use text::Text;
 pub use write::{Stop, WriteError, stops};
-
-use target::Problem;
-
-/// One language that targets are written in.
-pub struct Language {
-    /// Its name on the command line.
-    pub id: &'static str,
-    /// Its name for people.
-    pub title: &'static str,
-    /// Endings of its files, in small letters, without the dot.
-    pub extensions: &'static [&'static str],
-    /// How it writes an orientation, and how six numbers of a tool or a frame are meant for it.
-    pub orientation: Orientation,
-    /// Whether a file looks like it.
-    looks_like: fn(&[u8]) -> bool,
-    read: fn(&Text, &Axes) -> Result<Program, Vec<Problem>>,
-}
 
 /// Every language, in the order in which their looks are tried.
 pub const LANGUAGES: &[Language] = &[
@@ -123,33 +116,4 @@ pub fn language_of(path: &std::path::Path, bytes: &[u8]) -> Option<&'static Lang
     all.clone()
         .find(by_name)
         .or_else(|| all.find(|language| (language.looks_like)(bytes)))
-}
-
-impl Language {
-    /// The targets of a file, for a robot with these axes.
-    ///
-    /// # Errors
-    /// Every target that is broken, with line, column and what was expected.
-    pub fn read(
-        &self,
-        bytes: &[u8],
-        axes: &Axes,
-        file: Option<&std::path::Path>,
-    ) -> Result<Program, crate::diagnostic::Rejected> {
-        let text = Text::new(bytes);
-        if let Some(problem) = text.unreadable() {
-            return Err(text.rejected(vec![problem], file));
-        }
-        let program = (self.read)(&text, axes).map_err(|mut problems| {
-            problems.sort_by_key(|problem| problem.at);
-            text.rejected(problems, file)
-        })?;
-        Ok(program)
-    }
-}
-
-impl std::fmt::Debug for Language {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.id)
-    }
 }

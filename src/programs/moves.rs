@@ -7,8 +7,9 @@
 use crate::text::Template;
 use std::collections::BTreeMap;
 
-use super::frames::{Referred, Way, Ways};
-use super::target::{Program, Remark, Target};
+use super::program::Program;
+use super::referred::{Referred, Way, Ways};
+use super::target::{Remark, Target};
 
 /// What a motion goes to.
 pub(super) enum Goal {

@@ -19,9 +19,10 @@ mod lists;
 use std::collections::BTreeMap;
 
 use super::axes::Axes;
-use super::frames::{Names, Referred, declare, declare_none};
 use super::moves::{Goal, Moves};
-use super::target::{Problem, Program, Remark};
+use super::program::Program;
+use super::referred::{Names, Referred, declare, declare_none};
+use super::target::{Problem, Remark};
 use super::text::Text;
 use super::tokens::{Dialect, Kind, Source, Words};
 

@@ -5,21 +5,8 @@ use std::ops::Range;
 use crate::kinematics::Robot;
 
 use super::convention::Convention;
+use super::edit::Edit;
 use super::target::{Shape, Target};
-
-/// New bytes for a range of a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Edit {
-    pub(super) range: Range<usize>,
-    pub(super) text: String,
-}
-
-impl Edit {
-    fn new((range, text): (Range<usize>, &str)) -> Self {
-        let text = text.to_owned();
-        Self { range, text }
-    }
-}
 
 /// The edits that put corrected joint values into a target.
 pub(super) fn edits(

@@ -12,8 +12,9 @@ use crate::kinematics::Robot;
 
 use super::answer::Left;
 use super::convention::Convention;
+use super::program::Program;
 use super::resolve::Resolved;
-use super::target::{Program, Remark, Target};
+use super::target::{Remark, Target};
 
 /// A joint that moves less than this (rad or mm) does not move.
 const STANDS: f64 = 1e-9;

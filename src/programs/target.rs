@@ -6,10 +6,9 @@ use std::ops::Range;
 use crate::kinematics::configuration::Statement;
 
 use super::answer::Left;
-use super::frames::{AllWays, Names, Placed, Ways};
 use super::number::{Number, Span};
 use super::pose::Frame;
-use super::program_frames::StatedLoads;
+use super::referred::{Placed, Ways};
 
 /// Something broken in a file: at which byte, what is there and what should be.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -165,51 +164,5 @@ impl Target {
         self.configuration.shrink_to_fit();
         self.marks.shrink_to_fit();
         self.external.shrink_to_fit();
-    }
-}
-
-/// A file with its targets.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Program {
-    /// In the order of the file.
-    pub targets: Vec<Target>,
-    /// The targets in the order in which the file's motions name them, as far as it names them.
-    pub visits: Vec<usize>,
-    /// Motions and values that the file computes at run time, or takes from elsewhere: not corrected.
-    pub at_run_time: Vec<Remark>,
-    /// What else there is to know.
-    pub notes: Vec<Remark>,
-    /// In which frames and with which tools motions go to the targets.
-    pub(super) ways: AllWays,
-    /// Loads that the file states.
-    pub(super) loads: StatedLoads,
-    /// Frames that the file declares, in the robot's base.
-    pub(super) frames: Names,
-    /// Tools that the file declares, on the flange.
-    pub(super) tools: Names,
-}
-
-impl Program {
-    /// Puts the targets into the order of the file.
-    pub(super) fn sort(&mut self) {
-        let mut order: Vec<usize> = (0..self.targets.len()).collect();
-        order.sort_by_key(|k| self.targets[*k].at);
-        let mut place = vec![0; order.len()];
-        for (now, before) in order.iter().enumerate() {
-            place[*before] = now;
-        }
-        self.targets.sort_by_key(|target| target.at);
-        for index in &mut self.visits {
-            *index = place[*index];
-        }
-    }
-
-    /// Every target in the order in which they are gone to: as the motions name them, the others
-    /// after them in the order of the file.
-    pub(super) fn order(&self) -> Vec<usize> {
-        let mut seen = vec![false; self.targets.len()];
-        let all = self.visits.iter().copied().chain(0..self.targets.len());
-        all.filter(|k| !std::mem::replace(&mut seen[*k], true))
-            .collect()
     }
 }

@@ -17,10 +17,11 @@ use std::collections::btree_map::Entry;
 use crate::kinematics::JointKind;
 
 use super::axes::Axes;
-use super::frames::{Referred, declare};
 use super::moves::{Goal, Moves};
 use super::number::Number;
-use super::target::{Problem, Program, Remark, Shape, Target};
+use super::program::Program;
+use super::referred::{Referred, declare};
+use super::target::{Problem, Remark, Shape, Target};
 use super::text::Text;
 use super::tokens::{Dialect, Kind, Source, Words};
 

@@ -55,9 +55,8 @@ fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
     ]);
     for k in worst.into_iter().take(shown) {
         let pose = &test.poses[k];
-        let after = |pick: fn(&crate::standards::pose::Attained) -> f64| {
-            show(pose.after.as_ref().map(pick))
-        };
+        let after =
+            |pick: fn(&crate::standards::Attained) -> f64| show(pose.after.as_ref().map(pick));
         table.row([
             pose.q
                 .iter()

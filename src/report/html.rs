@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 
 use super::document::{Block, Report, Table};
+use super::escape::escape;
 use super::logo::{LOGO, Logo};
 use super::svg::svg;
 use crate::compensation::decision::Outcome;
@@ -177,22 +178,6 @@ fn face(weight: u16, font: &[u8]) -> String {
          src:url(data:font/ttf;base64,{}) format(\"truetype\")}}\n",
         base64(font)
     )
-}
-
-/// Text for HTML and SVG, inside elements and inside quoted attributes.
-pub(super) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c => out.push(c),
-        }
-    }
-    out
 }
 
 /// RFC 4648, section 4.

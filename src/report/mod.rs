@@ -23,6 +23,9 @@ pub mod svg;
 
 mod accuracy;
 mod calibration;
+mod error;
+mod escape;
+mod extras;
 mod findings;
 mod fonts;
 #[cfg(test)]
@@ -34,7 +37,9 @@ mod stages;
 
 pub use details::Details;
 pub use document::Report;
+pub use error::ReportError;
 pub use exported::{ExportedTable, TableFileError};
+pub use extras::Extras;
 pub use html::html;
 pub use logo::Logo;
 pub use pdf::{PdfError, Written, pdf, pdf_with};
@@ -44,12 +49,8 @@ pub use stages::{as_measured, stages};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::compensation::NotHandedOut;
-use crate::compensation::verification::VerifyError;
-use crate::diagnosis::DiagnoseError;
 use crate::fonts::Library;
-use crate::history::History;
-use crate::text::{Template, Text};
+use crate::text::Template;
 
 /// What a report is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,42 +88,6 @@ impl Report {
                 unshown: BTreeSet::new(),
             }),
             Kind::Pdf => pdf_with(self, library),
-        }
-    }
-}
-
-/// What a report holds besides its session or model.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Extras {
-    /// What the certificate states besides its measurements.
-    pub details: Details,
-    /// Sessions and models of the same machine.
-    pub history: Option<History>,
-    /// Tables that were written for the controller.
-    pub tables: Vec<ExportedTable>,
-}
-
-/// Why there is no report.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ReportError {
-    /// The session cannot be diagnosed.
-    #[error(transparent)]
-    Diagnose(#[from] DiagnoseError),
-    /// The model cannot be held against the session.
-    #[error(transparent)]
-    Verify(#[from] VerifyError),
-    /// The model does not do what was said of it.
-    #[error(transparent)]
-    NotHandedOut(#[from] NotHandedOut),
-}
-
-impl ReportError {
-    /// In words.
-    pub fn says(&self) -> Text {
-        match self {
-            Self::Diagnose(error) => error.says(),
-            Self::Verify(error) => error.says(),
-            Self::NotHandedOut(error) => error.says(),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
 use crate::explain::{self, Detail, cleaned, fact};
 use crate::export::Job;
-use crate::export::sidecar::measured_poses;
+use crate::export::poses::measured_poses;
 use crate::fit::{Estimate, measured_ranges};
 use crate::kinematics::Robot;
 use crate::language::spoken;
@@ -22,7 +22,6 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::standards::Standards;
 use crate::text::current;
 
-use super::accuracy;
 use super::calibration::values;
 use super::document::{Block, Column, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
@@ -31,7 +30,7 @@ use super::parts::{
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
-use super::{Extras, ReportError};
+use super::{Extras, ReportError, accuracy};
 use crate::present::numbers::{mm, plain, short};
 
 /// Rows of lists that have no end of their own.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::html::escape;
+use super::escape::escape;
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
 
 /// A file of its own: with the name of its language, and a font that most machines have.

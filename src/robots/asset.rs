@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::{Library, LibraryRobot, Reference, RobotKind, Source};
+use super::entry::Library;
+use super::{LibraryRobot, Reference, RobotKind, Source};
 use crate::sessions::parse_robot;
 
 const ASSET: &str = include_str!("../../assets/robots.json");

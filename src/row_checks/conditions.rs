@@ -5,7 +5,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::{Mend, Session};
 
-use super::said;
+use super::problem::said;
 
 /// What a robot may carry, kg: so much …
 const LEAST_PAYLOAD_KG: f64 = 60.0;

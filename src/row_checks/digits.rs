@@ -9,7 +9,7 @@ use crate::fit::problem::digits_mm;
 use crate::sessions::{Mend, Session, Sigma};
 use crate::text::Text;
 
-use super::said;
+use super::problem::said;
 
 /// What rounding adds matters above this share of the noise otherwise expected.
 const MATTERS: f64 = 1.0 / 3.0;

@@ -11,7 +11,7 @@ use crate::sessions::measuring_order::falls_of_the_clock;
 use crate::sessions::{Samples, Session};
 use crate::text::Text;
 
-use super::said;
+use super::problem::said;
 
 pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;

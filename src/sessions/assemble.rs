@@ -6,6 +6,7 @@
 use crate::text::Text;
 use std::collections::BTreeMap;
 
+use super::observed::Locate;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::document::ranges::short;
@@ -18,9 +19,6 @@ use crate::sessions::table::{Cells, Names, Table};
 
 /// Complaints about one column that are worth printing.
 const MOST_COMPLAINTS: usize = 10;
-
-/// Where a cell is: column, then row, both counted from 0.
-pub(crate) type Locate<'a> = &'a dyn Fn(usize, usize) -> Place;
 
 /// What the session declares and samples name.
 #[derive(Clone, Copy)]

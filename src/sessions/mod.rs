@@ -10,6 +10,7 @@
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.
 
+mod apply_mend;
 pub(crate) mod assemble;
 mod built;
 pub(crate) mod bundled;
@@ -23,6 +24,7 @@ mod file_hash;
 pub(crate) mod files;
 pub(crate) mod format_v1;
 mod group;
+mod group_samples;
 mod growing;
 mod hash;
 mod lines;

@@ -1,16 +1,14 @@
 //! Columns of measurements other than points, from cells to indices and inner units, and which
 //! rows lack what they need: a distance needs its anchor, a direction both of its angles.
 
-use crate::text::Text;
-use std::collections::BTreeMap;
-
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
-use crate::sessions::assemble::Locate;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
 use crate::sessions::references::{ObservedColumns, References};
 use crate::sessions::table::Names;
+use crate::text::Text;
+use std::collections::BTreeMap;
 
 /// Complaints about one column that are worth printing.
 const MOST_COMPLAINTS: usize = 10;
@@ -246,3 +244,6 @@ impl Session {
         all.into_iter().filter(|kind| kind.count > 0).collect()
     }
 }
+
+/// Where a cell is: column, then row, both counted from 0.
+pub(crate) type Locate<'a> = &'a dyn Fn(usize, usize) -> Place;

@@ -17,8 +17,8 @@ use crate::model::Model;
 use crate::sessions::{Mend, Session};
 use crate::units::rad_from_deg;
 
-use super::LARGEST_OFFSET_DEG;
-use super::arms::trial;
+use super::thresholds::LARGEST_OFFSET_DEG;
+use super::trial::trial;
 
 /// A tool is never mounted farther off than this share of the reach …
 const TOOL_SHARE: f64 = 0.15;

@@ -1,10 +1,9 @@
 //! What was corrected in memory goes with the samples: a model that is fitted to them carries it.
 
+use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
 use std::borrow::Cow;
 
-use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
-
-use super::{DataProblem, Mended};
+use super::DataProblem;
 
 impl<'a> Mended<'a> {
     /// A session as it is, or with the corrections that were `made`; `raw` is what was read.
@@ -30,4 +29,13 @@ impl<'a> Mended<'a> {
 /// The corrections of these problems, which were made.
 pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = Mend> + '_ {
     problems.iter().filter_map(|problem| problem.mend.clone())
+}
+
+/// A session with its blunders mended, and what they were.
+#[derive(Debug, Clone)]
+pub struct Mended<'a> {
+    /// The session to go on with.
+    pub session: Cow<'a, Session>,
+    /// What was wrong.
+    pub problems: Vec<DataProblem>,
 }

@@ -13,47 +13,31 @@ mod groups;
 mod hypotheses;
 mod losses;
 mod read_back;
+mod thinned;
+mod thresholds;
+mod trial;
 
 use std::borrow::Cow;
 
 pub use crate::answers::diagnosis::DataProblem;
-use crate::effects::{Role, Term, joint_zero, tool_radius};
+use crate::effects::{JointValues, Role, Term, joint_zero, tool_radius};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::row_checks;
-use crate::sessions::{Samples, Session, Setups};
+use crate::sessions::{Mend, Session};
 use crate::units::rad_from_deg;
+pub use corrected::Mended;
 
-use crate::effects::JointValues;
 use crate::fit::base_model;
-use crate::sessions::Mend;
 
 use corrected::made_for;
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
-
-/// A session with its blunders mended, and what they were.
-#[derive(Debug, Clone)]
-pub struct Mended<'a> {
-    /// The session to go on with.
-    pub session: Cow<'a, Session>,
-    /// What was wrong.
-    pub problems: Vec<DataProblem>,
-}
-
-/// Samples that a trial looks at.
-const MOST_SAMPLES: usize = 400;
-/// With fewer samples a blunder cannot be told from an effect.
-const FEWEST_SAMPLES: usize = 6;
-/// A gap below this share of the robot's size is no blunder.
-/// Derived: a set-up error moves the tool by more than a hundredth of the robot's size; effects
-/// do not.
-const GROSS_SHARE: f64 = 0.01;
-/// The gap has to fall to less than this.
-const MENDED_SHARE: f64 = 0.2;
+use thinned::thinned;
+use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};
 
 /// Blunders are tried on whole points, where they are so large a part of the samples.
 const ENOUGH_POINTS: f64 = 0.5;
@@ -250,59 +234,6 @@ fn base_gap(session: &Session, joint_values: JointValues) -> Option<f64> {
         .fold(0.0, f64::max);
     Some(median + beyond * size + stretched)
 }
-
-/// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
-const LARGEST_OFFSET_DEG: f64 = 45.0;
 /// No link is longer or shorter than it should be by more than this share of the robot's size; one
 /// that is turned inside out stands for half a turn.
 const LARGEST_STRETCH: f64 = 0.2;
-
-/// Every so many-th sample, so that a trial is quick.
-fn thinned(session: &Session) -> Session {
-    thinned_to(session, MOST_SAMPLES)
-}
-
-fn thinned_to(session: &Session, most: usize) -> Session {
-    let held_out = session.samples.held_out.as_deref();
-    let mut keep: Vec<usize> = (0..session.samples.len())
-        .filter(|i| held_out.is_none_or(|h| !h[*i]))
-        .collect();
-    let n = keep.len();
-    if n > most {
-        keep = (0..most).map(|k| keep[k * n / most]).collect();
-    }
-    let old = &session.samples;
-    let pick = |c: &Vec<f64>| -> Vec<f64> { keep.iter().map(|i| c[*i]).collect() };
-    let each = |c: &[Option<Vec<f64>>]| c.iter().map(|c| c.as_ref().map(pick)).collect();
-    let samples = Samples {
-        q: old.q.iter().map(pick).collect(),
-        q_read: each(&old.q_read),
-        x_mm: pick(&old.x_mm),
-        y_mm: pick(&old.y_mm),
-        z_mm: old.z_mm.as_ref().map(pick),
-        target: old
-            .target
-            .as_ref()
-            .map(|t| keep.iter().map(|i| t[*i]).collect()),
-        dir: each(&old.dir),
-        speed: each(&old.speed),
-        setups: old.setups.as_ref().map(|s| Setups {
-            names: s.names.clone(),
-            index: keep.iter().map(|i| s.index[*i]).collect(),
-        }),
-        ..Samples::default()
-    };
-    // Field by field: a clone of the whole would copy a million samples first.
-    Session {
-        name: String::new(),
-        note: String::new(),
-        robot: session.robot.clone(),
-        targets: session.targets.clone(),
-        instrument: session.instrument.clone(),
-        tolerance_mm: session.tolerance_mm,
-        regions: Vec::new(),
-        compensated_by: None,
-        samples,
-        path: None,
-    }
-}

@@ -18,7 +18,8 @@ use crate::sessions::Session;
 use crate::text::Text;
 use crate::units::deg_from_rad;
 
-use super::{DataProblem, thinned};
+use super::DataProblem;
+use super::thinned::thinned;
 
 /// What the values of one joint that are read back follow.
 struct Lag {

@@ -8,11 +8,13 @@ use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::SimulateError;
+use super::random::{Stream, random};
 use super::scenario::{Measure, Scenario};
-use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
-use crate::effects::{Inputs, JointValues};
+use crate::effects::place::MOST;
+use crate::effects::places::stated;
+use crate::effects::{Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::dot;
 use crate::model::Model;
 use crate::observations::held::{Missing, bring};

@@ -17,18 +17,17 @@
 //! session to the last bit.
 
 pub(crate) mod circumstances;
+mod error;
 pub(crate) mod format_v1;
 pub(crate) mod measured;
 pub(crate) mod motion;
 pub(crate) mod noise;
+mod random;
 pub(crate) mod request;
 pub(crate) mod scenario;
 pub(crate) mod truth;
 
 use std::ops::ControlFlow;
-
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 
 pub use format_v1::{LoadedScenario, load_scenario, parse_scenario};
 pub use request::{
@@ -41,39 +40,14 @@ pub use scenario::{
 pub use truth::Truth;
 
 pub use crate::progress::unwatched;
+pub use error::SimulateError;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::LANES;
 use crate::model::{Model, Positions};
 use crate::sessions::{Samples, Session};
-
-/// Why there is no session.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SimulateError {
-    /// The scenario makes no sense.
-    #[error("{0}")]
-    Rejected(#[from] Rejected),
-    /// Whoever watched wanted no more.
-    #[error("the simulation was stopped")]
-    Stopped,
-}
-
-/// Which stream of the seed something random comes from.
-#[derive(Debug, Clone, Copy)]
-enum Stream {
-    Order = 1,
-    Circumstances = 2,
-    Noise = 3,
-    Outliers = 4,
-    Kinds = 5,
-}
-
-fn random(seed: u64, stream: Stream) -> ChaCha8Rng {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    random.set_stream(stream as u64);
-    random
-}
+use random::{Stream, random};
 
 /// Blocks between two looks at whoever watches.
 const BLOCKS_AT_ONCE: usize = 256;

@@ -16,8 +16,8 @@ use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal, StudentT, UnitCircle, UnitSphere};
 
+use super::random::{Stream, random};
 use super::scenario::{Noise, NoiseKind, Scenario};
-use super::{Stream, random};
 use crate::model::Positions;
 
 /// Correlation of neighbours in [`NoiseKind::Ar1`].

@@ -4,8 +4,7 @@ use crate::text::{Template, Text};
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::effects::places::PlaceKind;
-use crate::effects::{Offered, Term};
+use crate::effects::{Offered, PlaceKind, Term};
 use crate::kinematics::Robot;
 use crate::sessions::{Instrument, Region, Target};
 

@@ -17,12 +17,14 @@ pub(crate) mod pose;
 pub(crate) mod positioning;
 pub(crate) mod test_cube;
 
+mod attained;
 mod grouping;
 mod points;
 
+pub use attained::{Attained, Turned};
 pub use axis::{AxisTest, Fixed, Series};
 pub use path::{PathAttained, PathFigures};
-pub use pose::{Attained, Largest, PoseFigures, PoseTest, Turned, Variation};
+pub use pose::{Largest, PoseFigures, PoseTest, Variation};
 pub use positioning::{AtPosition, Position, Positioning};
 pub use test_cube::{NoCube, TestCube, TestPose};
 

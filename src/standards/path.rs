@@ -18,8 +18,8 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::kinematics::{JointKind, quaternion};
 
+use super::attained::{Attained, Turned, attained, of_turns};
 use super::points::Points;
-use super::pose::{Attained, Turned, attained, of_turns};
 
 /// Points of a path at which it is judged: the standard asks for at least so many.
 const FEWEST_POINTS: usize = 10;

@@ -1,24 +1,22 @@
 //! The columns of the geometry and of the families on the samples, and their products, fold by fold.
 
-use crate::text::Text;
-use nalgebra::{DMatrix, DVector};
-
+use crate::diagnosis::held_out::Folds;
 use crate::effects::curve::DIRECTIONS;
 use crate::effects::{EACH_DIRECTION, Term};
 use crate::fit::base_model;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::linear::subtract;
 use crate::model::Model;
+use crate::side_by_side::Threads;
+use crate::text::Text;
+use nalgebra::{DMatrix, DVector};
 
-use super::FEWEST_ROWS;
 use super::families::Families;
 use super::orders::{self, Residual};
 use super::products::Products;
 use super::strengths::{NEARLY, Remaining};
-use crate::diagnosis::held_out::Folds;
-use crate::linear::subtract;
-use crate::side_by_side::Threads;
 
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;
@@ -397,3 +395,6 @@ impl Unseen<'_, '_> {
         })
     }
 }
+
+/// Below this number of rows beyond what the geometry takes nothing is said.
+const FEWEST_ROWS: usize = 60;

@@ -25,9 +25,6 @@ use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut, Unnamed};
 use design::Design;
-
-/// Below this number of rows beyond what the geometry takes nothing is said.
-const FEWEST_ROWS: usize = 60;
 /// The gain on unseen samples has to be so many times its own standard deviation …
 const SURE: f64 = 2.5;
 /// … or so many where the samples are so much likelier with it, as a logarithm, that no noise does that: of few

@@ -17,15 +17,18 @@
 
 use crate::effects::about::{About, Form, Quantity};
 use crate::effects::block::{Block, Turned};
+use crate::effects::gravity::seen_by_slope;
 use crate::effects::inputs::Inputs;
-use crate::effects::term::JointFrame;
+use crate::effects::joint_frame::JointFrame;
 use crate::effects::units::Unit;
 use crate::effects::{Effect, Figure, Placed};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{LANES, add_scaled, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
-use super::{NEWTON_STEPS, Torque};
+use crate::effects::torque::{NEWTON_STEPS, Torque};
+
+use super::about::ABOUT;
 
 /// Joints whose parts count, the joint itself among them.
 const PARTS: usize = 3;
@@ -60,7 +63,7 @@ const MOMENTS: &[Quantity] = match QUANTITIES.split_first() {
 const ABOUT_WITH_LOAD: About = About {
     form: Form::Plain(QUANTITIES),
     equation: "θ = q + C·τ(θ), τ gravity's torque: of the load, and of links by moments that are fitted",
-    ..super::ABOUT
+    ..ABOUT
 };
 
 const ABOUT_SAG: About = About {
@@ -70,7 +73,7 @@ const ABOUT_SAG: About = About {
     never_negative: false,
     // Ten times what 100 µrad/(N·m) sag under 50 N·m.
     implausible_above: Some(50.0),
-    ..super::ABOUT
+    ..ABOUT
 };
 
 fn figures<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> Vec<Figure> {
@@ -288,7 +291,7 @@ fn links_by_other<const N: usize>(
     }
     let gravity = match slope {
         Some(_) => whole.gravity,
-        None => super::seen_by_slope(block, me.joint, other, lane),
+        None => seen_by_slope(block, me.joint, other, lane),
     };
     let (sin, cos) = sin_cos(theta);
     dot(

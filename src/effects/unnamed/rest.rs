@@ -8,7 +8,7 @@
 //! The first sum is the sag of the joint under parts that turn with it and with the joints behind it, by
 //! moments along the directions across their axes (see `joint-compliance`), per unit of gravity.
 
-use crate::effects::term::JointFrame;
+use crate::effects::joint_frame::JointFrame;
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{add_scaled, cross, dot, turned};
 

@@ -15,7 +15,7 @@ use super::super::chain::Chain;
 use super::super::description::Written;
 use super::super::names::escaped;
 use super::super::{ExportError, Job, Reference};
-use super::{FORMAT, origin};
+use super::origin::origin;
 use crate::diagnostic::Rejected;
 use crate::kinematics::{Pose, UrdfChain, robot_from_urdf, urdf_chain_of, urdf_with};
 
@@ -27,6 +27,7 @@ pub(super) fn write(
     job: &Job,
     chain: &Chain,
     reference: Reference,
+    format: &'static str,
 ) -> Result<Written, ExportError> {
     let refused = |error: Rejected| ExportError::Refused(error.says());
     let text = std::str::from_utf8(reference.bytes).map_err(|_| {
@@ -74,7 +75,7 @@ pub(super) fn write(
     Ok(Written {
         ends: Some([own.base, tip]),
         notes,
-        ..Written::of(FORMAT.id, written, robot)
+        ..Written::of(format, written, robot)
     })
 }
 

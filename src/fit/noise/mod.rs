@@ -37,8 +37,8 @@ mod slow_part;
 
 use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
-pub(crate) use filter::carried;
-pub(crate) use filter::{Filter, Step};
+pub(crate) use filter::{Filter, Step, carried};
+pub(crate) use restricted::SMALLEST_SIGMA_MM;
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.
@@ -59,8 +59,6 @@ const SLOW_EVIDENCE: f64 = 12.0;
 /// few slow swings is not.)
 /// Without it sizes by axis follow chance, and intervals in sweeps held in 89 instead of 92 %.
 pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
-/// Below this noise is rounding, mm.
-pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
 
 impl Noise {
     /// From raw residuals and the columns of the fit that left them.

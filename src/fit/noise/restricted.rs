@@ -1,13 +1,12 @@
 //! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
 
+use crate::fit::regression::Rows;
+use crate::linear::{Basis, gram};
+use nalgebra::{Cholesky, DMatrix, DVector};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use nalgebra::{Cholesky, DMatrix, DVector};
-
-use super::{Noise, SMALLEST_SIGMA_MM, Slow};
-use crate::fit::regression::Rows;
-use crate::linear::{Basis, gram};
+use super::{Noise, Slow};
 
 /// Products of whitened columns along one axis.
 pub(super) struct AxisSums {
@@ -174,6 +173,9 @@ impl<'r> Restricted<'r> {
         -0.5 * (freedom * variance.ln() + inner + outer)
     }
 }
+
+/// Below this noise is rounding, mm.
+pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

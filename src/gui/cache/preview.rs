@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
-use crate::export::sidecar::measured_poses;
+use crate::export::poses::measured_poses;
 use crate::export::{Export, Job};
 use crate::fit::gap::Spread;
 use crate::pipeline;

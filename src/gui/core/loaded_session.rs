@@ -10,8 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::term::JointFrame;
-use crate::effects::{CATALOGUE, JointValues, Survey, Term};
+use crate::effects::{CATALOGUE, JointFrame, JointValues, Survey, Term};
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;

@@ -10,9 +10,8 @@
 //! at home and a quarter turn further, as in `fit::plane::sum_by_region`, with which a
 //! test compares it.
 
-use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::term::JointFrame;
+use crate::effects::{JointFrame, JointValues};
 use crate::fit::gap::Deviations;
 use crate::fit::plane::RegionSums;
 use crate::fit::problem::Problem;

@@ -4,12 +4,9 @@
 //! asks about them and which options are its own; terminal, window, tests of damaged files and
 //! fuzzers find all of that here. `docs/extending.md` goes through an example.
 
-use crate::text::Template;
-use std::fmt;
-
-use crate::importers::columns::Columns;
-use crate::importers::euler::EULER;
-use crate::importers::reader::Case;
+pub(crate) use super::options::EULER_OPTION;
+pub use super::settings::{Asks, Importer, Meanings, OwnOption};
+pub(crate) use super::settings::{KnownBy, Suits, Trial};
 
 /// Makes the modules and the list of the names given, so that a format is registered in one line.
 macro_rules! register {
@@ -31,131 +28,6 @@ register! {
     board,
     ballbar,
     tpoint,
-}
-
-/// A format that instruments write.
-pub struct Importer {
-    /// Its name for `--as`.
-    pub id: &'static str,
-    /// What it is, for somebody who has only the file.
-    pub plainly: Template,
-    /// What is asked about its files.
-    pub asks: Asks,
-    /// Options that only this format has.
-    pub options: &'static [OwnOption],
-    /// How its files are known from others.
-    pub(crate) known_by: KnownBy,
-    pub(crate) read: fn(&mut Case<'_>) -> Option<Columns>,
-}
-
-impl PartialEq for Importer {
-    fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
-    }
-}
-
-impl Eq for Importer {}
-
-impl fmt::Debug for Importer {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.id)
-    }
-}
-
-/// What a person is asked about the files of a format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a question of the sheet by itself"
-)]
-pub struct Asks {
-    /// The separator, the header and the decimal sign.
-    pub table: bool,
-    /// What the columns mean.
-    pub columns: Meanings,
-    /// Whether y points upwards, as it does in some formats.
-    pub y_up: bool,
-    /// Which of the things that the file names are to be taken.
-    pub names: bool,
-    /// Which joint was measured.
-    pub joint: bool,
-}
-
-impl Asks {
-    /// As of any table.
-    pub const TABLE: Self = Self {
-        table: true,
-        columns: Meanings::Session,
-        y_up: false,
-        names: false,
-        joint: false,
-    };
-}
-
-/// What the columns of a format can mean.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Meanings {
-    /// What a session's columns can.
-    Session,
-    /// The format has them fixed.
-    Fixed,
-    /// One of these: the word, and what a person calls it.
-    Own(&'static [(&'static str, &'static str)]),
-}
-
-/// An option of the command line that one format has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct OwnOption {
-    /// Its name without the dashes.
-    pub name: &'static str,
-    /// What the window calls it.
-    pub title: Template,
-    /// What stands for its value in the help, such as `TOPIC`.
-    pub value: &'static str,
-    /// What it says.
-    pub help: Template,
-    /// The values that it can have; empty: any.
-    pub values: &'static [&'static str],
-}
-
-/// The order of the angles of an orientation, in tables that a person explains.
-pub(crate) const EULER_OPTION: OwnOption = OwnOption {
-    name: EULER,
-    title: phrase!("Angles of the orientation"),
-    value: "ORDER",
-    help: phrase!(
-        "how rx, ry, rz (or euler1, euler2, euler3) make an orientation: an order of axes and whether they move, \
-           such as zyx-moving, xyz-fixed (= zyx-moving) or zyz-moving; rpy (= xyz-fixed); rotvec"
-    ),
-    values: &[],
-};
-
-/// How the files of a format are known when nobody says what they are.
-pub(crate) enum KnownBy {
-    /// By their first bytes, which no other format has: they are no text.
-    Bytes(fn(&[u8]) -> bool),
-    /// By how their text starts, as that of no other format does.
-    Text(fn(&str) -> bool),
-    /// By having nothing against them; who is pickier is asked earlier.
-    Reading {
-        /// Its turn among the formats that are asked.
-        turn: u8,
-        /// Whether it suits, by what reading it brought.
-        suits: Suits,
-    },
-}
-
-/// Whether a file suits a format, by what reading it brought.
-pub(crate) type Suits = fn(&Trial) -> bool;
-
-/// What came of reading a file as one of a format.
-pub(crate) struct Trial {
-    /// Nothing is wrong, and the columns need no explanation.
-    pub(crate) is_sound: bool,
-    /// The headings, if the table has a header.
-    pub(crate) headings: Option<Vec<String>>,
-    /// Nothing is left to ask.
-    pub(crate) is_complete: bool,
 }
 
 /// The format with this name.

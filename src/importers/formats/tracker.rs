@@ -8,10 +8,9 @@ use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
 use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::Role;
+use crate::importers::role::Role;
 use crate::importers::joint_names::understand;
-use crate::importers::reader::Case;
-use crate::importers::settings::About;
+use crate::importers::settings::{About, Case};
 use crate::sessions::columns::Quantity;
 
 pub(crate) static IMPORTER: Importer = Importer {

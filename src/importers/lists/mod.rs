@@ -15,7 +15,8 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::importers::decimals::shape;
-use crate::importers::headings::{Role, understand};
+use crate::importers::headings::understand;
+use crate::importers::role::Role;
 use tree::Node;
 
 /// A text of lists as a text of rows.

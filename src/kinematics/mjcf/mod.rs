@@ -23,7 +23,9 @@ use std::rc::Rc;
 
 use nalgebra::{Point3, Translation3, Vector3};
 
-use super::robot::{JointKind, Pose, Robot};
+use super::joint_kind::JointKind;
+use super::pose::Pose;
+use super::robot::Robot;
 use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
 use super::xml::{Document, Include, ROOT};
 use crate::diagnostic::{Place, Rejected};

@@ -23,8 +23,5 @@ pub(crate) use term::term;
 pub(crate) use read::write_model;
 pub use read::{is_model, load_model, model_hash, read_model};
 
-/// What the key `format` says.
-pub(crate) const FORMAT: &str = "truepose-model/1";
-
 #[cfg(test)]
 mod tests;

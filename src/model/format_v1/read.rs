@@ -1,29 +1,26 @@
 //! The model document; every complaint carries line, column and path.
 
-use std::path::Path as FilePath;
-use std::{fmt, io};
-
-use nalgebra::DMatrix;
-use serde::Deserializer as _;
-use serde::de::{IgnoredAny, MapAccess, Visitor};
-use sha2::{Digest, Sha256};
-
-use super::FORMAT;
-use super::exact::{exact, exact_robot, robot_of};
-use super::set_up::SET_UP;
-use super::term::{term, term_written};
 use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
 use crate::document::number::hexadecimal;
 use crate::document::object::{At, Kind, Object, written};
-use crate::document::ranges;
-use crate::document::{Fields, Node, Path, Value, text_of};
+use crate::document::{Fields, Node, Path, Value, ranges, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
 use crate::sessions::files;
 use crate::sessions::format_v1::head::{TARGETS, TOLERANCE_MM, default_targets};
 use crate::sessions::format_v1::robot::{ROBOT, blank};
+use nalgebra::DMatrix;
+use serde::Deserializer as _;
+use serde::de::{IgnoredAny, MapAccess, Visitor};
+use sha2::{Digest, Sha256};
+use std::path::Path as FilePath;
+use std::{fmt, io};
+
+use super::exact::{exact, exact_robot, robot_of};
+use super::set_up::SET_UP;
+use super::term::{term, term_written};
 
 /// Reads the model at `path`.
 ///
@@ -409,3 +406,6 @@ fn step(o: &mut Object<'_, '_>, own: &mut GapStep) {
     o.usual("gap_mm", &mut own.gap_mm, &NUMBER);
     o.usual_or_null("held_out_mm", &mut own.held_out_mm, &NUMBER);
 }
+
+/// What the key `format` says.
+pub(crate) const FORMAT: &str = "truepose-model/1";

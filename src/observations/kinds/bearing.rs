@@ -6,8 +6,8 @@
 //! ```
 
 use super::angles;
-use crate::effects::measuring_frame::{left_jacobian, rotation};
-use crate::effects::places::{Place, PlaceKind};
+use crate::effects::rotation::{left_jacobian, rotation};
+use crate::effects::{Place, PlaceKind};
 use crate::lanes::{cross, dot, minus, times};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};

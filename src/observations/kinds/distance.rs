@@ -4,7 +4,7 @@
 //! m = |p − a| + offset
 //! ```
 
-use crate::effects::places::{Place, PlaceKind};
+use crate::effects::{Place, PlaceKind};
 use crate::lanes::{dot, minus, scaled};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};

@@ -5,8 +5,8 @@
 
 use super::angles;
 use super::bearing::{by_attitude, sense, station, transposed};
-use crate::effects::measuring_frame::rotation;
-use crate::effects::places::{Place, PlaceKind};
+use crate::effects::rotation::rotation;
+use crate::effects::{Place, PlaceKind};
 use crate::lanes::{cross, dot, times};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};

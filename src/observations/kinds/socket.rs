@@ -1,7 +1,7 @@
 //! A socket: the target sits in the same place in all samples of that name. Three rows; no instrument
 //! is needed at all. What is measured is that nothing is left of p − s.
 
-use crate::effects::places::{Place, PlaceKind};
+use crate::effects::{Place, PlaceKind};
 use crate::lanes::minus;
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session, Sigma};

@@ -6,11 +6,12 @@ use std::ops::Range;
 use crate::kinematics::configuration::Statement;
 
 use super::super::axes::{Axes, Slot};
-use super::super::frames::{Referred, Way};
 use super::super::number::{Number, Span};
 use super::super::pose::{Frame, Orientation};
-use super::super::target::{Mark, Problem, Program, Remark, Shape, Target};
+use super::super::target::{Mark, Problem, Remark, Shape, Target};
 use super::super::tokens::{Kind, Words};
+use crate::programs::program::Program;
+use crate::programs::referred::{Referred, Way};
 
 /// A value of a group.
 enum Value {

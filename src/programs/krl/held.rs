@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 
 use crate::kinematics::Pose;
 
-use super::super::frames::{Names, Referred, declare, declare_none};
+use crate::programs::referred::{Names, Referred, declare, declare_none};
 
-use super::super::target::Program;
 use super::super::tokens::{Kind, Words};
 use super::aggregates::{Aggregate, aggregate};
+use crate::programs::program::Program;
 
 /// Base and tool of motions.
 #[derive(Debug, Clone, Default)]

@@ -6,6 +6,7 @@
 //! `pages` lays the blocks out, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
 
+mod error;
 mod pages;
 mod picture;
 
@@ -20,15 +21,9 @@ use super::document::Report;
 use super::fonts::{self, Embedded, Fonts, Run, Used};
 use crate::fonts::{Library, Purpose, is_worth_a_font};
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
+pub use error::PdfError;
 use pages::{Mark, PAGE, pages};
-
-/// Why there is no PDF.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum PdfError {
-    /// A font is damaged.
-    #[error("the font {0} cannot be used")]
-    Font(String),
-}
+use picture::f32_of;
 
 /// A report as PDF, and what it cannot show.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -403,14 +398,4 @@ fn fill(out: &mut Content, colour: Colour) {
 
 fn parts(Colour(r, g, b): Colour) -> [f32; 3] {
     [r, g, b].map(|part| f32_of((f64::from(part) / 255.0 * 1000.0).round() / 1000.0))
-}
-
-/// A hundredth of a point is finer than any printer; what is not finite is put at the corner.
-#[allow(clippy::cast_possible_truncation, reason = "places on a page")]
-fn f32_of(value: f64) -> f32 {
-    if value.is_finite() {
-        ((value.clamp(-1e5, 1e5) * 100.0).round() / 100.0) as f32
-    } else {
-        0.0
-    }
 }

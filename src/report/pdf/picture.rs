@@ -1,11 +1,10 @@
 //! The logo above the head of the first page.
 
+use crate::report::logo::{LOGO, Logo};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Content, Filter, Name, Pdf, Ref};
 
-use super::f32_of;
 use super::pages::{LEFT, PAGE, TOP};
-use crate::report::logo::{LOGO, Logo};
 
 /// Its name among what a page draws.
 pub(super) const NAME: Name<'_> = Name(b"Logo");
@@ -35,4 +34,14 @@ pub(super) fn drawn(logo: &Logo) -> Vec<u8> {
     let mut operators = vec![b'\n'];
     operators.extend(out.finish().into_vec());
     operators
+}
+
+/// A hundredth of a point is finer than any printer; what is not finite is put at the corner.
+#[allow(clippy::cast_possible_truncation, reason = "places on a page")]
+pub(super) fn f32_of(value: f64) -> f32 {
+    if value.is_finite() {
+        ((value.clamp(-1e5, 1e5) * 100.0).round() / 100.0) as f32
+    } else {
+        0.0
+    }
 }

@@ -2,10 +2,11 @@
 //! panel for each stage, with one magnification, so that they can be compared. Of the three views
 //! along the axes of the measuring frame the one with the largest area is drawn.
 
-use super::{FULL_WIDTH, Stage, Stages, room, thinned};
+use super::stages::thinned;
+use super::{Stage, Stages};
 use crate::numeric::extent;
-use crate::present::chart::panel::{Panel, SMALL};
-use crate::present::chart::{Axis, among};
+use crate::present::chart::panel::{Panel, SMALL, room};
+use crate::present::chart::{Axis, FULL_WIDTH, among};
 use crate::present::drawing::{Anchor, Drawing, Item, Label, MUTED, Shape, Stroke};
 
 const LEFT: f64 = 30.0;

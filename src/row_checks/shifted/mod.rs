@@ -24,13 +24,10 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Inputs, JointValues};
 use crate::sessions::{Mend, Session};
 
-use super::listed;
+use super::problem::listed;
 use fitted::{Fitted, fitted};
-use path::{Path, Points};
+use path::{FEWEST_SAMPLES, Path, Points};
 use starts::starts;
-
-/// With fewer samples a shift cannot be told from anything else.
-const FEWEST_SAMPLES: usize = 12;
 /// How often a path is improved by a fit.
 const MOST_ROUNDS: usize = 4;
 /// So many of the likeliest paths are fitted.

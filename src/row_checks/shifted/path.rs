@@ -1,11 +1,10 @@
 //! The likeliest path of shifts through the rows.
 
-use nalgebra::Vector3;
-
 use crate::fit::problem::unusable;
 use crate::model::Positions;
 use crate::sessions::{Samples, Session};
 use crate::text::Text;
+use nalgebra::Vector3;
 
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
@@ -41,7 +40,7 @@ impl<'s> Points<'s> {
         };
         let known = || (0..points.len()).filter_map(|row| points.get(row));
         let n = known().count();
-        if n < super::FEWEST_SAMPLES {
+        if n < FEWEST_SAMPLES {
             return None;
         }
         let mean: Vector3<f64> = known().sum::<Vector3<f64>>() / n as f64;
@@ -339,6 +338,9 @@ fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize
         }
     }
 }
+
+/// With fewer samples a shift cannot be told from anything else.
+pub(super) const FEWEST_SAMPLES: usize = 12;
 
 #[cfg(test)]
 mod tests {

@@ -13,12 +13,14 @@
 
 mod blocks;
 mod cells;
+mod complaints;
 mod header;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
+mod starts;
 mod stretch;
+mod table_rows;
 
-use crate::text::Text;
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -28,12 +30,12 @@ use crate::progress::Part;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::csv::stretch::{Decimal, Mark, Starts, Tools};
+use crate::sessions::csv::starts::{Mark, Starts};
+use crate::sessions::csv::stretch::{Decimal, Tools};
 use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Table};
-
-/// Complaints that are worth printing; the rest is counted.
-const MOST_COMPLAINTS: usize = 50;
+pub(crate) use complaints::Complaints;
+use table_rows::Rows;
 
 /// Reads a table, told as `part` of something. `bytes` is the length of the input where it is known.
 /// `None` when the headings already make no sense; otherwise the table is whole only if `findings`
@@ -108,15 +110,6 @@ pub(crate) fn read(
     }))
 }
 
-/// The rows so far.
-struct Rows<'a> {
-    columns: Vec<Cells>,
-    line: Lines,
-    next_line: u64,
-    starts: Starts,
-    complaints: Complaints<'a>,
-}
-
 impl Rows<'_> {
     /// Takes every complete row of `bytes[..end]`, which ends with a line feed; beyond it there is
     /// padding. Returns how many bytes it used: less than `end` only when a quoted cell goes on in
@@ -144,7 +137,7 @@ impl Rows<'_> {
     ) -> usize {
         let mut at = 0;
         while at < end {
-            let until = end.min(at + stretch::LONGEST);
+            let until = end.min(at + starts::LONGEST);
             if let Some(next) = self.take_stretch(bytes, at, until, tools) {
                 at = next;
                 continue;
@@ -239,98 +232,6 @@ fn number_cell(bytes: &[u8], at: usize, expected: u8) -> Option<(f64, usize)> {
         }
         _ => None,
     }
-}
-
-/// Problems in cells, with their places; the first ones in full, the rest as a number.
-pub(crate) struct Complaints<'a> {
-    file: &'a Place,
-    names: &'a [String],
-    list: Vec<Diagnostic>,
-    more: u64,
-    /// Binary: there is no point in going on.
-    hopeless: bool,
-}
-
-impl<'a> Complaints<'a> {
-    fn new(file: &'a Place, names: &'a [String]) -> Self {
-        Self {
-            file,
-            names,
-            list: Vec::new(),
-            more: 0,
-            hopeless: false,
-        }
-    }
-
-    #[cold]
-    fn add(&mut self, place: Place, found: impl Into<Text>, expected: impl Into<Text>) {
-        if self.list.len() < MOST_COMPLAINTS {
-            self.list.push(Diagnostic::error(place, found, expected));
-        } else {
-            self.more += 1;
-        }
-    }
-
-    #[cold]
-    pub(crate) fn about_cell(
-        &mut self,
-        line: u64,
-        index: usize,
-        found: impl Into<Text>,
-        expected: impl Into<Text>,
-    ) {
-        let place = self.file.clone().at_line(line).at_column(index as u64 + 1);
-        self.add(place.in_field(self.names[index].as_str()), found, expected);
-    }
-
-    #[cold]
-    fn too_few_cells(&mut self, line: u64, cells: usize, headings: usize) {
-        let place = self.file.clone().at_line(line).at_column(cells as u64);
-        self.add(
-            place,
-            text!(
-                "the line ends after {cells}",
-                cells = counted(cells, "cell")
-            ),
-            text!(
-                "{headings}, one for each heading",
-                headings = counted(headings, "cell")
-            ),
-        );
-    }
-
-    #[cold]
-    fn too_many_cells(&mut self, line: u64, cells: usize, headings: usize) {
-        let place = self
-            .file
-            .clone()
-            .at_line(line)
-            .at_column(headings as u64 + 1);
-        self.add(
-            place,
-            Text::verbatim(counted(cells, "cell")),
-            text!(
-                "{headings}, one for each heading; a file with decimal commas is read by \
-                 `truepose import --decimal ,`",
-                headings = counted(headings, "cell")
-            ),
-        );
-    }
-
-    fn into(self, findings: &mut Vec<Diagnostic>) {
-        findings.extend(self.list);
-        if self.more > 0 {
-            findings.push(Diagnostic::error(
-                self.file.clone(),
-                text!("{more} more problems of this kind", more = self.more),
-                Text::default(),
-            ));
-        }
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 
+use super::complaints::MOST_COMPLAINTS;
 use super::*;
 use crate::kinematics::{Axis, JointKind};
 use crate::progress::{Progress, unwatched};

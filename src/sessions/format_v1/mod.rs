@@ -13,6 +13,7 @@ pub(crate) mod inline;
 pub(crate) mod references;
 pub(crate) mod robot;
 mod robot_beside;
+pub(crate) mod robot_parts;
 pub(crate) mod robot_source;
 
 /// What the key `format` says.

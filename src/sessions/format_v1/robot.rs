@@ -4,17 +4,16 @@
 //! with.
 
 use crate::text::{Template, Text};
-use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 
+use super::robot_parts::{ENDS, JOINT_KIND, POSE, range};
 use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
-use crate::document::Value;
-use crate::document::degrees;
-use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point, wxyz};
+use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point};
 use crate::document::object::{At, Kind, Object, written};
-use crate::document::ranges;
+use crate::document::{Value, degrees, ranges};
 use crate::kinematics::{
-    Axis, DescriptionFormat, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
+    Axis, DescriptionFormat, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Robot,
     RobotSource,
 };
 
@@ -218,24 +217,6 @@ pub(crate) fn outer(kind: JointKind, inner: f64) -> f64 {
     }
 }
 
-/// Limits that a file says.
-pub(super) fn range(kind: JointKind, ends: [f64; 2]) -> Range {
-    let [from, to] = ends.map(|end| kind.inner(end));
-    Range { from, to }
-}
-
-/// Whether a joint turns or slides.
-pub(super) const JOINT_KIND: Kind<JointKind> = Kind {
-    expected: phrase!("\"revolute\" or \"prismatic\""),
-    read: |at| {
-        at.one_of(
-            &[JointKind::Revolute, JointKind::Prismatic],
-            JointKind::name,
-        )
-    },
-    write: |kind| kind.name().into(),
-};
-
 const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     expected: VECTOR.expected,
     read: |at| {
@@ -250,20 +231,6 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     write: components,
 };
 
-/// Two numbers, the smaller first.
-pub(super) const ENDS: Kind<[f64; 2]> = Kind {
-    expected: phrase!("an array of 2 numbers"),
-    read: |at| {
-        let [from, to] = at.numbers::<2>()?;
-        if from >= to {
-            let found = text!("limits from {from} to {to}", from = from, to = to);
-            return at.error(found, text!("limits from the smaller to the larger value"));
-        }
-        Some([from, to])
-    },
-    write: |ends| (*ends).into(),
-};
-
 const MASS: Kind<f64> = Kind {
     expected: phrase!("a mass of 0 kg or more"),
     read: |at| {
@@ -276,29 +243,3 @@ const MASS: Kind<f64> = Kind {
 const CENTRE: Kind<Point3<f64>> = point(phrase!(
     "the centre of the link at home (3 numbers), as mass_kg is given"
 ));
-
-/// A pose at home, in the base frame.
-pub(crate) const POSE: Kind<Pose> = Kind {
-    expected: phrase!("an object with position_mm and quaternion_wxyz"),
-    read: |at| at.object(Pose::identity(), pose),
-    write: |own| written(*own, pose),
-};
-
-fn pose(o: &mut Object<'_, '_>, own: &mut Pose) {
-    o.required("position_mm", &mut own.translation.vector, &VECTOR);
-    o.required("quaternion_wxyz", &mut own.rotation, &QUATERNION);
-}
-
-const QUATERNION: Kind<UnitQuaternion<f64>> = Kind {
-    expected: phrase!("an array of 4 numbers: w, x, y, z"),
-    read: |at| {
-        let Some([w, x, y, z]) = unit(at.numbers::<4>()?) else {
-            return at.error(
-                text!("a quaternion of zero length"),
-                text!("a quaternion such as [1, 0, 0, 0]"),
-            );
-        };
-        Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))
-    },
-    write: wxyz,
-};

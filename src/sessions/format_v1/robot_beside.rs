@@ -4,7 +4,7 @@
 
 use nalgebra::Point3;
 
-use super::robot::{ENDS, POSE, range};
+use super::robot_parts::{ENDS, POSE, range};
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, point};
 use crate::document::object::{At, Kind, Object};

@@ -4,7 +4,7 @@
 //! were given stays with them ([`RobotSource`]), so that an export can answer in the same terms; a
 //! robot that the program wrote says it under `source`.
 
-use super::robot::{JOINT_KIND, POSE};
+use super::robot_parts::{JOINT_KIND, POSE};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT};
 use crate::document::number::quoted;
 use crate::document::object::{At, Kind, Object, written};

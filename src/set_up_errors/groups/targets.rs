@@ -11,12 +11,10 @@ use crate::model::Model;
 use crate::sessions::{Mend, Session};
 use crate::text::Text;
 
-use super::super::GROSS_SHARE;
 use super::super::as_it_stands::reach_mm;
-use super::{
-    LEAVES, MOST_PLACES, evidence, fitted, in_numbers, is_believed, start_of, thinned,
-    trimmed_rms_mm,
-};
+use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
+use super::fitted::{MOST_PLACES, fitted, start_of, thinned, trimmed_rms_mm};
+use crate::set_up_errors::thresholds::GROSS_SHARE;
 
 /// A place is off beyond so many standard deviations of what is known of it.
 const OFF: f64 = 4.0;

@@ -1,6 +1,6 @@
 //! The `conditions` object: speeds, loads, temperature, time.
 
-use super::FLAG;
+use super::values::FLAG;
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, positive};
 use crate::document::object::{At, Kind, Object, written};

@@ -16,6 +16,7 @@ use std::path::{Path as FilePath, PathBuf};
 
 mod conditions;
 mod poses;
+mod values;
 
 use conditions::conditions;
 use poses::poses;
@@ -24,9 +25,8 @@ use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{NUMBER, TEXT};
 use crate::document::object::{At, Kind, Object, written};
-use crate::document::ranges;
-use crate::document::{Fields, Node, Path, Value};
-use crate::effects::places::PlaceKind;
+use crate::document::{Fields, Node, Path, Value, ranges};
+use crate::effects::PlaceKind;
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
 use crate::sessions::format_v1::head::{
@@ -35,6 +35,7 @@ use crate::sessions::format_v1::head::{
 use crate::sessions::format_v1::references::references;
 use crate::sessions::format_v1::robot::{ROBOT, blank};
 use crate::sessions::{files, validation};
+use values::{FLAG, WHOLE};
 
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-scenario/1";
@@ -249,30 +250,6 @@ fn names<T: Copy>(at: &mut At<'_, '_>, all: &[T], name: fn(T) -> &'static str) -
     let read: Vec<Option<T>> = list.iter().enumerate().map(one).collect();
     read.into_iter().collect()
 }
-
-const FLAG: Kind<bool> = Kind {
-    expected: phrase!("true or false"),
-    read: |at| match at.node.value {
-        Value::Bool(value) => Some(value),
-        _ => at.wrong(),
-    },
-    write: |value| (*value).into(),
-};
-
-/// A whole number from 0 on that a double holds exactly.
-const WHOLE: Kind<u64> = Kind {
-    expected: phrase!("a whole number from 0 on"),
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a whole number in the range of the type"
-    )]
-    read: |at| {
-        let whole = |v: f64| v.fract() == 0.0 && (0.0..=9007199254740992.0).contains(&v);
-        at.number(whole).map(|value| value as u64)
-    },
-    write: |value| (*value).into(),
-};
 
 const NOISE_KIND: Kind<NoiseKind> = Kind {
     expected: phrase!("\"gauss\", \"t4\" or \"ar1\""),

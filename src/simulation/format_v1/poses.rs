@@ -1,6 +1,6 @@
 //! The `poses` object: a sweep, a list, or random ones.
 
-use super::{FLAG, WHOLE};
+use super::values::{FLAG, WHOLE};
 use crate::document::kinds::NUMBER;
 use crate::document::object::{At, Kind};
 use crate::document::{Fields, Node, Path, Value, optional};

@@ -4,8 +4,7 @@ use super::parts::Part;
 use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
-use crate::importers::reader::Case;
-use crate::importers::settings::About;
+use crate::importers::settings::{About, Case};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;
 

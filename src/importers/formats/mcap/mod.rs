@@ -9,6 +9,7 @@
 mod cdr;
 mod container;
 mod messages;
+mod options;
 mod recorded;
 mod topics;
 
@@ -16,16 +17,11 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
-use crate::importers::reader::Case;
-use crate::importers::settings::{About, ColumnGuess, Known};
+use crate::importers::settings::{About, Case, ColumnGuess, Known};
 
 use messages::Type;
 use topics::{Topic, Topics};
-
-const TOPIC_JOINTS: &str = "topic-joints";
-const TOPIC_MEASURED: &str = "topic-measured";
-const FRAME_CHILD: &str = "frame-child";
-const JOINT_NAMES: &str = "joint-names";
+use options::{FRAME_CHILD, JOINT_NAMES, Open, TOPIC_JOINTS, TOPIC_MEASURED};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
@@ -156,9 +152,6 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
     }
     Some(topics)
 }
-
-/// Something is asked or wrong, and stands in the inspection.
-struct Open;
 
 /// Which topic is looked for, and how.
 struct Wanted {

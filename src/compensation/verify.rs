@@ -1,0 +1,17 @@
+//! Whether a calibration does on a session what it promises.
+
+use crate::model::Calibration;
+use crate::sessions::Session;
+
+use super::verification::{Verification, VerifyError, same_robot};
+
+/// Compares a session with a calibration.
+///
+/// # Errors
+/// See [`VerifyError`].
+pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
+    let session = &*session.whole()?;
+    calibration.sound()?;
+    let notes = same_robot(calibration, session)?;
+    super::conventions::verified(calibration, session, &notes)
+}

@@ -1,0 +1,241 @@
+//! What is asked of a plan, and why there is none.
+
+use crate::diagnosis::{DiagnoseError, Options};
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::document::ranges::SMALLEST_SIGMA;
+use crate::kinematics::Robot;
+use crate::text::Text;
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_MASS_KG};
+use nalgebra::Point3;
+
+use super::named::Named;
+
+/// Poses that a plan holds at most.
+pub(crate) const MOST_POSES: usize = 2000;
+
+/// Joints of a robot for which poses are planned: the work grows with their square and more.
+pub(crate) const MOST_JOINTS: usize = 30;
+
+/// What the plan is to do.
+#[derive(Debug, Clone, Default)]
+pub struct PlanOptions {
+    /// Number of poses; by default as many as are needed.
+    pub poses: Option<usize>,
+    /// Two effects to tell apart, as `ID` or `ID:JOINT`.
+    pub separate: Option<[String; 2]>,
+    /// Noise of the instrument, mm; for a session its own where it is not given.
+    pub sigma_mm: Option<f64>,
+    /// Heaviest load that the robot may carry for a test, kg.
+    pub load_kg: Option<f64>,
+    /// As many poses as bring the 95th percentile of the expected error over the joint ranges below
+    /// this, mm.
+    pub accuracy_mm: Option<f64>,
+    /// Where the instrument stands that measures a robot, base frame, mm.
+    pub instrument_mm: Option<Point3<f64>>,
+    /// A target is seen within this angle of where it faces, rad; by default from everywhere.
+    pub cone_rad: Option<f64>,
+    /// How a session is diagnosed.
+    pub diagnosis: Options,
+}
+
+/// Why there is no plan.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlanError {
+    /// A number of poses that makes no sense.
+    Poses(usize),
+    /// A noise that makes no sense.
+    Sigma(f64),
+    /// A load that makes no sense.
+    Load(f64),
+    /// A robot with more joints than poses are planned for.
+    Joints(usize),
+    /// An accuracy that makes no sense.
+    Accuracy(f64),
+    /// An accuracy that no number of poses reaches.
+    OutOfReach {
+        /// What was asked for, mm.
+        wanted: f64,
+        /// What most poses reach, mm.
+        reached: f64,
+    },
+    /// Something that only plans for several joints know.
+    OnlyArms(&'static str),
+    /// A cone that makes no sense.
+    Cone(f64),
+    /// No pose can be measured.
+    Unseen,
+    /// Every pose has a wrong number of poses asked for with an accuracy.
+    TwoNumbers,
+    /// A joint that is not there, or not a number.
+    Joint {
+        /// What was given.
+        given: String,
+        /// Number of joints.
+        joints: usize,
+    },
+    /// Twice the same effect.
+    Same(String),
+    /// The diagnosis failed.
+    Diagnose(DiagnoseError),
+}
+
+impl PlanError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::Poses(poses) => text!(
+                "--poses is {poses}; expected a whole number from 1 to {most}",
+                poses = poses,
+                most = MOST_POSES
+            ),
+            Self::Sigma(sigma) => text!(
+                "--sigma is {sigma}; expected a length above 0 in mm, such as 0.03",
+                sigma = sigma
+            ),
+            Self::Load(load) => text!(
+                "--load is {load}; expected a mass above 0 in kg, such as 3",
+                load = load
+            ),
+            Self::Joints(joints) => text!(
+                "a robot with {joints} joints; poses are planned for at most {most}",
+                joints = joints,
+                most = MOST_JOINTS
+            ),
+            Self::Accuracy(accuracy) => text!(
+                "--accuracy is {accuracy}; expected a length above 0 in mm, such as 0.1",
+                accuracy = accuracy
+            ),
+            Self::OutOfReach { wanted, reached } => text!(
+                "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
+                wanted = wanted,
+                most = MOST,
+                reached = format!("{:.4}", reached)
+            ),
+            Self::OnlyArms(option) => text!(
+                "{option} is for robots with several joints, measured without --separate; this plan has neither",
+                option = option
+            ),
+            Self::Cone(given) => text!(
+                "--cone is {cone}; expected an angle above 0 and up to 180 degrees, such as 60",
+                cone = given
+            ),
+            Self::Unseen => text!(
+                "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
+            ),
+            Self::TwoNumbers => text!(
+                "--poses and --accuracy both say how many poses there are; expected one of them"
+            ),
+            Self::Joint { given, joints } => text!(
+                "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
+                given = given,
+                joints = joints
+            ),
+            Self::Same(given) => text!(
+                "--separate {one},{other}: expected two different effects",
+                one = given,
+                other = given
+            ),
+            Self::Diagnose(inner) => inner.says(),
+        }
+    }
+}
+
+displays_what_it_says!(PlanError);
+
+impl std::error::Error for PlanError {}
+
+impl From<DiagnoseError> for PlanError {
+    fn from(error: DiagnoseError) -> Self {
+        Self::Diagnose(error)
+    }
+}
+
+impl PlanOptions {
+    pub(crate) fn check(&self) -> Result<(), PlanError> {
+        let above_zero = |v: &f64| *v > 0.0 && *v <= LARGEST_LENGTH_MM;
+        if let Some(mm) = self.accuracy_mm {
+            if !above_zero(&mm) {
+                return Err(PlanError::Accuracy(mm));
+            }
+            if self.poses.is_some() {
+                return Err(PlanError::TwoNumbers);
+            }
+        }
+        let angle = |cone: &f64| above_zero(cone) && *cone <= std::f64::consts::PI;
+        if let Some(cone) = self.cone_rad.filter(|cone| !angle(cone)) {
+            // The user wrote degrees: what the conversion adds is not theirs.
+            return Err(PlanError::Cone((cone.to_degrees() * 1e9).round() / 1e9));
+        }
+        if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
+            return Err(PlanError::Poses(n));
+        }
+        let is_sigma = |s: &f64| above_zero(s) && *s >= SMALLEST_SIGMA;
+        if let Some(sigma) = self.sigma_mm.filter(|s| !is_sigma(s)) {
+            return Err(PlanError::Sigma(sigma));
+        }
+        let is_place = |p: &Point3<f64>| p.iter().all(|x| x.abs() <= LARGEST_LENGTH_MM);
+        if !self.instrument_mm.as_ref().is_none_or(is_place) {
+            let place = Place::default().in_field("instrument_mm");
+            let found = text!("a position that is not finite or too large");
+            let expected = text!("three lengths of at most 10 000 000 mm");
+            let wrong = Rejected::because(Diagnostic::error(place, found, expected));
+            return Err(DiagnoseError::from(wrong).into());
+        }
+        let is_load = |l: &f64| above_zero(l) && *l <= LARGEST_MASS_KG;
+        match self.load_kg.filter(|l| !is_load(l)) {
+            Some(load) => Err(PlanError::Load(load)),
+            None => Ok(self.diagnosis.check()?),
+        }
+    }
+
+    /// Whether a plan for this robot comes to an end.
+    pub(crate) fn check_robot(robot: &Robot) -> Result<(), PlanError> {
+        match robot.joints.len() {
+            joints if joints > MOST_JOINTS => Err(PlanError::Joints(joints)),
+            0 => {
+                let place = Place::default().in_field("robot.joints");
+                let none =
+                    Diagnostic::error(place, text!("no joints"), text!("at least one joint"));
+                Err(DiagnoseError::from(Rejected::because(none)).into())
+            }
+            _ => match robot.out_of_range(&Place::default()) {
+                problems if problems.is_empty() => Ok(()),
+                problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
+            },
+        }
+    }
+
+    /// The two effects, found in the catalogue.
+    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
+        let joints = robot.joints.len();
+        let Some(two) = &self.separate else {
+            return Ok(None);
+        };
+        let named = |given: &String| -> Result<Named, PlanError> {
+            let (id, joint) = given.split_once(':').unwrap_or((given, "1"));
+            let in_catalogue = crate::effects::CATALOGUE.iter();
+            let effect = in_catalogue
+                .map(|e| e.about().id)
+                .find(|known| *known == id)
+                .ok_or_else(|| DiagnoseError::UnknownEffect(id.to_owned()))?;
+            let number = joint.parse::<usize>().ok();
+            let joint = number.filter(|j| (1..=joints).contains(j));
+            let wrong = || PlanError::Joint {
+                given: given.clone(),
+                joints,
+            };
+            Ok(Named {
+                id: effect,
+                joint: joint.ok_or_else(wrong)? - 1,
+            })
+        };
+        let [one, other] = [named(&two[0])?, named(&two[1])?];
+        if one == other {
+            return Err(PlanError::Same(two[0].clone()));
+        }
+        Ok(Some([one, other]))
+    }
+}
+
+/// A wanted accuracy is looked for up to so many poses.
+pub(crate) const MOST: usize = 400;

@@ -1,0 +1,57 @@
+//! Why there is no diagnosis.
+
+use crate::text::Text;
+
+use super::Cancelled;
+
+/// Why there is no diagnosis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DiagnoseError {
+    /// No effect of this name.
+    UnknownEffect(String),
+    /// The share to lock away makes no sense.
+    HeldOutShare(String),
+    /// Every sample is held out or cannot be used.
+    NothingToFit,
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    Rejected(crate::diagnostic::Rejected),
+    /// The watcher asked to stop.
+    Cancelled,
+}
+
+impl DiagnoseError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::UnknownEffect(effect) => text!(
+                "no effect is called '{effect}'; `truepose effects` lists them",
+                effect = effect
+            ),
+            Self::HeldOutShare(share) => text!(
+                "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
+                share = share
+            ),
+            Self::NothingToFit => text!(
+                "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
+            ),
+            Self::Rejected(inner) => inner.says(),
+            Self::Cancelled => text!("stopped"),
+        }
+    }
+}
+
+displays_what_it_says!(DiagnoseError);
+
+impl std::error::Error for DiagnoseError {}
+
+impl From<crate::diagnostic::Rejected> for DiagnoseError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
+}
+
+impl From<Cancelled> for DiagnoseError {
+    fn from(_: Cancelled) -> Self {
+        Self::Cancelled
+    }
+}

@@ -1,0 +1,48 @@
+//! What is looked for, and how.
+
+use crate::effects::JointValues;
+
+use super::DiagnoseError;
+use super::candidates::Allowed;
+
+/// What to look for, and how.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// Names that may be used.
+    pub allowed: Allowed,
+    /// Most effects to add; at most a tenth of the number of samples anyway.
+    pub max_effects: Option<usize>,
+    /// Share of the samples to lock away from everything.
+    pub held_out: Option<f64>,
+    /// Seed of the simulated residuals.
+    pub seed: u64,
+    /// Joint values to start from.
+    pub joint_values: JointValues,
+    /// Whether what no name explains is to be corrected by a smooth curve.
+    pub correct_unexplained: bool,
+    /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
+    /// [`DiagnoseError::Cancelled`].
+    pub keep_when_stopped: bool,
+    /// Whether the model holds names and geometry only, and nothing that predicts without a name.
+    pub without_unnamed: bool,
+    /// On how many threads the parts of a search are done that do not depend on each other; `None`: on two where
+    /// the machine has them. The answer is the same to the last bit.
+    pub threads: Option<usize>,
+}
+
+impl Options {
+    pub(crate) fn check(&self) -> Result<(), DiagnoseError> {
+        let named = self.allowed.without.iter();
+        for id in named.chain(self.allowed.only.iter().flatten()) {
+            if crate::effects::find(id).is_none() {
+                return Err(DiagnoseError::UnknownEffect(id.clone()));
+            }
+        }
+        match self.held_out {
+            Some(share) if !(share > 0.0 && share < 1.0) => {
+                Err(DiagnoseError::HeldOutShare(share.to_string()))
+            }
+            _ => Ok(()),
+        }
+    }
+}

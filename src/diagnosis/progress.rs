@@ -1,0 +1,29 @@
+//! How far a diagnosis is, and that it was stopped.
+
+/// How far the diagnosis is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Progress {
+    /// Looking for blunders.
+    Checking,
+    /// Fitting the base, preparing the candidates.
+    Preparing,
+    /// Searching; what was found so far may still be exchanged for something likelier.
+    Searching {
+        /// Names of the effects so far, in the order in which they act, of several joints each with
+        /// its joint.
+        found: Vec<String>,
+        /// Share of the most that a search may cost, percent; it may end at any.
+        percent: u8,
+    },
+    /// Comparing with other explanations.
+    Comparing,
+    /// Looking for poses to measure next.
+    Planning,
+}
+
+/// Is told of progress; answers whether to go on.
+pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
+
+/// The watcher asked to stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cancelled;

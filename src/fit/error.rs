@@ -1,0 +1,58 @@
+//! Why there is no identification.
+
+use crate::text::Text;
+
+/// Why an identification could not be made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum IdentifyError {
+    /// No effect of this name.
+    UnknownEffect(String),
+    /// Every sample is held out or cannot be used.
+    NothingToFit,
+    /// The paper's method is for one revolute joint.
+    NotASingleRevoluteJoint(Text),
+    /// The regions make no sense.
+    Regions(crate::sessions::division::RegionError),
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    Rejected(crate::diagnostic::Rejected),
+    /// Whoever asked does not want the answer any more.
+    Cancelled,
+}
+
+impl IdentifyError {
+    /// In words.
+    pub fn says(&self) -> Text {
+        match self {
+            Self::UnknownEffect(effect) => text!(
+                "no effect is called '{effect}'; `truepose effects` lists them",
+                effect = effect
+            ),
+            Self::NothingToFit => text!(
+                "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
+            ),
+            Self::NotASingleRevoluteJoint(because) => text!(
+                "regional identification is for a single revolute joint; {because}",
+                because = because
+            ),
+            Self::Regions(given) => given.says(),
+            Self::Rejected(inner) => inner.says(),
+            Self::Cancelled => text!("the identification was cancelled"),
+        }
+    }
+}
+
+displays_what_it_says!(IdentifyError);
+
+impl std::error::Error for IdentifyError {}
+
+impl From<crate::sessions::division::RegionError> for IdentifyError {
+    fn from(error: crate::sessions::division::RegionError) -> Self {
+        Self::Regions(error)
+    }
+}
+
+impl From<crate::diagnostic::Rejected> for IdentifyError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
+}

@@ -1,0 +1,23 @@
+//! The noise of a session before anything is fitted.
+
+use crate::sessions::Sigma;
+
+use super::problem::Problem;
+
+/// Noise where nobody says, mm: what a tracker has.
+pub(super) const USUAL_NOISE_MM: f64 = 0.05;
+
+/// Variance of a coordinate of weight one, where the instrument's maker says.
+pub(super) fn stated_variance(problem: &Problem) -> Option<f64> {
+    if let Some(layer) = &problem.observed {
+        return Some(layer.unit_mm * layer.unit_mm);
+    }
+    problem
+        .session
+        .instrument
+        .sigma_mm
+        .map(|sigma| match sigma {
+            Sigma::Overall(sigma) => sigma * sigma,
+            Sigma::PerAxis(_) => 1.0,
+        })
+}

@@ -1,0 +1,126 @@
+//! What a column of a foreign table is.
+
+use crate::importers::turns::Turn;
+use crate::sessions::columns::{Heading, Quantity, Unit};
+use std::fmt;
+
+use super::turns::turn;
+
+/// What a column is for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Role {
+    /// The measured point's name.
+    Point,
+    /// The group that the point's name is in.
+    Group,
+    /// A quantity of a session, in this unit; `None` where the heading does not say.
+    Known(Quantity, Option<Unit>),
+    /// A time in a unit of so many seconds.
+    Time(f64),
+    /// The measured position of a joint itself, in rad or mm; joints count from 0.
+    Axis(usize),
+    /// One of the three angles (or parts of the rotation vector) of a measured orientation, in this
+    /// unit; `None` where the heading does not say.
+    Turn(Turn, Option<Unit>),
+    /// Kept and ignored.
+    Kept,
+    /// Not even kept.
+    Left,
+}
+
+impl Role {
+    /// Whether its cells are numbers.
+    pub(crate) fn is_number(self) -> bool {
+        match self {
+            Self::Known(quantity, _) => !matches!(
+                quantity,
+                Quantity::Target
+                    | Quantity::Setup
+                    | Quantity::Use
+                    | Quantity::Anchor
+                    | Quantity::Station
+                    | Quantity::Plane
+                    | Quantity::Socket
+                    | Quantity::Direction(_)
+            ),
+            Self::Time(_) | Self::Turn(..) => true,
+            _ => false,
+        }
+    }
+
+    /// The quantity, where it is one.
+    pub(crate) fn quantity(self) -> Option<Quantity> {
+        match self {
+            Self::Known(quantity, _) => Some(quantity),
+            Self::Time(_) => Some(Quantity::Time),
+            _ => None,
+        }
+    }
+
+    /// Reads a word of `--columns`: a session's heading, with or without its unit, `name`, `group`,
+    /// or `-`.
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
+        match word {
+            "" | "-" => return Some(Self::Left),
+            "name" | "point" => return Some(Self::Point),
+            "group" => return Some(Self::Group),
+            "time" => return Some(Self::Time(1.0)),
+            _ => {}
+        }
+        if let Heading::Known(quantity, unit) = Heading::read(word) {
+            return Some(known(quantity, Some(unit)));
+        }
+        if let Some(role) = role_of_word(word) {
+            return Some(role);
+        }
+        // The same heading with a unit added is known: only the unit is missing.
+        ["mm", "deg"].iter().find_map(|unit| {
+            let full = if word.starts_with("speed") {
+                format!("{word}_{unit}_s")
+            } else {
+                format!("{word}_{unit}")
+            };
+            match Heading::read(&full) {
+                Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
+                Heading::Unknown { .. } => None,
+            }
+        })
+    }
+}
+
+pub(super) fn known(quantity: Quantity, unit: Option<Unit>) -> Role {
+    match quantity {
+        Quantity::Time => Role::Time(1.0),
+        _ => Role::Known(quantity, unit),
+    }
+}
+
+/// As `--columns` takes it: `name`, `x_mm`, `q1`, `-`.
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Point => f.write_str("name"),
+            Self::Group => f.write_str("group"),
+            Self::Time(_) => f.write_str("time_s"),
+            Self::Axis(_) => f.write_str("position"),
+            Self::Kept | Self::Left => f.write_str("-"),
+            Self::Known(quantity, unit) => f.write_str(&quantity.heading(*unit)),
+            Self::Turn(turn, unit) => f.write_str(&super::turns::word(*turn, *unit)),
+        }
+    }
+}
+
+/// A word of `--columns`: `rx`, `ry_deg`, `euler1_rad`.
+pub(crate) fn role_of_word(word: &str) -> Option<Role> {
+    let (name, unit) = match word.rsplit_once('_') {
+        None => (word, None),
+        Some((name, "deg")) => (name, Some(Unit::Angle(1.0_f64.to_radians()))),
+        Some((name, "rad")) => (name, Some(Unit::Angle(1.0))),
+        Some(_) => return None,
+    };
+    let known = matches!(name, "rx" | "ry" | "rz" | "euler1" | "euler2" | "euler3");
+    known
+        .then(|| turn(&[name]))
+        .flatten()
+        .map(|turn| Role::Turn(turn, unit))
+}

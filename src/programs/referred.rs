@@ -1,0 +1,202 @@
+//! Frames and tools as a program names them: which are declared, and which a pose refers to.
+
+use crate::kinematics::Pose;
+use crate::kinematics::inverse::Goal;
+use crate::text::Text;
+use nalgebra::UnitQuaternion;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What a motion, or a position, says of its frame or tool.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub(super) enum Referred {
+    /// Nothing.
+    #[default]
+    Unsaid,
+    /// The one of this name, in small letters.
+    Named(Arc<str>),
+    /// One that is chosen at run time, in words.
+    Unknown(Text),
+}
+
+impl Referred {
+    pub(super) fn named(spelled: impl AsRef<str>) -> Self {
+        Self::Named(spelled.as_ref().to_lowercase().into())
+    }
+
+    /// Whether it has this name, whatever its capitals.
+    pub(super) fn is(&self, name: &str) -> bool {
+        *self == Self::named(name)
+    }
+}
+
+impl std::fmt::Display for Referred {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Unsaid => f.write_str("none"),
+            Self::Named(says) => f.write_str(says),
+            Self::Unknown(says) => std::fmt::Display::fmt(says, f),
+        }
+    }
+}
+
+/// The frame and the tool of a motion.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Way {
+    pub(super) frame: Referred,
+    pub(super) tool: Referred,
+}
+
+/// Every frame and tool that motions of a program have, each pair once.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct AllWays {
+    pub(super) all: Vec<Way>,
+    pub(super) index: BTreeMap<Way, u32>,
+}
+
+impl AllWays {
+    /// The number of a frame and a tool.
+    pub(super) fn of(&mut self, way: Way) -> u32 {
+        if let Some(index) = self.index.get(&way) {
+            return *index;
+        }
+        let index = u32::try_from(self.all.len()).unwrap_or(u32::MAX);
+        self.index.insert(way.clone(), index);
+        self.all.push(way);
+        index
+    }
+
+    pub(super) fn get(&self, index: u32) -> &Way {
+        &self.all[index as usize]
+    }
+
+    /// Changes the tool of every motion.
+    pub(super) fn set_tools(&mut self, tool: &Referred) {
+        for way in &mut self.all {
+            way.tool = tool.clone();
+        }
+    }
+}
+
+/// In which ways motions go to a target: the first two that differ tell whether it is one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Ways(pub(super) [Option<u32>; 2]);
+
+impl Ways {
+    pub(super) fn add(&mut self, way: u32) {
+        match self.0 {
+            [None, _] => self.0[0] = Some(way),
+            [Some(first), None] if first != way => self.0[1] = Some(way),
+            _ => {}
+        }
+    }
+
+    pub(super) fn join(&mut self, other: Self) {
+        for way in other.0.into_iter().flatten() {
+            self.add(way);
+        }
+    }
+
+    pub(super) fn iter(self) -> impl Iterator<Item = u32> {
+        self.0.into_iter().flatten()
+    }
+}
+
+/// A frame or a tool that the file declares: where, and its pose (in the base, on the flange) or why that
+/// is not known.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Declared {
+    pub(super) at: usize,
+    pub(super) pose: Result<Pose, Text>,
+    /// Mass of a tool that is declared with one, kg.
+    pub(super) mass_kg: Option<f64>,
+    /// Whether it is the language's own name for "none": it says nothing.
+    pub(super) is_none: bool,
+}
+
+/// Frames or tools by their names in small letters.
+pub(super) type Names = BTreeMap<String, Declared>;
+
+/// Keeps a declaration; of a name that is declared twice differently nothing is known.
+pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<Pose, Text>) {
+    names
+        .entry(spelled.to_lowercase())
+        .and_modify(|known| {
+            if known.pose != pose {
+                known.pose = Err(text!(
+                    "{spelled} is declared several times",
+                    spelled = spelled
+                ));
+            }
+        })
+        .or_insert(Declared {
+            at,
+            pose,
+            mass_kg: None,
+            is_none: false,
+        });
+}
+
+/// Declares the language's own name for the flange, or for the base.
+pub(super) fn declare_none(names: &mut Names, spelled: &str) {
+    let none = Declared {
+        at: 0,
+        pose: Ok(Pose::identity()),
+        mass_kg: None,
+        is_none: true,
+    };
+    names.insert(spelled.to_lowercase(), none);
+}
+
+/// How the pose of a target is to be read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Placement {
+    pub(super) base_from_frame: Pose,
+    pub(super) tool_from_model: Pose,
+}
+
+/// The same, shared by the targets that are read alike; `None`: in the base, of the model's tool.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Placed(Option<Arc<Placement>>);
+
+impl Placed {
+    pub(super) fn new(placement: Placement) -> Self {
+        let nothing = Placement::stated(None);
+        Self((placement != nothing).then(|| Arc::new(placement)))
+    }
+
+    pub(super) fn get(&self) -> Placement {
+        self.0
+            .as_deref()
+            .copied()
+            .unwrap_or_else(|| Placement::stated(None))
+    }
+
+    /// Where a pose of the file puts the model's tool, in the robot's base.
+    pub(super) fn goal(&self, written: &Goal) -> Goal {
+        let rotation = written.rotation.unwrap_or_else(UnitQuaternion::identity);
+        let pose = Pose::from_parts(written.position_mm.coords.into(), rotation);
+        let placement = self.get();
+        let pose = placement.base_from_frame * pose * placement.tool_from_model;
+        Goal {
+            position_mm: pose.translation.vector.into(),
+            rotation: written.rotation.map(|_| pose.rotation),
+        }
+    }
+
+    /// What the file writes for a pose of the model's tool in the robot's base.
+    pub(super) fn written(&self, pose: &Pose) -> Pose {
+        let placement = self.get();
+        placement.base_from_frame.inverse() * pose * placement.tool_from_model.inverse()
+    }
+}
+
+impl Placement {
+    /// In the frame that the caller states, of the model's tool.
+    pub(super) fn stated(frame: Option<Pose>) -> Self {
+        Self {
+            base_from_frame: frame.unwrap_or_else(Pose::identity),
+            tool_from_model: Pose::identity(),
+        }
+    }
+}

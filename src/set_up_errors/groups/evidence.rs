@@ -1,0 +1,36 @@
+//! How sure it is that a group of samples is elsewhere.
+
+use crate::text::Text;
+
+/// The logarithm by which a place that is elsewhere has to make the samples likelier.
+pub(super) const EVIDENCE: f64 = 30.0;
+
+/// … and the share of the error that it has to leave.
+pub(super) const LEAVES: f64 = 0.6;
+
+/// How much likelier samples are of which so many leave less, beside more numbers.
+pub(super) fn evidence(
+    samples: usize,
+    axes: usize,
+    before_mm: f64,
+    after_mm: f64,
+    numbers: usize,
+) -> f64 {
+    let rows = (samples * axes) as f64;
+    let gain = rows * (before_mm / after_mm.max(1e-9)).max(1e-9).ln();
+    gain - 0.5 * numbers as f64 * rows.max(2.0).ln()
+}
+
+/// Whether that is enough for belief, where no more than this share of the error may be left.
+pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: f64) -> bool {
+    evidence > EVIDENCE && after_mm < leaves * before_mm
+}
+
+pub(super) fn in_numbers(before_mm: f64, after_mm: f64, evidence: f64) -> Text {
+    text!(
+        "the base model leaves {before} mm as it stands and {after} mm with the place free; e^{evidence} times likelier",
+        before = format!("{before_mm:.3}"),
+        after = format!("{after_mm:.3}"),
+        evidence = format!("{evidence:.0}")
+    )
+}

@@ -1,0 +1,14 @@
+//! Why there is no simulated session.
+
+use crate::diagnostic::Rejected;
+
+/// Why there is no session.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SimulateError {
+    /// The scenario makes no sense.
+    #[error("{0}")]
+    Rejected(#[from] Rejected),
+    /// Whoever watched wanted no more.
+    #[error("the simulation was stopped")]
+    Stopped,
+}
