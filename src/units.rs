@@ -6,6 +6,8 @@
 
 use std::f64::consts::PI;
 
+use serde::{Deserialize, Serialize};
+
 /// A longer length, mm, is none of a robot or of what measures it.
 pub(crate) const LARGEST_LENGTH_MM: f64 = 1e7;
 /// A larger value of a joint, in degrees or mm, is none.
@@ -14,6 +16,39 @@ pub(crate) const LARGEST_JOINT_VALUE: f64 = 1e6;
 pub(crate) const LARGEST_MASS_KG: f64 = 1e6;
 /// A larger time, s, is none: a clock that counts nanoseconds from 1970 stays below it.
 pub(crate) const LARGEST_TIME_S: f64 = 1e20;
+
+/// Unit of lengths for a reader.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum LengthUnit {
+    /// 1 mm.
+    #[default]
+    Millimetre,
+    /// 0.001 mm.
+    Micrometre,
+    /// 25.4 mm.
+    Inch,
+}
+
+impl LengthUnit {
+    /// A length in this unit.
+    pub(crate) fn of_mm(self, mm: f64) -> f64 {
+        match self {
+            Self::Millimetre => mm,
+            Self::Micrometre => mm * 1000.0,
+            Self::Inch => mm / 25.4,
+        }
+    }
+
+    /// Its sign.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Micrometre => "µm",
+            Self::Inch => "in",
+        }
+    }
+}
 
 /// Degrees to radians.
 #[inline]

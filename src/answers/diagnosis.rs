@@ -6,6 +6,7 @@ use crate::model::shapes::{Shape, Where};
 use crate::model::{Calibration, GapStep, Model, SetUp};
 use crate::sessions::{Mend, Session};
 use crate::text::{Template, Text};
+use crate::text::{length, lengths};
 
 use super::identification::{Estimate, Identification, Outlier};
 use super::limits::Limit;
@@ -198,10 +199,9 @@ impl Unnamed {
     /// In words.
     pub fn says(&self) -> Text {
         text!(
-            "{size} mm that no name is proven for predict unseen poses all the same and are in the model: cross-validated {without} → {with} mm, over {over}; outside the measured range they fade to nothing",
-            size = format!("{:.4}", self.rms_mm),
-            without = format!("{:.4}", self.held_out_mm[0]),
-            with = format!("{:.4}", self.held_out_mm[1]),
+            "{size} that no name is proven for predict unseen poses all the same and are in the model: cross-validated {change}, over {over}; outside the measured range they fade to nothing",
+            size = length(self.rms_mm, 4),
+            change = lengths([self.held_out_mm[0], self.held_out_mm[1]], 4),
             over = Text::listed(&self.over, ", ")
         )
     }

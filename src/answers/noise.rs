@@ -3,6 +3,7 @@
 
 use crate::sessions::{Session, Sigma};
 use crate::text::Text;
+use crate::text::length;
 
 /// Share of the probability (a log-likelihood while they are compared), time constant in seconds, and
 /// variances of the slow part in units of the white one's.
@@ -112,9 +113,9 @@ pub struct Slow {
 impl Slow {
     /// In words, where everything that has a name is in the model.
     pub fn says(&self) -> Text {
-        let [size, time] = self.extent();
+        let (size, time) = self.extent();
         text!(
-            "the measuring frame wanders by {size} mm (root mean square) within {time} min",
+            "the measuring frame wanders by {size} (root mean square) within {time} min",
             size = size,
             time = time
         )
@@ -122,19 +123,19 @@ impl Slow {
 
     /// In words, where the model may lack what changes with time as the poses do.
     pub fn says_of_remaining_error(&self) -> Text {
-        let [size, time] = self.extent();
+        let (size, time) = self.extent();
         text!(
-            "a part of the remaining error goes on from sample to sample, {size} mm (root mean square) within {time} min: a diagnosis looks for effects in it",
+            "a part of the remaining error goes on from sample to sample, {size} (root mean square) within {time} min: a diagnosis looks for effects in it",
             size = size,
             time = time
         )
     }
 
     /// How far it wanders, mm, and in which time, min.
-    fn extent(&self) -> [String; 2] {
-        let length = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
+    fn extent(&self) -> (Text, String) {
+        let wanders_mm = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
         let minutes = self.time_constant_s / 60.0;
-        [format!("{length:.4}"), format!("{minutes:.1}")]
+        (length(wanders_mm, 4), format!("{minutes:.1}"))
     }
 }
 
@@ -173,9 +174,9 @@ impl StatedNoise {
     pub fn says(&self) -> Text {
         let times = self.found_mm / self.stated_mm;
         text!(
-            "σ = {found} mm as found, {stated} mm as stated for the instrument ({times} times)",
-            found = format!("{:.4}", self.found_mm),
-            stated = format!("{:.4}", self.stated_mm),
+            "σ = {found} as found, {stated} as stated for the instrument ({times} times)",
+            found = length(self.found_mm, 4),
+            stated = length(self.stated_mm, 4),
             times = format!("{times:.2}")
         )
     }

@@ -2,6 +2,7 @@
 //! calibration that does on the very session that it came from what was said of it.
 
 use crate::text::Text;
+use crate::text::length;
 use std::ops::Deref;
 use std::path::Path;
 
@@ -59,25 +60,25 @@ impl NotHandedOut {
     pub fn says(&self) -> Text {
         match self {
             Self::OtherThanSaid { found_mm, said_mm } => text!(
-                "on the session that it came from the model leaves an RMS error of {found_mm} mm, and {said_mm} mm was said: it is not written",
-                found_mm = format!("{:.6}", found_mm),
-                said_mm = format!("{:.6}", said_mm)
+                "on the session that it came from the model leaves an RMS error of {found_mm}, and {said_mm} was said: it is not written",
+                found_mm = length(found_mm, 6),
+                said_mm = length(said_mm, 6)
             ),
             Self::WorseThanNominal {
                 found_mm,
                 nominal_mm,
             } => text!(
-                "on the session that it came from the model leaves an RMS error of {found_mm} mm, and the nominal robot {nominal_mm} mm: it is not written",
-                found_mm = format!("{:.6}", found_mm),
-                nominal_mm = format!("{:.6}", nominal_mm)
+                "on the session that it came from the model leaves an RMS error of {found_mm}, and the nominal robot {nominal_mm}: it is not written",
+                found_mm = length(found_mm, 6),
+                nominal_mm = length(nominal_mm, 6)
             ),
             Self::WorseThanIdentified {
                 said_mm,
                 identified_mm,
             } => text!(
-                "the model leaves an RMS error of {said_mm} mm, and the identification that it began with {identified_mm} mm: it is not written",
-                said_mm = format!("{:.6}", said_mm),
-                identified_mm = format!("{:.6}", identified_mm)
+                "the model leaves an RMS error of {said_mm}, and the identification that it began with {identified_mm}: it is not written",
+                said_mm = length(said_mm, 6),
+                identified_mm = length(identified_mm, 6)
             ),
             Self::PredictsNothing(given) => text!(
                 "the model predicts no position at joint values {values} (rad, mm): it is not written",

@@ -11,6 +11,7 @@ use crate::effects::{Inputs, JointFrame, called};
 use crate::lanes::{dot, minus};
 use crate::model::{Calibration, Model};
 use crate::text::Text;
+use crate::text::length;
 
 use super::plan::Compensation;
 
@@ -61,17 +62,17 @@ impl Remainder {
     /// The whole in one sentence per effect, largest first.
     pub fn says(&self) -> Vec<Text> {
         let share = |s: &Share| {
-            let (effect, left) = (called(s.effect), format!("{:.4}", s.rms_mm));
+            let (effect, left) = (called(s.effect), length(s.rms_mm, 4));
             match s.joint {
                 Some(joint) => text!(
-                    "{effect} of joint {joint} leaves {left} mm: {remedy}",
+                    "{effect} of joint {joint} leaves {left}: {remedy}",
                     effect = effect,
                     joint = joint,
                     left = left,
                     remedy = &s.remedy
                 ),
                 None => text!(
-                    "{effect} leaves {left} mm: {remedy}",
+                    "{effect} leaves {left}: {remedy}",
                     effect = effect,
                     left = left,
                     remedy = &s.remedy

@@ -5,6 +5,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::model::Calibration;
 use crate::sessions::Session;
 use crate::text::Text;
+use crate::text::length;
 
 /// More than this share of the samples is more than accidents.
 const MOST_SHARE: f64 = 0.02;
@@ -67,10 +68,10 @@ pub(super) fn findings(
             problem(
                 text!("{name} is elsewhere than the model has it", name = name),
                 text!(
-                    "{inside} of its {all} samples are suspected, with an RMS error of {error} mm",
+                    "{inside} of its {all} samples are suspected, with an RMS error of {error}",
                     inside = inside.len(),
                     all = members.len(),
-                    error = format!("{:.3}", far(&inside))
+                    error = length(far(&inside), 3)
                 ),
                 inside,
             );
@@ -89,17 +90,14 @@ pub(super) fn findings(
                 last = last,
                 count = run.len()
             ),
-            text!(
-                "their RMS error is {error} mm",
-                error = format!("{:.3}", far(&run))
-            ),
+            text!("their RMS error is {error}", error = length(far(&run), 3)),
             run,
         );
     }
     if !told && set_aside.len() as f64 > MOST_SHARE * all.len() as f64 {
         let evidence = text!(
-            "their RMS error is {error} mm, more than {share} % of the samples are among them",
-            error = format!("{:.3}", far(&set_aside)),
+            "their RMS error is {error}, more than {share} % of the samples are among them",
+            error = length(far(&set_aside), 3),
             share = format!("{:.0}", 100.0 * MOST_SHARE)
         );
         let what = text!(

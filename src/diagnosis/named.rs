@@ -3,6 +3,7 @@
 use crate::answers::diagnosis::{Floor, Found};
 use crate::effects::{called, stated};
 use crate::text::Text;
+use crate::text::lengths;
 
 use super::familywise::FamilyP;
 use super::fit::Fit;
@@ -97,10 +98,9 @@ pub(super) fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floo
     };
     match step.held_out_mm {
         Some([without, with]) => text!(
-            "{evidence}; cross-validated RMS error {without} → {with} mm, floor {floor}",
+            "{evidence}; cross-validated RMS error {change}, floor {floor}",
             evidence = evidence,
-            without = format!("{without:.4}"),
-            with = format!("{with:.4}"),
+            change = lengths([without, with], 4),
             floor = format!("{:.4}", floor.mm)
         ),
         None => evidence,

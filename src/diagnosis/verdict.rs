@@ -14,6 +14,7 @@ use crate::distributions::f_tail;
 use crate::effects::called;
 use crate::sessions::Sigma;
 use crate::text::Text;
+use crate::text::length;
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
@@ -111,9 +112,9 @@ fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
     let stated = floor.from != FloorFrom::Estimated;
     (names > 0 && stated && values.noise_is_slow() && over > MOST_OVER_THE_FLOOR).then(|| {
         text!(
-            "the remaining error is {times} times the floor ({floor} mm): the measuring frame wanders, or something changes as slowly",
+            "the remaining error is {times} times the floor ({floor}): the measuring frame wanders, or something changes as slowly",
             times = format!("{over:.2}"),
-            floor = format!("{:.4}", floor.mm)
+            floor = length(floor.mm, 4)
         )
     })
 }
@@ -157,14 +158,14 @@ fn flag(
             }
         )
     } else {
-        let size = format!("{:.4}", floor.mm);
+        let size = length(floor.mm, 4);
         text!(
             "the remaining error is {times} times what {against}, without a structure that the search knows",
             times = times,
             against = if returns {
-                text!("returns to the same pose show ({size} mm)", size = size)
+                text!("returns to the same pose show ({size})", size = size)
             } else {
-                text!("is stated for the instrument ({size} mm)", size = size)
+                text!("is stated for the instrument ({size})", size = size)
             }
         )
     };

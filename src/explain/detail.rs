@@ -1,7 +1,8 @@
 //! How much of an answer is shown, by where.
 
 use crate::present::numbers::{mm, plain};
-use crate::present::units::Units;
+use crate::present::units::{LengthUnit, Units};
+use crate::text::{ByTitles, InUnit};
 
 use super::section::{Block, Fact};
 
@@ -19,6 +20,14 @@ pub(crate) struct Detail {
 }
 
 impl Detail {
+    /// While the answer lives, sentences on this thread have titles for names and this detail's unit of lengths.
+    pub(super) fn speaking(self) -> (ByTitles, InUnit) {
+        let unit = self
+            .units
+            .map_or_else(LengthUnit::default, |units| units.length);
+        (ByTitles::begin(), InUnit::begin(unit))
+    }
+
     /// In the terminal: on one page.
     #[cfg(feature = "cli")]
     pub(crate) const TERMINAL: Self = Self {

@@ -6,11 +6,10 @@ use crate::fit::Identification;
 use crate::language::spoken;
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
-use crate::text::ByTitles;
 
 /// The whole answer, in the order in which it is read.
 pub(crate) fn diagnosis(d: &Diagnosis, detail: Detail) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let mut sections = vec![verdict(d, detail)];
     sections.extend(open::data_problems(&d.data_problems));
     sections.extend(found::effects(d, detail));

@@ -22,7 +22,6 @@ use crate::present::table::Table;
 use crate::sessions::Session;
 #[cfg(feature = "cli")]
 use crate::set_up_errors::DataProblem;
-use crate::text::ByTitles;
 
 /// The whole answer, in the order in which it is read.
 #[cfg(feature = "cli")]
@@ -32,7 +31,7 @@ pub(crate) fn identification(
     data_problems: &[DataProblem],
     detail: Detail,
 ) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let title = if answer.regions.is_empty() {
         say!("Identification, full model")
     } else {
@@ -135,7 +134,7 @@ pub(crate) fn remarks_on_fit(
     session: &Session,
     detail: Detail,
 ) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let not_identifiable = open::not_identifiable(&answer.not_identifiable, detail, usize::MAX);
     let outliers = open::outliers(answer, detail);
     let all = [

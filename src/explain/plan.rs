@@ -11,11 +11,10 @@ use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
 use crate::present::poses::{new_reflectors, table_by_joint};
 use crate::present::table::{Column, Table};
-use crate::text::ByTitles;
 
 /// The whole answer, in the order in which it is read.
 pub(crate) fn plan(plan: &Plan, detail: Detail) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let mut sections = vec![poses(plan, detail)];
     let mut add = |title: &str, facts: Vec<Fact>| {
         if !facts.is_empty() {

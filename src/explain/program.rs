@@ -6,7 +6,7 @@ use crate::language::spoken;
 use crate::present::compensation_v1::{SAID_RAD, Summary};
 use crate::present::names::word;
 use crate::programs::{Answer, Left, Outcome, Written};
-use crate::text::{ByTitles, Text};
+use crate::text::Text;
 
 /// Where something is in the file: line and column, from 1.
 type At = (u64, u64);
@@ -19,7 +19,7 @@ pub(crate) fn program(
     most: usize,
     detail: Detail,
 ) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let summary = Summary::new(answer);
     let title = say!(
         "{corrected} of {all} targets corrected",

@@ -6,7 +6,7 @@ use crate::compensation::Remainder;
 use crate::export::Export;
 use crate::fit::gap::Spread;
 use crate::present::numbers::with_minus_signs;
-use crate::text::{ByTitles, Text};
+use crate::text::Text;
 
 /// An export with what it is held against.
 #[derive(Debug, Clone, Copy)]
@@ -23,7 +23,7 @@ pub(crate) struct Exported<'a> {
 
 /// What it leaves, what its numbers mean, what else there is to know.
 pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let mut sections: Vec<Section> = leaves(of, detail).into_iter().collect();
     let meaning: Vec<String> = of
         .export

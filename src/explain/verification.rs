@@ -3,11 +3,10 @@
 use super::detail::to_the_nanometre as length;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
-use crate::text::ByTitles;
 
 /// The figures, what is wrong with the samples, suspected outliers, notes.
 pub(crate) fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
-    let _by_titles = ByTitles::begin();
+    let _speaking = detail.speaking();
     let figures = errors(v, detail).into_iter().chain(corrected(v, detail));
     let figures = vec![Block::Facts(figures.collect())];
     let mut sections = vec![Section::new(say!("Held against this session"), figures)];

@@ -15,6 +15,7 @@ use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
 use crate::model::format_v1::model_hash;
+use crate::text::length;
 use crate::text::{Template, Text};
 
 /// Less than this is nothing, mm.
@@ -215,11 +216,11 @@ fn sidecar<'a>(
     let nominal = &calibration.model.robot;
     let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
     let mut notes = vec![text!(
-        "this robot carries {level}; it is {rms} mm from the model over the measured range (largest {largest}), the nominal one {nominal} mm (root mean square)",
+        "this robot carries {level}; it is {rms} from the model over the measured range (largest {largest}), the nominal one {nominal} (root mean square)",
         level = written.level.says(),
-        rms = format!("{:.4}", leaves.rms_mm),
-        largest = format!("{:.4}", leaves.max_mm),
-        nominal = format!("{:.4}", leaves.nominal_rms_mm)
+        rms = length(leaves.rms_mm, 4),
+        largest = length(leaves.max_mm, 4),
+        nominal = length(leaves.nominal_rms_mm, 4)
     )];
     notes.extend(written.notes.iter().cloned());
     let [base_link, tip_link] = match &written.ends {
@@ -301,10 +302,10 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
             )
         } else {
             text!(
-                "{effect} has no place in {file}: it leaves {left} mm",
+                "{effect} has no place in {file}: it leaves {left}",
                 effect = name(term),
                 file = title,
-                left = format!("{mm:.4}")
+                left = length(mm, 4)
             )
         }
     };

@@ -14,6 +14,7 @@
 //!
 //! Sources: Denavit & Hartenberg 1955; Hayati & Mirmirani 1985.
 
+use crate::text::length;
 use super::chain::Chain;
 use super::description::{Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
@@ -66,15 +67,15 @@ impl Exporter for Dh {
         let mut cannot_say = Vec::new();
         let far_mm = chain.farthest(job, &robot);
         if far_mm > FOUND_MM {
-            let far = format!("{far_mm:.4}");
+            let far = length(far_mm, 4);
             cannot_say.push(if parallels.is_empty() {
                 text!(
-                    "no rows were found that say all of this robot: {far} mm remain at most over the measured range",
+                    "no rows were found that say all of this robot: {far} remain at most over the measured range",
                     far = far
                 )
             } else {
                 text!(
-                    "rows cannot say how parallel axes are turned against each other about y (joints {joints}): {far} mm remain at most over the measured range",
+                    "rows cannot say how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
                     joints = Text::listed(parallels, ", "),
                     far = far
                 )

@@ -12,6 +12,7 @@ use super::sheet::Sheet;
 use super::{ExportError, Job, knots};
 use crate::compensation::JointTable;
 use crate::text::Text;
+use crate::text::length;
 
 /// Round steps, degrees or mm.
 const ROUND: [f64; 13] = [
@@ -120,19 +121,19 @@ pub(super) fn directions(
     }
     let unit = exact.table.kind.sign();
     let says = text!(
-        "the corrections of the two directions differ by up to {apart} (backlash), and {format} holds one for both: their mean leaves {leaves} mm",
+        "the corrections of the two directions differ by up to {apart} (backlash), and {format} holds one for both: their mean leaves {leaves}",
         apart = format!("{apart:.5}{unit}"),
         format = rules.title(),
-        leaves = format!("{leaves:.4}")
+        leaves = length(leaves, 4)
     );
     if leaves <= allowance.mm {
         return Ok(Some(says));
     }
     Err(ExportError::Refused(text!(
-        "{says}, more than {allowed} ({limit} mm); {instead}",
+        "{says}, more than {allowed} ({limit}); {instead}",
         says = says,
         allowed = allowance.is,
-        limit = format!("{:.4}", allowance.mm),
+        limit = length(allowance.mm, 4),
         instead = instead
     )))
 }

@@ -1,6 +1,7 @@
 //! What an exporter is given, and why it makes nothing.
 
 use crate::compensation::{Conditions, JointTable, TableError, VerifiedCalibration};
+use crate::text::length;
 use crate::text::{Template, Text};
 
 use super::options::Options;
@@ -78,11 +79,11 @@ impl ExportError {
                 before_mm,
                 after_mm,
             } => text!(
-                "with this {what} the RMS error of '{session}' would rise from {before_mm} to {after_mm} mm: nothing is written",
+                "with this {what} the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
                 what = what,
                 session = session,
-                before_mm = format!("{:.6}", before_mm),
-                after_mm = format!("{:.6}", after_mm)
+                before_mm = length(before_mm, 6),
+                after_mm = length(after_mm, 6)
             ),
             Self::ReadBack(what) => text!(
                 "the file does not read back as it should: {what}",

@@ -21,6 +21,7 @@ use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::Calibration;
+use crate::text::length;
 use crate::text::{Template, Text};
 
 /// What a table may add.
@@ -233,11 +234,11 @@ impl Left {
     /// In words.
     pub fn says(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> Text {
         let (entries, allowed) = (sheet.places.len(), self.allowance.is);
-        let added = format!("{:.5}", self.added_rms_mm);
-        let limit = format!("{:.5}", self.allowance.mm);
+        let added = length(self.added_rms_mm, 5);
+        let limit = length(self.allowance.mm, 5);
         let adds = if self.met() {
             text!(
-                "its {entries} entries add {added} mm, less than {allowed} ({limit} mm)",
+                "its {entries} entries add {added}, less than {allowed} ({limit})",
                 entries = entries,
                 added = added,
                 allowed = allowed,
@@ -245,7 +246,7 @@ impl Left {
             )
         } else if asked {
             text!(
-                "its {entries} entries add {added} mm, more than {allowed} ({limit} mm): the step is wide",
+                "its {entries} entries add {added}, more than {allowed} ({limit}): the step is wide",
                 entries = entries,
                 added = added,
                 allowed = allowed,
@@ -254,7 +255,7 @@ impl Left {
         } else {
             let step = rules.resolution.unwrap_or(0.0);
             text!(
-                "its {entries} entries add {added} mm, more than {allowed} ({limit} mm): {format} takes at most {most} entries in steps of {step}",
+                "its {entries} entries add {added}, more than {allowed} ({limit}): {format} takes at most {most} entries in steps of {step}",
                 entries = entries,
                 added = added,
                 allowed = allowed,
@@ -266,9 +267,9 @@ impl Left {
         };
         match self.gap_mm {
             Some([with, exact]) => text!(
-                "with this table the controller leaves {with} mm over the measured range, where an exact correction leaves {exact} mm; {adds}",
-                with = format!("{with:.4}"),
-                exact = format!("{exact:.4}"),
+                "with this table the controller leaves {with} over the measured range, where an exact correction leaves {exact}; {adds}",
+                with = length(with, 4),
+                exact = length(exact, 4),
                 adds = adds
             ),
             None => adds,

@@ -19,6 +19,7 @@ mod calibration;
 
 use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 
+use crate::text::length;
 use super::chain::{Chain, apart, rms};
 use super::description::{Written, finish};
 use super::names::Names;
@@ -94,8 +95,8 @@ impl Exporter for LeRobot {
         let all = Compensation::new(job.calibration).robot;
         let alone = rms(&apart(job, &all, &nominal.rehomed(&chain.taken)));
         notes.push(text!(
-            "the calibration by itself, with the nominal URDF, leaves {left} mm over the measured range (level: zeros)",
-            left = format!("{alone:.4}")
+            "the calibration by itself, with the nominal URDF, leaves {left} over the measured range (level: zeros)",
+            left = length(alone, 4)
         ));
         let names = Names::new(&chain.robot);
         let text = urdf::write(job, &chain, &names);

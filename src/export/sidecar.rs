@@ -14,6 +14,7 @@ use crate::document::number::hexadecimal;
 use crate::document::{Value, object, text_of};
 use crate::model::format_v1::model_hash;
 use crate::text::Text;
+use crate::text::length;
 
 pub(super) struct Sidecar<'a> {
     pub(super) job: &'a Job<'a>,
@@ -130,8 +131,8 @@ impl Sidecar<'_> {
         notes.extend(self.rules.label.map(Text::from));
         notes.extend(self.sheet.notes.iter().cloned());
         notes.push(text!(
-            "no joint removes {size} mm (root mean square over the measured range)",
-            size = format!("{:.4}", remainder.rms_mm)
+            "no joint removes {size} (root mean square over the measured range)",
+            size = length(remainder.rms_mm, 4)
         ));
         notes.extend(remainder.says());
         notes

@@ -18,6 +18,7 @@ use crate::lanes::dot;
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
 use crate::text::Text;
+use crate::text::length;
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
@@ -206,10 +207,10 @@ fn beside_uniform(
 ) -> Result<Text, IdentifyError> {
     let uniform = identify_regional(session, &RegionChoice::Uniform(number), values)?;
     Ok(text!(
-        "{number} adaptive regions leave {adaptive} mm, {number} uniform ones {uniform} mm; an effect that explains the whole range is the better answer: try the exact method first",
+        "{number} adaptive regions leave {adaptive}, {number} uniform ones {uniform}; an effect that explains the whole range is the better answer: try the exact method first",
         number = number,
-        adaptive = format!("{adaptive_mm:.4}"),
-        uniform = format!("{:.4}", uniform.gap.after.rms_mm)
+        adaptive = length(adaptive_mm, 4),
+        uniform = length(uniform.gap.after.rms_mm, 4)
     ))
 }
 

@@ -143,6 +143,7 @@ impl App {
     /// Shows everything and does what was asked for.
     pub fn show(&mut self, ui: &mut Ui) {
         self.speak();
+        let _unit = crate::text::InUnit::begin(self.workbench.units().length);
         if let Some(path) = self.first.take() {
             self.workbench.execute(Command::OpenFile(path));
         }

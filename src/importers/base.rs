@@ -1,6 +1,7 @@
 //! Brings measured points into the base frame, and says how well.
 
 use crate::text::Text;
+use crate::text::length;
 use std::collections::BTreeSet;
 
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
@@ -167,9 +168,9 @@ impl Job<'_> {
     pub(crate) fn say_alignment(&mut self, alignment: &Alignment, place: &Place) {
         let kept = alignment.residuals.len() - alignment.outliers().count();
         let mut said = text!(
-            "brought into the base frame by {kept} reference points, which fit with {rms_mm} mm (root mean square)",
+            "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
             kept = kept,
-            rms_mm = format!("{:.4}", alignment.rms_mm)
+            rms_mm = length(alignment.rms_mm, 4)
         );
         if self.settings.scale {
             said += text!(
@@ -199,9 +200,9 @@ impl Job<'_> {
         self.said.push(said);
         for outlier in alignment.outliers() {
             let found = text!(
-                "reference point {outlier} is {norm} mm off: left out of the alignment",
+                "reference point {outlier} is {norm} off: left out of the alignment",
                 outlier = quoted(&outlier.name),
-                norm = format!("{:.3}", outlier.vector_mm.norm())
+                norm = length(outlier.vector_mm.norm(), 3)
             );
             self.left_out(place.clone(), found);
         }

@@ -14,6 +14,7 @@ use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit, check_joint};
+use crate::text::length;
 
 impl Job<'_> {
     /// Adds the commands.
@@ -217,11 +218,11 @@ impl Job<'_> {
         let clock = done.clock;
         let said = match clock.ci95_s() {
             Some([from, to]) => text!(
-                "the clocks are {offset} s apart (command less measurement; 95 % confidence interval [{from}, {to}], {left} mm left)",
+                "the clocks are {offset} s apart (command less measurement; 95 % confidence interval [{from}, {to}], {left} left)",
                 offset = format!("{:+.6}", clock.offset_s),
                 from = format!("{from:+.6}"),
                 to = format!("{to:+.6}"),
-                left = format!("{:.3}", clock.rms_mm)
+                left = length(clock.rms_mm, 3)
             ),
             None => text!(
                 "the clocks are {offset} s apart, as was said",

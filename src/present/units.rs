@@ -8,20 +8,8 @@ use super::numbers::{
 use crate::fit::Estimate;
 use crate::importers::units::{Word, word};
 use crate::sessions::columns::Unit;
+pub(crate) use crate::units::LengthUnit;
 use crate::units::{deg_from_rad, rad_from_deg};
-
-/// Unit of lengths on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum LengthUnit {
-    /// 1 mm.
-    #[default]
-    Millimetre,
-    /// 0.001 mm.
-    Micrometre,
-    /// 25.4 mm.
-    Inch,
-}
 
 /// Unit of angles on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -47,25 +35,15 @@ pub(crate) struct Units {
     pub angle: AngleUnit,
 }
 
-const MM_PER_INCH: f64 = 25.4;
-
 impl Units {
     /// A length in the chosen unit.
     pub(crate) fn length_value(self, mm: f64) -> f64 {
-        match self.length {
-            LengthUnit::Millimetre => mm,
-            LengthUnit::Micrometre => mm * 1000.0,
-            LengthUnit::Inch => mm / MM_PER_INCH,
-        }
+        self.length.of_mm(mm)
     }
 
     /// The unit of lengths.
     pub(crate) fn length_name(self) -> &'static str {
-        match self.length {
-            LengthUnit::Millimetre => "mm",
-            LengthUnit::Micrometre => "µm",
-            LengthUnit::Inch => "in",
-        }
+        self.length.name()
     }
 
     /// An angle in the chosen unit.

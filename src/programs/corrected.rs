@@ -14,6 +14,7 @@ use crate::compensation::pose::{Reached, Tools, commands_for_poses, directions, 
 use crate::effects::Inputs;
 use crate::kinematics::configuration::Statement;
 use crate::kinematics::{JointKind, Pose, Robot};
+use crate::text::length;
 
 use super::answer::{Left, Reason, Written};
 use super::axes::Axes;
@@ -298,8 +299,8 @@ impl Corrector<'_> {
         let turned = self.whole && reached.rotation_rad > REACHED[1] && !reached.damped;
         if off || turned {
             let says = text!(
-                "the real tool does not reach it: {position_mm} mm and {rotation_rad} mrad are left",
-                position_mm = format!("{:.4}", reached.position_mm),
+                "the real tool does not reach it: {position_mm} and {rotation_rad} mrad are left",
+                position_mm = length(reached.position_mm, 4),
                 rotation_rad = format!("{:.4}", 1e3 * reached.rotation_rad)
             );
             return Err(Left::new(Reason::Unreachable, says));

@@ -22,6 +22,7 @@ impl Report {
     /// The report of a model file.
     pub fn of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Self {
         let _by_titles = crate::text::ByTitles::begin();
+        let _unit = crate::text::InUnit::begin(crate::units::LengthUnit::Millimetre);
         let hash = model_hash(calibration);
         let tolerance_mm = extras.details.tolerance_mm.or(calibration.tolerance_mm);
         let mut sections = vec![

@@ -13,6 +13,7 @@ use crate::effects::{JointValues, Setting, Term};
 use crate::kinematics::JointKind;
 use crate::sessions::{Mend, Session};
 use crate::text::Text;
+use crate::text::length;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
@@ -178,16 +179,16 @@ fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> Data
         )
     };
     let as_it_stands = if before.is_finite() {
-        Text::verbatim(format!("{before:.3} mm"))
+        length(before, 3)
     } else {
         text!("far beyond what adjusting could mend")
     };
     DataProblem {
         what,
         evidence: text!(
-            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} mm without the mistake",
+            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} without the mistake",
             before = as_it_stands,
-            after = format!("{after:.3}")
+            after = length(after, 3)
         ),
         proposal: change.proposal.clone(),
         mend: change.mends.first().cloned(),
@@ -241,14 +242,14 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         },
         evidence: if fixed.is_finite() {
             text!(
-                "the median error is {fixed} mm as it stands and {free} mm with the frame fitted",
-                fixed = format!("{fixed:.3}"),
-                free = format!("{:.3}", free.median_mm)
+                "the median error is {fixed} as it stands and {free} with the frame fitted",
+                fixed = length(fixed, 3),
+                free = length(free.median_mm, 3)
             )
         } else {
             text!(
-                "no geometry fits the samples as they stand; with the frame fitted the median error is {free} mm",
-                free = format!("{:.3}", free.median_mm)
+                "no geometry fits the samples as they stand; with the frame fitted the median error is {free}",
+                free = length(free.median_mm, 3)
             )
         },
         proposal: text!(

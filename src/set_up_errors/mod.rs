@@ -28,6 +28,7 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::row_checks;
 use crate::sessions::{Mend, Session};
+use crate::text::length;
 use crate::units::rad_from_deg;
 pub use corrected::Mended;
 
@@ -162,9 +163,9 @@ fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Sessio
     hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
         evidence: text!(
-            "with zero offset and link length fitted the RMS error is {before} mm as it stands and {after} mm without the mistake",
-            before = format!("{gap:.3}"),
-            after = format!("{after:.3}")
+            "with zero offset and link length fitted the RMS error is {before} as it stands and {after} without the mistake",
+            before = length(gap, 3),
+            after = length(after, 3)
         ),
         what: hypothesis.what,
         proposal: hypothesis.proposal,

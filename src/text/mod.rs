@@ -103,6 +103,7 @@ macro_rules! template {
 mod catalogue;
 mod english;
 mod language;
+mod length;
 mod sentence;
 mod speech;
 
@@ -112,6 +113,7 @@ pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
+pub(crate) use length::{InUnit, length, lengths};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use super::english::Template;
 use super::language::Language;
+use super::length::{InUnit, Lengths, unit};
 use super::speech::filled_in;
+use crate::units::LengthUnit;
 
 /// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are nobody's to
 /// translate: a name in a file, what a library or the system reported.
@@ -18,6 +20,7 @@ enum Kind {
     Verbatim(String),
     /// Clauses one after the other.
     Joined(Vec<Text>),
+    Length(Lengths),
     /// What files and commands have an id for, which English says as well, and what other languages call it.
     Named(Box<(String, Text)>),
     /// In a box: findings travel in results, which should be small.
@@ -49,6 +52,10 @@ impl Text {
         Self(Kind::Named(Box::new((id.into(), words.into()))))
     }
 
+    pub(super) fn length(lengths: Lengths) -> Self {
+        Self(Kind::Length(lengths))
+    }
+
     /// One after the other, with this between them.
     pub(crate) fn listed(all: impl IntoIterator<Item = impl Into<Self>>, between: &str) -> Self {
         let mut clauses = Vec::new();
@@ -74,6 +81,7 @@ impl Text {
                 let clauses = clauses.iter();
                 clauses.map(|one| one.said(language, by_titles)).collect()
             }
+            Kind::Length(lengths) => lengths.said(unit()),
             Kind::Named(named) if language == Language::English && !by_titles => named.0.clone(),
             Kind::Named(named) => named.1.said(language, by_titles),
             Kind::Sentence(sentence) => {
@@ -101,7 +109,7 @@ impl Text {
         match &self.0 {
             Kind::Verbatim(text) => text.is_empty(),
             Kind::Joined(clauses) => clauses.iter().all(Self::is_empty),
-            Kind::Named(_) | Kind::Sentence(_) => false,
+            Kind::Length(_) | Kind::Named(_) | Kind::Sentence(_) => false,
         }
     }
 }
@@ -119,7 +127,9 @@ impl fmt::Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Kind::Verbatim(text) => f.pad(text),
-            Kind::Joined(_) | Kind::Named(_) | Kind::Sentence(_) => {
+            Kind::Joined(_) | Kind::Length(_) | Kind::Named(_) | Kind::Sentence(_) => {
+                // Documents have millimetres whatever the reader of this thread chose.
+                let _unit = InUnit::begin(LengthUnit::Millimetre);
                 f.pad(&self.spoken_in(Language::English))
             }
         }

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::NodeT;
 use truepose::gui::Runner;
 
-use crate::window::{Window, copied, into_sight, press, window_of};
+use crate::window::{Window, copied, into_sight, keys, press, window_of};
 
 fn session() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions/lamp-commissioning.json")
@@ -149,4 +150,21 @@ fn terminal_window_report_and_clipboard_say_the_same() {
             assert!(near, "{title}: {size} {value}");
         }
     }
+}
+
+#[test]
+fn a_reader_of_inches_reads_inches_in_every_sentence_of_the_diagnosis() {
+    let mut window = window_of([1280.0, 800.0], Some(session()), Runner::AtOnce);
+    keys(&mut window, Modifiers::COMMAND, Key::Comma);
+    press(&mut window, "inch");
+    press(&mut window, "Done");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    let in_mm = |label: &String| {
+        let mut words = label.split([' ', ',', ';', ')']);
+        words.any(|word| word == "mm") && !label.starts_with("mm")
+    };
+    let found: Vec<String> = labels(&window).into_iter().filter(in_mm).collect();
+    assert!(found.is_empty(), "{found:#?}");
+    assert!(labels(&window).iter().any(|label| label.ends_with(" in")));
 }

@@ -22,6 +22,7 @@ use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
+use crate::text::{length, lengths};
 use crate::units::deg_from_rad;
 
 use super::prepare::Prepared;
@@ -96,9 +97,8 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         let gap = best.held_out(&columns, &folds);
         if gap[1] >= gap[0] {
             return Err(text!(
-                "a smooth curve would not help in the cross-validation ({without} → {with} mm; {how})",
-                without = format!("{:.4}", gap[0]),
-                with = format!("{:.4}", gap[1]),
+                "a smooth curve would not help in the cross-validation ({change}; {how})",
+                change = lengths([gap[0], gap[1]], 4),
                 how = folds.how
             ));
         }
@@ -343,14 +343,14 @@ fn says(curve: &Curve, joint: usize, slides: bool, held_out: [f64; 2], others: &
     }
     if radial > 0.0 {
         parts.push(text!(
-            "up to {size} mm across it, which no table over the joint can correct",
-            size = format!("{radial:.4}")
+            "up to {size} across it, which no table over the joint can correct",
+            size = length(radial, 4)
         ));
     }
     if axial > 0.0 {
         parts.push(text!(
-            "up to {size} mm along its axis, which no table over the joint can correct",
-            size = format!("{axial:.4}")
+            "up to {size} along its axis, which no table over the joint can correct",
+            size = length(axial, 4)
         ));
     }
     let mut curve = text!(
@@ -368,11 +368,10 @@ fn says(curve: &Curve, joint: usize, slides: bool, held_out: [f64; 2], others: &
         );
     }
     let says = text!(
-        "{curve}: {sizes}; held-out gap {without} → {with} mm; outside that range its end values are held and nothing is known; it has no name and no cause",
+        "{curve}: {sizes}; held-out gap {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
         curve = curve,
         sizes = Text::listed(parts, ", "),
-        without = format!("{:.4}", held_out[0]),
-        with = format!("{:.4}", held_out[1])
+        change = lengths([held_out[0], held_out[1]], 4)
     );
     if others.is_empty() {
         says

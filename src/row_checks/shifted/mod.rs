@@ -23,6 +23,7 @@ mod starts;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Inputs, JointValues};
 use crate::sessions::{Mend, Session};
+use crate::text::length;
 
 use super::problem::listed;
 use fitted::{Fitted, fitted};
@@ -200,10 +201,10 @@ impl Found {
         DataProblem {
             what,
             evidence: text!(
-                "{rows} rows are {before} mm from where the robot can be (median) as they are, and {after} mm paired again; e^{evidence} times likelier",
+                "{rows} rows are {before} from where the robot can be (median) as they are, and {after} paired again; e^{evidence} times likelier",
                 rows = rows.len(),
-                before = format!("{:.3}", self.median_mm[0]),
-                after = format!("{:.3}", self.median_mm[1]),
+                before = length(self.median_mm[0], 3),
+                after = length(self.median_mm[1], 3),
                 evidence = format!("{:.0}", self.evidence)
             ),
             proposal,

@@ -1,6 +1,7 @@
 //! How sure it is that a group of samples is elsewhere.
 
 use crate::text::Text;
+use crate::text::length;
 
 /// The logarithm by which a place that is elsewhere has to make the samples likelier.
 pub(super) const EVIDENCE: f64 = 30.0;
@@ -28,9 +29,9 @@ pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: 
 
 pub(super) fn in_numbers(before_mm: f64, after_mm: f64, evidence: f64) -> Text {
     text!(
-        "the base model leaves {before} mm as it stands and {after} mm with the place free; e^{evidence} times likelier",
-        before = format!("{before_mm:.3}"),
-        after = format!("{after_mm:.3}"),
+        "the base model leaves {before} as it stands and {after} with the place free; e^{evidence} times likelier",
+        before = length(before_mm, 3),
+        after = length(after_mm, 3),
         evidence = format!("{evidence:.0}")
     )
 }

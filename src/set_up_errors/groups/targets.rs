@@ -10,6 +10,7 @@ use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::sessions::{Mend, Session};
 use crate::text::Text;
+use crate::text::length;
 
 use super::super::as_it_stands::reach_mm;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
@@ -276,9 +277,9 @@ fn problem(
     let samples = session.samples.target.iter().flatten().enumerate();
     DataProblem {
         what: text!(
-            "target {name} is elsewhere: {size} mm from its stated place in the tool",
+            "target {name} is elsewhere: {size} from its stated place in the tool",
             name = name,
-            size = format!("{size:.3}")
+            size = length(size, 3)
         ),
         evidence,
         proposal: text!(
