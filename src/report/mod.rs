@@ -33,6 +33,7 @@ mod history;
 mod languages;
 mod logo;
 mod parts;
+mod pdf_error;
 mod session;
 mod stages;
 
