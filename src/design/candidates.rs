@@ -6,7 +6,7 @@
 //! before the pose. A new reflector may stand on a bar of at most [`REACH_MM`].
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::search::prepare::Prepared;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::term::travel_of;
 use crate::effects::{Inputs, JointFrame};

@@ -20,8 +20,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::Regression;
+use crate::diagnosis::evidence::Regression;
+use crate::diagnosis::search::prepare::Prepared;
 use crate::effects::Inputs;
 use crate::model::Model;
 use crate::observations::Layer;

@@ -21,8 +21,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::comparison::{Comparison, Field, Prediction, Refit};
-use crate::diagnosis::fit::Fit;
-use crate::diagnosis::other_settings::at_another_setting;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::other_settings::at_another_setting;
 use crate::effects::Term;
 
 /// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are

@@ -5,10 +5,10 @@
 //! rivals).
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::candidates::NotTestable;
-use crate::diagnosis::compatible::compatible;
-use crate::diagnosis::fit::Fit;
-use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::candidates::compatible;
+use crate::diagnosis::candidates::table::NotTestable;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::prepare::Prepared;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;

@@ -12,11 +12,11 @@
 //! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
 
 use crate::answers::pose::to_raw;
-use crate::diagnosis::candidates::NotTestable;
-use crate::diagnosis::fit::Fit;
-use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::candidates::table::NotTestable;
+use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::mean_sigma_mm;
-use crate::diagnosis::testable::not_testable;
+use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
 use crate::effects::{Inputs, called, find};
 use crate::kinematics::Robot;
@@ -92,7 +92,7 @@ pub fn plan_session(
         plan.poses.clone_from(&separation.poses);
         plan.separation = Some(separation);
     } else {
-        let rivals = crate::diagnosis::aliases::open_rivals(regression, fit);
+        let rivals = crate::diagnosis::search::aliases::open_rivals(regression, fit);
         let rivals: Vec<_> = rivals.iter().collect();
         let ids = |terms: &[crate::effects::Term]| {
             terms.iter().map(|t| t.name_on(&session.robot)).collect()

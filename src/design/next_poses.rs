@@ -6,11 +6,12 @@
 //! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
-use crate::diagnosis::conclude::{Proposal, Undecided};
-use crate::diagnosis::fit::Fit;
-use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::rival::{Rival, UNDECIDED};
-use crate::diagnosis::{NextPose, aliases};
+use crate::diagnosis::NextPose;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
+use crate::diagnosis::search::aliases;
+use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 

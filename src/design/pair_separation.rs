@@ -9,9 +9,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::fit::Fit;
-use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::rival::UNDECIDED;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::UNDECIDED;
+use crate::diagnosis::search::prepare::Prepared;
 use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;

@@ -2,7 +2,7 @@
 //! with the place of another one.
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::search::prepare::Prepared;
 use crate::effects::survey::JointSurvey;
 use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;

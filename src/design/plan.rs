@@ -90,7 +90,7 @@ impl Plan {
     /// Detection limits once the poses are measured; what is called degrees is millimetres where
     /// a joint slides.
     pub fn seen_above(&self) -> Vec<SeenAbove> {
-        let one = |limit: &crate::diagnosis::limits::Limit| {
+        let one = |limit: &crate::diagnosis::verdict::limits::Limit| {
             let kind = self.robot.joints[limit.joint.unwrap_or(0)].kind;
             let quantities = find(limit.effect).map(|e| e.about().form);
             let size = |(name, size): &(&'static str, f64)| {

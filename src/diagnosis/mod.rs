@@ -1,18 +1,17 @@
 //! Finding and naming what is missing: where simulation and measurement disagree, which physical
 //! effect does it, how sure that is, and what to measure next where it is not.
 //!
-//! The way, one file for each idea:
+//! The way, one room for each part of it; a room uses only those before it:
 //!
 //! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
 //! 2. `crate::fit::noise`: residuals of the robust base fit, whitened by axis and in time.
 //! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
-//! 4. `familywise`: what the whole search would find in noise alone.
-//! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
-//! 6. `aliases`: rivals that the samples cannot rule out. Poses that can are proposed by a planner
-//!    that the caller hands in ([`crate::pipeline::diagnose`] takes [`crate::design`]'s).
-//! 7. `limits`: what would have been seen, had it been there.
-//! 8. `smooth`: what no name explains, as a correction without a name.
-//! 9. `unnamed`: what predicts unseen poses and has no name, in the model all the same.
+//! 4. `evidence`: what each would do, what the whole search would find in noise alone, and what samples say that
+//!    no fit has seen.
+//! 5. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
+//! 6. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
+//!    that decide between rivals are proposed by a planner that the caller hands in ([`crate::pipeline::diagnose`] takes
+//!    [`crate::design`]'s).
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -23,80 +22,14 @@
     reason = "indices come from small non-negative numbers, simulated residuals are single precision"
 )]
 
-pub(crate) mod aliases;
 pub(crate) mod candidates;
-pub(crate) mod columns;
-mod evidence;
-mod exchanged;
-pub(crate) mod familywise;
-pub(crate) mod limits;
-mod memo;
-mod of_base;
-mod placed;
-pub(crate) mod smooth;
-mod smooth_rival;
-
-mod base_misfit;
-mod beside_fits;
-pub(crate) mod classes;
-pub(crate) mod compatible;
-pub(crate) mod conclude;
-mod equal_steps;
-mod error;
-mod excess;
-mod final_set;
-pub(crate) mod fit;
-mod fitting;
-mod floor;
-mod found;
-mod free_curve;
-mod gross;
-mod handed_out;
-mod held_out;
-mod incomplete;
-mod known_fits;
-mod left_out;
-mod named;
-mod noise_alone;
-mod of_group;
-mod options;
-mod orders;
-pub(crate) mod other_settings;
-mod own_evidence;
-mod placing;
-mod progress;
-mod refine;
-pub(crate) mod regression;
-pub(crate) mod shape_space;
-
-pub(crate) mod prepare;
-pub(crate) mod projected;
-mod remainder;
-mod rescanned;
-pub(crate) mod rival;
-mod robust;
-mod run_away;
-mod score;
-mod scores;
+pub(crate) mod evidence;
 pub(crate) mod search;
-mod selection;
-mod setting;
-mod shapes;
-pub(crate) mod significance;
-mod step_time;
-mod steps;
-pub(crate) mod surroundings;
-pub(crate) mod testable;
-mod thinned;
-mod trials;
-mod unnamed;
-mod unseen;
-mod values;
-mod verdict;
-mod whole_search;
-mod withheld;
-pub(crate) mod work;
-mod worth;
+pub(crate) mod verdict;
+
+mod error;
+mod options;
+mod progress;
 
 pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
@@ -105,13 +38,13 @@ pub use crate::answers::diagnosis::{
 pub use crate::answers::limits::{Limit, Sight};
 pub use crate::answers::pose::NextPose;
 pub use crate::sessions::Mend;
-pub use candidates::Allowed;
-pub(crate) use conclude::Planner;
+pub use candidates::table::Allowed;
 pub use error::DiagnoseError;
 pub use options::Options;
 pub use progress::{Cancelled, Progress, Watch};
-use whole_search::until_stopped;
-pub(crate) use whole_search::{checked, searched};
+use search::until_stopped;
+pub(crate) use search::{checked, searched};
+pub(crate) use verdict::Planner;
 
 use std::cell::Cell;
 
@@ -138,7 +71,7 @@ pub(crate) fn diagnose(
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
     let told = until_stopped(&prepared.regression.work, options, watch);
-    conclude::answer(&mended, &prepared, &found, planner, &told)
+    verdict::answer(&mended, &prepared, &found, planner, &told)
 }
 
 #[cfg(test)]

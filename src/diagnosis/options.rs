@@ -3,7 +3,7 @@
 use crate::effects::JointValues;
 
 use super::DiagnoseError;
-use super::candidates::Allowed;
+use super::candidates::table::Allowed;
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]

@@ -13,13 +13,6 @@ use super::unknown_plane::UNKNOWN_PLANE;
 use super::unknown_socket::UNKNOWN_SOCKET;
 use super::unknown_station::UNKNOWN_STATION;
 use super::unnamed::REST;
-use super::{
-    axis_tilt, axis_wobble, backlash, base_offset, bearing_runout, encoder_eccentricity,
-    encoder_two_cycle, foundation_compliance, frame_drift, frame_shift, gear_transmission_error,
-    instrument_scale, joint_compliance, joint_scale, joint_zero_offset, link_droop, link_length,
-    lost_motion, screw_pitch, thermal_growth, thermal_zero_drift, tool_lateral_offset,
-    tracking_lag, wrist_coupling,
-};
 use crate::text::Text;
 
 /// What people call an effect, or, with its joint counted from 1 behind it, that on a joint (`backlash`,
@@ -43,30 +36,30 @@ pub fn called(name: &str) -> Text {
 
 /// Every effect, in the order in which they act.
 pub const CATALOGUE: &[&Effect] = &[
-    &joint_scale::JOINT_SCALE,
-    &joint_zero_offset::JOINT_ZERO_OFFSET,
-    &encoder_eccentricity::ENCODER_ECCENTRICITY,
-    &encoder_two_cycle::ENCODER_TWO_CYCLE,
-    &gear_transmission_error::GEAR_TRANSMISSION_ERROR,
-    &screw_pitch::SCREW_PITCH,
-    &backlash::BACKLASH,
-    &lost_motion::LOST_MOTION,
-    &tracking_lag::TRACKING_LAG,
-    &thermal_zero_drift::THERMAL_ZERO_DRIFT,
-    &joint_compliance::JOINT_COMPLIANCE,
-    &wrist_coupling::WRIST_COUPLING,
-    &link_length::LINK_LENGTH,
-    &tool_lateral_offset::TOOL_LATERAL_OFFSET,
-    &thermal_growth::THERMAL_GROWTH,
-    &bearing_runout::BEARING_RUNOUT,
-    &axis_wobble::AXIS_WOBBLE,
-    &link_droop::LINK_DROOP,
-    &foundation_compliance::FOUNDATION_COMPLIANCE,
-    &axis_tilt::AXIS_TILT,
-    &base_offset::BASE_OFFSET,
-    &instrument_scale::INSTRUMENT_SCALE,
-    &frame_shift::FRAME_SHIFT,
-    &frame_drift::FRAME_DRIFT,
+    &super::joint_scale::JOINT_SCALE,
+    &super::joint_zero_offset::JOINT_ZERO_OFFSET,
+    &super::encoder_eccentricity::ENCODER_ECCENTRICITY,
+    &super::encoder_two_cycle::ENCODER_TWO_CYCLE,
+    &super::gear_transmission_error::GEAR_TRANSMISSION_ERROR,
+    &super::screw_pitch::SCREW_PITCH,
+    &super::backlash::BACKLASH,
+    &super::lost_motion::LOST_MOTION,
+    &super::tracking_lag::TRACKING_LAG,
+    &super::thermal_zero_drift::THERMAL_ZERO_DRIFT,
+    &super::joint_compliance::JOINT_COMPLIANCE,
+    &super::wrist_coupling::WRIST_COUPLING,
+    &super::link_length::LINK_LENGTH,
+    &super::tool_lateral_offset::TOOL_LATERAL_OFFSET,
+    &super::thermal_growth::THERMAL_GROWTH,
+    &super::bearing_runout::BEARING_RUNOUT,
+    &super::axis_wobble::AXIS_WOBBLE,
+    &super::link_droop::LINK_DROOP,
+    &super::foundation_compliance::FOUNDATION_COMPLIANCE,
+    &super::axis_tilt::AXIS_TILT,
+    &super::base_offset::BASE_OFFSET,
+    &super::instrument_scale::INSTRUMENT_SCALE,
+    &super::frame_shift::FRAME_SHIFT,
+    &super::frame_drift::FRAME_DRIFT,
 ];
 
 /// The form of an effect in which a session shows it on a joint.
@@ -112,16 +105,19 @@ pub fn find(id: &str) -> Option<&'static Effect> {
 
 /// The zero offset of a joint.
 pub fn joint_zero() -> &'static Effect {
-    &joint_zero_offset::JOINT_ZERO_OFFSET
+    &super::joint_zero_offset::JOINT_ZERO_OFFSET
 }
 
 /// The length from a single axis to the tool.
 pub fn tool_radius() -> &'static Effect {
-    &link_length::LINK_LENGTH
+    &super::link_length::LINK_LENGTH
 }
 
 /// The effects that every calibration of a single axis identifies.
-pub const OF_A_SINGLE_AXIS: [&str; 2] = [joint_zero_offset::ABOUT.id, link_length::ABOUT.id];
+pub const OF_A_SINGLE_AXIS: [&str; 2] = [
+    super::joint_zero_offset::ABOUT.id,
+    super::link_length::ABOUT.id,
+];
 
 /// The part of the effect of this name in every calibration; a name that is none has none.
 pub fn role(id: &str) -> Role {

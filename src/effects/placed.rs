@@ -2,7 +2,7 @@
 
 use super::curve::Curve;
 use super::joint_frame::JointFrame;
-use super::unnamed::Rest;
+use super::rest::Rest;
 use std::sync::Arc;
 
 /// A term in its place in a model: what an effect gets to act with.

@@ -16,8 +16,8 @@ use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
 use super::curve::Curve;
+use super::rest::Rest;
 use super::units::Unit;
-use super::unnamed::Rest;
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.

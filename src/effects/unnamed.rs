@@ -19,10 +19,7 @@ use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::LANES;
 
-mod rest;
-
-pub use rest::{Along, Rest, RestError, Wave};
-pub(crate) use rest::{At, UNIT_SAGS, unit_sag};
+use super::rest::{At, Rest};
 
 /// The name under which it is written in models.
 pub const UNNAMED: &str = "unnamed";

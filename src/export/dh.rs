@@ -20,14 +20,14 @@ use super::description::{Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
 
-use super::{Export, ExportError, Exporter, Format, Job};
 use super::exporter::several_joints;
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::document::kinds::{TEXT, VECTOR};
 use crate::document::object::written;
 use crate::document::{Value, degrees, text_of};
 use crate::kinematics::{DhConvention, DhRow, JointKind, Pose, Robot, RobotSource};
-use crate::sessions::format_v1::robot_parts::POSE;
 use crate::sessions::format_v1::robot::outer;
+use crate::sessions::format_v1::robot_parts::POSE;
 use crate::sessions::format_v1::robot_source::DH_ROWS;
 use crate::sessions::parse_robot;
 use crate::text::Text;

@@ -12,10 +12,10 @@
 use super::chain::Chain;
 use super::description::{Level, Written, finish};
 use super::euler::Frame;
+use super::exporter::several_joints;
 use super::options::Zeros;
 use super::steps::{Step, fit, motion, ranges};
 use super::{Export, ExportError, Exporter, Format, Job};
-use super::exporter::several_joints;
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 
 pub(super) const FORMAT: Format = Format {

@@ -15,8 +15,8 @@ use super::description::{Written, finish};
 use super::euler::{three, tidy};
 use super::names::{Names, escaped};
 
-use super::{Export, ExportError, Exporter, Format, Job};
 use super::exporter::several_joints;
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{JointKind, Pose, Robot, robot_from_mjcf};
 
 pub(super) const FORMAT: Format = Format {

@@ -32,6 +32,7 @@ mod fonts;
 mod languages;
 mod logo;
 mod parts;
+mod pdf_error;
 mod session;
 mod stages;
 

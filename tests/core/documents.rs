@@ -470,8 +470,8 @@ fn the_exercises_apply_to_the_sources_as_they_are() {
     for (file, register, line) in [
         (
             "effects/scale_expansion.rs",
-            "effects/mod.rs",
-            "&scale_expansion::SCALE_EXPANSION,",
+            "effects/catalogue.rs",
+            "&super::scale_expansion::SCALE_EXPANSION,",
         ),
         ("export/json.rs", "export/mod.rs", "json,"),
         (
@@ -512,11 +512,11 @@ fn every_constant_that_decides_is_listed_with_its_reason() {
     let rows: Vec<&str> = listed.lines().filter(|l| l.starts_with("| `")).collect();
     assert!(rows.len() > 200, "{} constants", rows.len());
     for (name, value) in [
-        ("diagnosis::search::CHANCE", "0.002"),
-        ("diagnosis::verdict::MOST_OVER_THE_FLOOR", "1.15"),
+        ("diagnosis::search::forward::CHANCE", "0.002"),
+        ("diagnosis::verdict::excess::MOST_OVER_THE_FLOOR", "1.15"),
         ("fit::solver::RANK_TOLERANCE", "1e-11"),
         ("compensation::set_aside::MOST_SHARE", "0.02"),
-        ("set_up_errors::LARGEST_OFFSET_DEG", "45.0"),
+        ("set_up_errors::thresholds::LARGEST_OFFSET_DEG", "45.0"),
     ] {
         let row = format!("| `{name}` | {value} | ");
         assert!(rows.iter().any(|line| line.starts_with(&row)), "{row}");

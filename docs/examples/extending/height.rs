@@ -6,7 +6,8 @@
 //! ```
 
 use super::touch::Touch;
-use crate::effects::places::{Place, unit_normal};
+use crate::effects::Place;
+use crate::effects::places::unit_normal;
 use crate::lanes::dot;
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};

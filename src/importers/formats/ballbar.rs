@@ -9,10 +9,10 @@ use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
-use crate::importers::role::Role;
 use crate::importers::headings::{Words, is_among, understand, words_and_unit};
-use crate::importers::settings::{About, Case};
 use crate::importers::reader::fixed;
+use crate::importers::role::Role;
+use crate::importers::settings::{About, Case};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 

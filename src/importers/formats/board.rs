@@ -19,10 +19,10 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
-use crate::importers::role::Role;
 use crate::importers::headings::{understand, words_and_unit};
-use crate::importers::settings::{About, Case, Known};
 use crate::importers::reader::fixed;
+use crate::importers::role::Role;
+use crate::importers::settings::{About, Case, Known};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};

@@ -3,12 +3,12 @@
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::decimals::shape;
-use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
 use crate::importers::families;
 use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
 use crate::importers::grid::Grid;
-use crate::importers::role::Role;
 use crate::importers::joint_names::understand;
+use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
+use crate::importers::role::Role;
 use crate::importers::settings::{About, Case};
 use crate::sessions::columns::{Heading, Quantity};
 

@@ -8,8 +8,8 @@ use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
 use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::role::Role;
 use crate::importers::joint_names::understand;
+use crate::importers::role::Role;
 use crate::importers::settings::{About, Case};
 use crate::sessions::columns::Quantity;
 

@@ -3,9 +3,9 @@
 
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
+use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{Case, Known};
-use crate::importers::reader::fixed;
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 

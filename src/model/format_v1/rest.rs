@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::curve::LIST;
 use crate::document::object::{At, Object, written};
 use crate::document::{Member, Value};
-use crate::effects::unnamed::{Along, Rest, Wave};
+use crate::effects::rest::{Along, Rest, Wave};
 use crate::effects::{REST, Term};
 
 const OBJECT: Template = phrase!("an object with ranges_inner and what is added in each direction");

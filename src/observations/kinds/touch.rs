@@ -5,8 +5,8 @@
 //! n·p = d,   n = v/|v|
 //! ```
 
-use crate::effects::{Place, PlaceKind};
 use crate::effects::places::unit_normal;
+use crate::effects::{Place, PlaceKind};
 use crate::lanes::{add_scaled, dot, scaled};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};

@@ -6,7 +6,6 @@
 //! `pages` lays the blocks out, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
 
-mod error;
 mod pages;
 mod picture;
 
@@ -19,9 +18,9 @@ use sha2::{Digest, Sha256};
 
 use super::document::Report;
 use super::fonts::{self, Embedded, Fonts, Run, Used};
+pub use super::pdf_error::PdfError;
 use crate::fonts::{Library, Purpose, is_worth_a_font};
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
-pub use error::PdfError;
 use pages::{Mark, PAGE, pages};
 use picture::f32_of;
 

@@ -3,8 +3,8 @@
 use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
-use crate::importers::settings::{About, Case};
 use crate::importers::reader::direction;
+use crate::importers::settings::{About, Case};
 
 /// What a column of the table is.
 #[derive(Debug, Clone, Copy, PartialEq)]

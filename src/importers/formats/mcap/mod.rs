@@ -20,8 +20,8 @@ use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::settings::{About, Case, ColumnGuess, Known};
 
 use messages::Type;
-use topics::{Topic, Topics};
 use options::{FRAME_CHILD, JOINT_NAMES, Open, TOPIC_JOINTS, TOPIC_MEASURED};
+use topics::{Topic, Topics};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",

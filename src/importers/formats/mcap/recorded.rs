@@ -5,17 +5,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::role::Role;
 use crate::importers::matching::listed_up_to;
-use crate::importers::settings::{About, Case};
 use crate::importers::reader::fixed;
+use crate::importers::role::Role;
+use crate::importers::settings::{About, Case};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
 
 use super::messages::Measured;
-use super::topics::Topic;
 use super::options::{FRAME_CHILD, JOINT_NAMES, Open};
+use super::topics::Topic;
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
 /// motion.

@@ -1,0 +1,20 @@
+//! What may be said: every testable effect on each joint with each setting, and anonymous shapes beside them, each
+//! with the columns by which it would change the residuals. Nothing here knows what the samples say of them.
+//!
+//! - `table`: all of them; `columns`: their columns, in the few numbers that they are made of.
+//! - `shapes`, `shape_space`, `placed`: bumps, plateaus, waves and steps over every variable, and one of them in a fit.
+//! - `incomplete`: samples that lack a condition which the others have.
+//! - `compatible`: which names may stand beside each other; `setting`: the setting of a term, in words.
+
+pub(crate) mod columns;
+mod compatible;
+pub(crate) mod incomplete;
+mod placed;
+mod setting;
+mod shape_space;
+mod shapes;
+pub(crate) mod table;
+
+pub(crate) use compatible::compatible;
+pub(crate) use placed::Placed;
+pub(crate) use setting::{setting, shown, value};

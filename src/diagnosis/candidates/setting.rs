@@ -1,0 +1,42 @@
+//! The setting of a term, as a number and in words.
+
+use crate::effects::{Setting, Term, called};
+use crate::text::Text;
+
+/// A setting and whose it is, in words.
+pub(crate) fn setting(term: &Term) -> Text {
+    let (value, effect) = (shown(value(term)), called(term.effect.about().id));
+    match term.effect.about().setting {
+        Setting::Order { .. } => {
+            text!("order {value} of {effect}", value = value, effect = effect)
+        }
+        Setting::Listed(listed) => text!(
+            "{quantity} {value} of {effect}",
+            quantity = listed.quantity.name.split('_').next().unwrap_or("setting"),
+            value = value,
+            effect = effect
+        ),
+        _ => text!(
+            "setting {value} of {effect}",
+            value = value,
+            effect = effect
+        ),
+    }
+}
+
+/// A setting as it is read.
+pub(crate) fn value(term: &Term) -> f64 {
+    match term.effect.about().setting {
+        Setting::Listed(listed) => term.setting / listed.quantity.unit.inner,
+        _ => term.setting,
+    }
+}
+
+/// A number without digits that say nothing.
+pub(crate) fn shown(value: f64) -> String {
+    if value.fract() == 0.0 {
+        format!("{value:.0}")
+    } else {
+        format!("{value:.3}")
+    }
+}

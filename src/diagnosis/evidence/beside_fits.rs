@@ -1,0 +1,101 @@
+//! Candidates beside the fits of a regression, and beside those fits without one of their terms.
+
+use crate::effects::Term;
+use nalgebra::DMatrix;
+use std::rc::Rc;
+
+use super::fit::Fit;
+use super::likelihood::{PRICE_OF_A_NAME, price_of};
+use super::regression::Regression;
+use super::score::Score;
+use super::surroundings::{Surroundings, Without};
+use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::table::Candidate;
+
+impl Regression<'_> {
+    /// The candidates beside a fit.
+    pub(crate) fn surroundings(&self, fit: &Fit, among: Among) -> Rc<Surroundings> {
+        let work = || Rc::new(self.surroundings_anew(fit, among));
+        match among {
+            Among::Names => self.surroundings.of(fit, work),
+            Among::Shapes | Among::All => work(),
+        }
+    }
+
+    fn surroundings_anew(&self, fit: &Fit, among: Among) -> Surroundings {
+        let projected = self.projected(&fit.basis, among);
+        let pulls = projected.pulls(&fit.residual);
+        Surroundings {
+            among,
+            left: projected.grams(&self.table.candidates),
+            least: projected.least(&self.table.candidates),
+            along: projected.into_along(),
+            pulls,
+        }
+    }
+
+    /// A fit without a term that was added. The evidence is an upper bound but for rounding: what a vector is
+    /// spared for components that are not there is not taken off.
+    pub(crate) fn without(&self, fit: &Fit, term: &Term) -> Option<Without> {
+        self.without_all(fit, std::slice::from_ref(term))
+    }
+
+    /// The same without some of them.
+    pub(crate) fn without_all(&self, fit: &Fit, terms: &[Term]) -> Option<Without> {
+        let (mut first, mut price) = (0, 0.0);
+        let (mut columns, mut coefficients) = (Vec::new(), Vec::new());
+        for own in fit.model.terms() {
+            let size = own.coefficients.len();
+            if terms.iter().any(|t| t.same_column(own)) {
+                columns.extend(first..first + size);
+                coefficients.extend_from_slice(&own.coefficients);
+                price += PRICE_OF_A_NAME + self.price_of_term(own);
+            }
+            first += size;
+        }
+        self.less(fit, &columns, &coefficients, price)
+    }
+
+    /// A fit without one of its shapes.
+    pub(crate) fn without_placed(&self, fit: &Fit, index: usize) -> Option<Without> {
+        let terms = fit.model.terms().iter().map(|t| t.coefficients.len());
+        let before = fit.shapes[..index].iter().map(|s| s.white.ncols());
+        let first = terms.sum::<usize>() + before.sum::<usize>();
+        let own = &fit.shapes[index];
+        let price = own.shape.tried.max(1.0).ln() + price_of(&own.shape) - own.credit;
+        let columns: Vec<usize> = (first..first + own.white.ncols()).collect();
+        self.less(fit, &columns, own.coefficients.as_slice(), price)
+    }
+
+    fn less(
+        &self,
+        fit: &Fit,
+        columns: &[usize],
+        coefficients: &[f64],
+        price: f64,
+    ) -> Option<Without> {
+        let (directions, parts) = fit.basis.only_of(columns)?;
+        let own = DMatrix::from_column_slice(coefficients.len(), 1, coefficients);
+        let explained = parts * own;
+        let rss = fit.rss + explained.norm_squared();
+        let (m, gone) = (self.m(), directions.ncols());
+        let fell = -0.5 * m * (self.rounded(rss) / self.rounded(fit.rss)).ln();
+        Some(Without {
+            rss,
+            rank: fit.basis.rank().saturating_sub(gone),
+            ln_evidence: fit.ln_evidence + fell + 0.5 * gone as f64 * m.ln() + price,
+            directions,
+            explained,
+        })
+    }
+
+    /// Scores of candidates beside a fit without some columns.
+    pub(crate) fn scan_without(&self, around: &Surroundings, rest: &Without) -> Vec<Score> {
+        let along = rest.directions.tr_mul(&around.along);
+        let mut pulls = around.pulls.clone();
+        pulls.gemv_tr(1.0, &along, &rest.explained.column(0), 1.0);
+        let factor = |c: &Candidate| around.factor(c, along.columns(c.first, c.size));
+        let beside = (rest.rank, rest.rss);
+        self.scores(beside, around.among, factor, pulls.as_slice())
+    }
+}

@@ -1,0 +1,154 @@
+//! Fits of a model and shapes to the rows, by Gauss–Newton steps.
+//!
+//! Columns and their orthonormal basis are nearly all of what a step costs. After a step that is small beside the
+//! noise they are what they were: their change is a product of that step with the curvature, and what the next step
+//! is off by is a product with it once more. As many steps are taken as with columns that are always new.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::fit::Fit;
+use super::known_fits::TakenAt;
+use super::memo::start as start_of;
+use super::regression::Regression;
+use crate::diagnosis::candidates::Placed;
+use crate::linear::Basis;
+use crate::model::Model;
+
+/// Products for each number of a fit's columns beside those of making them orthonormal.
+const OF_A_FIT: f64 = 150.0;
+
+/// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
+/// where it is.
+const WITH_THE_BASES_OWN: usize = 4;
+
+/// Steps of a fit at most.
+const STEPS: usize = 8;
+
+/// A step whose square is at most this share of what is left leaves the columns what they are.
+const SMALL: f64 = 1e-5;
+
+/// Where a step was taken from.
+struct Place {
+    /// The columns of the model.
+    columns: DMatrix<f64>,
+    basis: Arc<Basis>,
+}
+
+impl Regression<'_> {
+    /// Fits a model and shapes, starting from their coefficients.
+    pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
+        let key = start_of(start, shapes);
+        let (fit, products) = if let Some(mut known) = self.fits.of(&key) {
+            if !known.has_basis {
+                let (_, here) = self.place(&known.at, &known.fit.shapes);
+                known.fit.basis = here.basis;
+                self.fits.keep_again(&key, &known.fit.basis);
+            }
+            (known.fit, known.products)
+        } else {
+            let (fit, at, products) = self.fitted(start.clone(), shapes.to_vec());
+            self.fits.keep(key.clone(), &fit, at, products);
+            (fit, products)
+        };
+        if self.fits.counts(&key) {
+            self.work.did(products);
+        }
+        fit
+    }
+
+    /// The fit, where its basis was taken, and the products that it costs where every step takes all columns anew.
+    fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> (Fit, TakenAt, f64) {
+        let own = model.coefficient_count();
+        let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
+        let of_a_step = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
+        let mut products = 0.0;
+        let mut place: Option<Place> = None;
+        let mut at = TakenAt {
+            model: model.clone(),
+            with_the_bases_own: true,
+        };
+        let mut left = DVector::zeros(self.height());
+        let mut rss = 0.0_f64;
+        // The square of the last step beside what it left.
+        let mut last = f64::INFINITY;
+        for round in 0..STEPS {
+            products += of_a_step;
+            let here = place.take().filter(|_| last <= SMALL);
+            let (residual, here) = if let Some(here) = here {
+                let raw = self.rows.residual(&model);
+                (self.whitened_residual(&model, &raw), here)
+            } else {
+                at = TakenAt {
+                    model: model.clone(),
+                    with_the_bases_own: round < WITH_THE_BASES_OWN,
+                };
+                self.place(&at, &shapes)
+            };
+            // The shapes are linear: they are solved for afresh, the model by steps.
+            let step = here.basis.solve(&residual);
+            left = here.basis.reject(&residual);
+            rss = left.norm_squared();
+            let moved = (&here.columns * step.rows(0, own)).norm_squared();
+            model = model.stepped(&step.as_slice()[..own]);
+            let mut first = own;
+            for shape in &mut shapes {
+                let size = shape.white.ncols();
+                shape.coefficients = step.rows(first, size).into_owned();
+                first += size;
+            }
+            place = Some(here);
+            last = moved / rss.max(f64::MIN_POSITIVE);
+            // A step of a hundredth of the noise changes nothing to second order.
+            if own == 0 || moved <= 1e-10 * self.m().max(1.0) + 1e-8 * rss && round > 0 {
+                break;
+            }
+        }
+        let basis = place.map_or_else(
+            || Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))),
+            |place| place.basis,
+        );
+        let ln_evidence =
+            self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
+        let fit = Fit {
+            model,
+            shapes,
+            residual: left,
+            basis,
+            rss,
+            ln_evidence,
+        };
+        (fit, at, products)
+    }
+
+    /// What is left of the rows, with all columns and their basis.
+    fn place(&self, at: &TakenAt, shapes: &[Placed]) -> (DVector<f64>, Place) {
+        let TakenAt {
+            model,
+            with_the_bases_own,
+        } = at;
+        let (raw, columns) = self.raw(model);
+        let (residual, jacobian) = self.whitened(model, &raw, &columns);
+        drop(columns);
+        let own = jacobian.ncols();
+        let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
+        let mut all = jacobian.resize_horizontally(width, 0.0);
+        let mut first = own;
+        for shape in shapes {
+            all.columns_mut(first, shape.white.ncols())
+                .copy_from(&shape.white);
+            first += shape.white.ncols();
+        }
+        let extended = with_the_bases_own
+            .then(|| self.of_base().extended(&self.base, model, &all))
+            .flatten();
+        let basis = Arc::new(extended.unwrap_or_else(|| Basis::new(&all)));
+        all.resize_horizontally_mut(own, 0.0);
+        let here = Place {
+            columns: all,
+            basis,
+        };
+        (residual, here)
+    }
+}

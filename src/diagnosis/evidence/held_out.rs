@@ -1,0 +1,277 @@
+//! The proof on samples that a fit has not seen: the samples are cut into blocks, and each block
+//! is predicted by a fit without it, its settings scanned afresh (cross-fitting, Stone 1974).
+//!
+//! Blocks are stretches of the joint angles where the joints move at random, and stretches of
+//! time besides; several small ones make one fold, so that no fold lies beyond the others.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Term;
+use crate::fit::regression::Rows;
+use crate::model::Model;
+use crate::text::Text;
+
+use super::fit::Fit;
+use super::left_out::LeftOut;
+use super::regression::Regression;
+use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
+use super::surroundings::Without;
+use crate::sessions::cells::{cells, folds_of_groups};
+
+/// Which fold each sample of the rows is in.
+#[derive(Debug, Clone)]
+pub(crate) struct Folds {
+    fold: Vec<usize>,
+    count: usize,
+    /// In words.
+    pub(crate) how: Text,
+}
+
+/// What a fit leaves of samples that it has not seen.
+pub(crate) struct Unseen {
+    /// Root mean square length, in the unit of the rows.
+    pub(crate) rms: f64,
+    /// The same in mm.
+    pub(crate) rms_mm: f64,
+    pub(crate) rows: DVector<f64>,
+}
+
+/// What a fit without a term leaves of unseen samples is clearly more if it is so many times as much, squared.
+const SURELY: f64 = 1.04;
+const FOLDS: usize = 5;
+const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
+/// Below this number of samples nothing is said about unseen ones.
+pub(crate) const FEWEST: usize = 6;
+
+impl Folds {
+    /// Folds over the samples of an regression, by the angle of the first joint that moves most.
+    pub(crate) fn new(regression: &Regression) -> Self {
+        if regression.base.robot.joints.len() > 1 {
+            return Self::over_cells(&regression.rows, &regression.base);
+        }
+        let q = &regression.rows.inputs.q;
+        let range = |column: &[f64]| {
+            let values = column.iter().copied();
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                (a.min(v), b.max(v))
+            });
+            high - low
+        };
+        let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
+        let column = widest.map_or(&[][..], |j| &*q[j]);
+        let n = regression.rows.samples.len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|a, b| {
+            let value = |k: usize| column.get(k).copied().unwrap_or(0.0);
+            value(*a).total_cmp(&value(*b)).then(a.cmp(b))
+        });
+        let (count, sectors) = if n < FEW {
+            let sectors = (n / 3).clamp(2, 10);
+            (sectors, sectors)
+        } else {
+            (FOLDS, 4 * FOLDS)
+        };
+        let mut fold = vec![0; n];
+        for (rank, sample) in order.iter().enumerate() {
+            fold[*sample] = (rank * sectors / n.max(1)) % count;
+        }
+        let joint = widest.map_or(1, |j| j + 1);
+        let how = if n < FEW {
+            text!(
+                "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it",
+                sectors = sectors,
+                joint = joint
+            )
+        } else {
+            text!(
+                "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it",
+                joint = joint
+            )
+        };
+        Self { fold, count, how }
+    }
+
+    /// Whole stretches of the only joint, each of which a fit has to predict from beyond; `None` of several
+    /// joints, or with few samples.
+    pub(crate) fn stretches(regression: &Regression) -> Option<Self> {
+        let [q] = regression.rows.inputs.q.as_slice() else {
+            return None;
+        };
+        let n = regression.rows.samples.len();
+        if n < FEW {
+            return None;
+        }
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+        let mut fold = vec![0; n];
+        for (rank, sample) in order.into_iter().enumerate() {
+            fold[sample] = rank * FOLDS / n;
+        }
+        Some(Self {
+            fold,
+            count: FOLDS,
+            how: Text::default(),
+        })
+    }
+
+    /// Folds over cells of the workspace, for a robot with several joints.
+    pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
+        let points = rows.points(model);
+        let n = points.len();
+        if let Some(rows) = rows.observed() {
+            return Self {
+                fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
+                count: FOLDS,
+                how: text!(
+                    "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
+                ),
+            };
+        }
+        let few = n < FEW;
+        let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
+        let cell = cells(&points, wanted);
+        let made = cell.iter().max().map_or(1, |c| c + 1);
+        let count = if few { made } else { FOLDS };
+        Self {
+            fold: cell.into_iter().map(|c| c % count).collect(),
+            count,
+            how: if few {
+                text!(
+                    "each of {count} cells of the workspace predicted by a fit that has not seen it",
+                    count = made
+                )
+            } else {
+                text!(
+                    "each fifth of the cells of the workspace predicted by a fit that has not seen it"
+                )
+            },
+        }
+    }
+
+    /// Number of samples.
+    pub(crate) fn samples(&self) -> usize {
+        self.fold.len()
+    }
+
+    /// Number of folds.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The fold that a sample is in.
+    pub(crate) fn of(&self, sample: usize) -> usize {
+        self.fold[sample]
+    }
+
+    /// Whether there are enough samples to say anything.
+    pub(crate) fn say_something(&self) -> bool {
+        self.fold.len() >= FEWEST
+    }
+
+    /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
+    /// measurements than plain points in units of their noise, each by its own.
+    pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.known(regression, fit)[0]
+    }
+
+    /// The same in mm whatever was measured.
+    pub(crate) fn rms_mm(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.known(regression, fit)[1]
+    }
+
+    fn known(&self, regression: &Regression, fit: &Fit) -> [f64; 2] {
+        regression.unseen.of(fit, || {
+            let unseen = self.unseen(regression, fit);
+            [unseen.rms, unseen.rms_mm]
+        })
+    }
+
+    /// Of terms that are taken out of a fit, which surely predict samples that no fit has seen: to first order, at
+    /// the settings that they have, and so clearly that the rest does not matter.
+    pub(crate) fn surely_predict(
+        &self,
+        regression: &Regression,
+        fit: &Fit,
+        terms: &[&Term],
+        rests: &[Option<Without>],
+    ) -> Vec<bool> {
+        let none = vec![false; rests.len()];
+        let (n, rows) = (self.fold.len(), regression.rows.len());
+        if n < FEW {
+            return none;
+        }
+        let mut with_all = 0.0;
+        let mut without = vec![0.0; rests.len()];
+        for fold in 0..self.count {
+            let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
+            let Some(left_out) = LeftOut::new(&fit.basis, &unseen) else {
+                return none;
+            };
+            let left = fit.residual.select_rows(&unseen);
+            let left = DMatrix::from_column_slice(left.len(), 1, left.as_slice());
+            with_all += left_out.unseen(&left).norm_squared();
+            for (sum, rest) in without.iter_mut().zip(rests) {
+                let Some(rest) = rest else { continue };
+                let of = left_out.unseen_without(&left, rest.directions(), rest.explained());
+                *sum += of.map_or(0.0, |of| of.norm_squared());
+            }
+        }
+        let settled = |term: &Term, rest: &Without| {
+            !is_scanned(term) || !has_near_rivals(regression, fit, term, rest)
+        };
+        let each = without.into_iter().zip(terms.iter().zip(rests));
+        each.map(|(sum, (term, rest))| {
+            let rest = rest.as_ref();
+            sum > SURELY * with_all && rest.is_some_and(|rest| settled(term, rest))
+        })
+        .collect()
+    }
+
+    /// The same of the fit's model alone, whose shapes are fitted beside it and predict nothing.
+    pub(crate) fn rms_mm_of_the_model(&self, regression: &Regression, fit: &Fit) -> f64 {
+        let columns = fit.model.coefficient_count();
+        self.predicted_by(regression, fit, columns).rms_mm
+    }
+
+    /// What is left of samples that the fit has not seen.
+    pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
+        self.predicted_by(regression, fit, usize::MAX)
+    }
+
+    /// The same where the first so many columns of the fit predict.
+    fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> Unseen {
+        if !self.say_something() {
+            // Too few samples to hold any out: the fit's own residual, so that it never stands
+            // in the way.
+            return Unseen {
+                rms: fit.rss.sqrt(),
+                rms_mm: fit.rss.sqrt(),
+                rows: DVector::zeros(regression.rows.len()),
+            };
+        }
+        let rescanned = Rescanned::new(regression, fit);
+        let n = self.fold.len();
+        let (mut sum, mut sum_mm) = (0.0, 0.0);
+        let mut left = DVector::zeros(regression.rows.len());
+        let rows = regression.rows.len();
+        let unseen = (0..self.count).map(|fold| -> Vec<usize> {
+            (0..rows).filter(|row| self.fold[row % n] == fold).collect()
+        });
+        let unseen: Vec<Vec<usize>> = unseen.collect();
+        let folds = rescanned.left(&unseen, columns);
+        for (unseen, of_fold) in unseen.into_iter().zip(folds) {
+            for (row, e) in unseen.into_iter().zip(of_fold) {
+                let mm = regression.rows.mm(row) * e;
+                left[row] = e;
+                sum += e * e;
+                sum_mm += mm * mm;
+            }
+        }
+        let lengths = regression.rows.lengths();
+        Unseen {
+            rms: (sum / n as f64).sqrt(),
+            rms_mm: (sum_mm / lengths as f64).sqrt(),
+            rows: left,
+        }
+    }
+}

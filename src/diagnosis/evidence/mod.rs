@@ -1,0 +1,48 @@
+//! What the samples say: a model fitted to them, what each candidate would do beside it, how likely that is, how often
+//! noise alone would look like it, and whether it predicts samples that no fit has seen. Nothing here chooses.
+//!
+//! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placing`: fits to them.
+//! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
+//! - `likelihood`: how fits are compared; `significance`, `trials`, `noise_alone`, `familywise`: what noise does.
+//! - `held_out`, `left_out`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
+//! - `rival`: another explanation of the same samples.
+//! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed; `thinned`: on how
+//!   many samples.
+
+mod base_basis;
+mod beside_fits;
+mod exchanged;
+mod familywise;
+mod fit;
+mod fitting;
+mod held_out;
+mod known_fits;
+mod left_out;
+mod likelihood;
+pub(crate) mod memo;
+mod noise_alone;
+mod placing;
+mod projected;
+mod refine;
+mod regression;
+mod rescanned;
+pub(crate) mod rival;
+mod score;
+mod scores;
+mod significance;
+mod surroundings;
+mod thinned;
+mod trials;
+mod work;
+
+pub(crate) use familywise::FamilyP;
+pub(crate) use fit::Fit;
+pub(crate) use held_out::Folds;
+pub(crate) use likelihood::PRICE_OF_A_NAME;
+pub(crate) use projected::units_beside;
+pub(crate) use regression::Regression;
+pub(crate) use score::{Score, by_odds, weight_of};
+pub(crate) use significance::Significance;
+pub(crate) use surroundings::{Surroundings, Without};
+pub(crate) use thinned::thinned;
+pub(crate) use work::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};

@@ -1,0 +1,47 @@
+//! How a shape is made ready to be fitted beside a model.
+
+use crate::linear::Basis;
+use crate::model::shapes::{Profile, Shape};
+use nalgebra::{DMatrix, DVector};
+
+use super::regression::Regression;
+use crate::diagnosis::candidates::Placed;
+use crate::diagnosis::candidates::columns::lengthened;
+
+impl Regression<'_> {
+    /// A shape ready to be fitted.
+    pub(crate) fn placed(&self, shape: Shape) -> Placed {
+        let mut raw = self.table.space.columns(&shape);
+        let mut white = lengthened(self.noise.whitened(&self.rows, &raw), self.beside);
+        let several = self.base.robot.joints.len() > 1;
+        if several && matches!(shape.profile, Profile::Curve { .. }) {
+            self.take_out_the_geometry(&mut raw, &mut white);
+        }
+        Placed {
+            coefficients: DVector::zeros(raw.ncols()),
+            credit: 0.0,
+            shape,
+            white,
+            raw,
+        }
+    }
+
+    /// Leaves of columns what the base cannot do. A free curve over one of several joints does most of
+    /// what an axis that stands elsewhere does; fitted beside each other as they are, both run off against
+    /// each other, by metres.
+    fn take_out_the_geometry(&self, raw: &mut DMatrix<f64>, white: &mut DMatrix<f64>) {
+        let (residual, own_raw) = self.raw(&self.base);
+        let (_, own_white) = self.whitened(&self.base, &residual, &own_raw);
+        let basis = Basis::new(&own_white);
+        for k in 0..white.ncols() {
+            let before = white.column(k).norm();
+            let same = basis.solve(&white.column(k).into_owned());
+            white.column_mut(k).gemv(-1.0, &own_white, &same, 1.0);
+            raw.column_mut(k).gemv(-1.0, &own_raw, &same, 1.0);
+            if white.column(k).norm() < 1e-6 * before {
+                white.column_mut(k).fill(0.0);
+                raw.column_mut(k).fill(0.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Where candidates compete: the whitened rows, the table of candidates, and fits of a model with
+//! named terms and anonymous shapes to the same rows. How fits are compared: [`super::likelihood`]; what
+//! each candidate would do beside one: [`super::scores`].
+
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Term;
+use crate::fit::problem::Problem;
+use crate::model::Model;
+
+use super::base_basis::OfBase;
+use super::fit::Fit;
+use super::known_fits::KnownFits;
+use super::memo::Memo;
+use super::noise_alone::Familywise;
+use super::projected::Grams;
+use super::rival::Rival;
+use super::score::Score;
+use super::significance::Tests;
+use super::surroundings::Surroundings;
+use super::work::Work;
+use crate::diagnosis::candidates::columns::lengthened;
+use crate::diagnosis::candidates::table::{Table, What};
+use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
+use crate::fit::regression::Rows;
+use crate::side_by_side::Threads;
+
+pub(crate) struct Regression<'a> {
+    pub(crate) problem: Rc<Problem<'a>>,
+    pub(crate) rows: Rc<Rows<'a>>,
+    pub(crate) noise: Noise,
+    pub(crate) table: Rc<Table>,
+    pub(crate) filter: Filter,
+    pub(super) grams: OnceCell<Grams>,
+    of_base: OnceCell<OfBase>,
+    pub(crate) tests: Rc<Tests>,
+    pub(crate) base: Model,
+    priors: Vec<PriorRow>,
+    /// Number of rows beside those of the samples.
+    pub(crate) beside: usize,
+    pub(crate) seed: u64,
+    /// On how many threads parts of it are done; the answer is the same.
+    pub(crate) threads: Threads,
+    /// What was done so far of what may be done.
+    pub(crate) work: Work,
+    pub(crate) familywise: RefCell<Familywise>,
+    pub(super) fits: KnownFits,
+    pub(super) scores_of_names: Memo<Vec<Score>>,
+    pub(super) scores_of_shapes: Memo<Vec<Score>>,
+    /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
+    pub(crate) unseen: Memo<[f64; 2]>,
+    /// What candidates would do beside the last fits.
+    pub(crate) surroundings: Memo<Rc<Surroundings>>,
+    /// Other names for a fit ([`crate::diagnosis::search::aliases`]).
+    pub(crate) rivals: Memo<Vec<Rival>>,
+    /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
+    pub(super) ln_noise: f64,
+}
+
+/// What it costs to say along which of the axes the noise is slow, if not along all.
+fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
+    let slow = rows.axes.iter().filter(|axis| rms_mm[**axis] > 0.0).count();
+    if slow == rows.axes.len() {
+        0.0
+    } else {
+        (rows.axes.len() as f64).ln()
+    }
+}
+
+/// Lists of scores and of rivals that are kept for fits that a search comes to again.
+const SCORES_KEPT: usize = 16;
+/// Fits that are kept with their bases: so many numbers of the base's columns in them (16 MiB), and no more than these.
+const FITS_KEPT: usize = 1 << 21;
+const MOST_FITS: usize = 64;
+const RIVALS_KEPT: usize = 2;
+/// Errors on unseen samples that are kept.
+const UNSEEN_KEPT: usize = 256;
+/// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
+const SURROUNDINGS_KEPT: usize = 2;
+
+impl<'a> Regression<'a> {
+    pub(crate) fn new(
+        problem: Rc<Problem<'a>>,
+        rows: Rc<Rows<'a>>,
+        noise: Noise,
+        table: Rc<Table>,
+        base: Model,
+        (seed, threads): (u64, Threads),
+    ) -> Self {
+        let priors = prior_rows(&problem, &base);
+        let beside = priors.len() + rows.known(&base, &problem.priors).0.len();
+        let filter = noise.filter(&rows);
+        let numbers = noise.slow.map_or(0.0, |slow| {
+            1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
+        });
+        let choice = noise
+            .slow
+            .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
+        let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
+        let fits_kept = (FITS_KEPT / numbers_of_a_basis.max(1)).min(MOST_FITS);
+        let price = PRICE_OF_A_VARIANCE * numbers + choice;
+        let ln_noise = -0.5 * filter.ln_determinant() - price;
+        Self {
+            ln_noise,
+            work: Work::new(rows.samples.len()),
+            problem,
+            rows,
+            noise,
+            table,
+            filter,
+            grams: OnceCell::new(),
+            of_base: OnceCell::new(),
+            tests: Rc::default(),
+            base,
+            priors,
+            beside,
+            seed,
+            threads,
+            familywise: RefCell::new(Familywise::default()),
+            fits: KnownFits::new(fits_kept, fits_kept),
+            scores_of_names: Memo::new(SCORES_KEPT),
+            scores_of_shapes: Memo::new(SCORES_KEPT),
+            unseen: Memo::new(UNSEEN_KEPT),
+            surroundings: Memo::new(SURROUNDINGS_KEPT),
+            rivals: Memo::new(RIVALS_KEPT),
+        }
+    }
+
+    /// The same samples and candidates with another noise.
+    pub(crate) fn with_noise(&self, noise: Noise) -> Self {
+        let other = Self::new(
+            Rc::clone(&self.problem),
+            Rc::clone(&self.rows),
+            noise,
+            Rc::clone(&self.table),
+            self.base.clone(),
+            (self.seed, self.threads),
+        );
+        Self {
+            tests: Rc::clone(&self.tests),
+            work: self.work.clone(),
+            ..other
+        }
+    }
+
+    /// Number of measured rows.
+    pub(crate) fn m(&self) -> f64 {
+        self.rows.count() as f64
+    }
+
+    /// Number of all rows: those of the samples, and one for each coefficient of the base of which
+    /// something is known beforehand, and for what is known of places.
+    pub(crate) fn height(&self) -> usize {
+        self.rows.len() + self.beside
+    }
+
+    /// Rows of what is known beforehand of the base's coefficients, behind those of the samples.
+    pub(crate) fn prior_rows(&self) -> std::ops::Range<usize> {
+        let first = self.rows.len();
+        first..first + self.priors.len()
+    }
+
+    /// Raw residuals and columns of a model on the samples.
+    pub(crate) fn raw(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
+        self.rows.extract(model)
+    }
+
+    /// Whitened residuals and columns, with the rows of the priors: `x/σ` is 0 but for noise.
+    pub(crate) fn whitened(
+        &self,
+        model: &Model,
+        raw: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let m = self.rows.len();
+        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), self.beside);
+        let mut first = 0;
+        for term in model.terms() {
+            for (row, prior) in self.priors.iter().enumerate() {
+                if prior.term.same_column(term) {
+                    jacobian[(m + row, first + prior.coefficient)] = 1.0 / prior.sigma;
+                }
+            }
+            first += term.coefficients.len();
+        }
+        if self.beside > self.priors.len() {
+            let (left, columns) = self.rows.known(model, &self.problem.priors);
+            let from = m + self.priors.len();
+            jacobian.rows_mut(from, left.len()).copy_from(&columns);
+        }
+        (self.whitened_residual(model, raw), jacobian)
+    }
+
+    /// Whitened residuals, with the rows of the priors.
+    pub(super) fn whitened_residual(&self, model: &Model, raw: &DVector<f64>) -> DVector<f64> {
+        let (m, more) = (self.rows.len(), self.beside);
+        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        for term in model.terms() {
+            for (row, prior) in self.priors.iter().enumerate() {
+                if prior.term.same_column(term) {
+                    residual[m + row] = -term.coefficients[prior.coefficient] / prior.sigma;
+                }
+            }
+        }
+        if more > self.priors.len() {
+            let (left, _) = self.rows.known(model, &self.problem.priors);
+            let from = m + self.priors.len();
+            residual.rows_mut(from, left.len()).copy_from(&left);
+        }
+        residual
+    }
+
+    /// What was found for fits so far is worked out again where it is asked for again.
+    pub(crate) fn forget(&self) {
+        self.fits.clear();
+        self.scores_of_names.clear();
+        self.scores_of_shapes.clear();
+        self.surroundings.clear();
+        self.rivals.clear();
+        *self.familywise.borrow_mut() = Familywise::default();
+    }
+
+    pub(crate) fn of_base(&self) -> &OfBase {
+        self.of_base.get_or_init(|| {
+            let (raw, columns) = self.raw(&self.base);
+            OfBase::new(self.whitened(&self.base, &raw, &columns).1)
+        })
+    }
+
+    /// The fit with a candidate more.
+    pub(crate) fn with(&self, fit: &Fit, what: &What) -> Fit {
+        match what {
+            What::Named(term) => self.fit(&fit.model.with_term(term.clone()), &fit.shapes),
+            What::Anonymous(shape) => {
+                let mut shapes = fit.shapes.clone();
+                shapes.push(self.placed(*shape));
+                self.fit(&fit.model, &shapes)
+            }
+        }
+    }
+
+    /// The fit without one of the terms that the search added.
+    pub(crate) fn without_term(&self, fit: &Fit, term: &Term) -> Fit {
+        let model = fit.model.without(|t| t.same_column(term));
+        self.fit(&model, &fit.shapes)
+    }
+
+    /// The fit without one of its shapes.
+    pub(crate) fn without_shape(&self, fit: &Fit, index: usize) -> Fit {
+        let mut shapes = fit.shapes.clone();
+        shapes.remove(index);
+        self.fit(&fit.model, &shapes)
+    }
+
+    /// Terms that the search added, in the order of the model.
+    pub(crate) fn added<'f>(&self, fit: &'f Fit) -> Vec<&'f Term> {
+        let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
+        fit.model.terms().iter().filter(|t| !of_base(t)).collect()
+    }
+
+    /// Estimated standard deviation of a whitened row.
+    pub(crate) fn scale(&self, fit: &Fit) -> f64 {
+        let freedom = (self.m() - fit.basis.rank() as f64).max(1.0);
+        (fit.rss / freedom).sqrt()
+    }
+}
+
+/// What is known beforehand of one coefficient of the base: it is 0 within σ, inner units.
+struct PriorRow {
+    term: Term,
+    coefficient: usize,
+    sigma: f64,
+}
+
+/// The rows of the priors that a problem carries; none of a robot with a single joint.
+fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
+    let mut rows = Vec::new();
+    for term in base.terms() {
+        for coefficient in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
+            let sigma = problem.priors.sigma(base, term, coefficient);
+            rows.extend(sigma.map(|sigma| PriorRow {
+                term: term.clone(),
+                coefficient,
+                sigma,
+            }));
+        }
+    }
+    rows
+}

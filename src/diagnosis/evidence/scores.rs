@@ -1,0 +1,212 @@
+//! What each candidate would do beside a fit.
+
+use std::rc::Rc;
+
+use nalgebra::DMatrix;
+
+use crate::effects::{Form, Held, Term};
+use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
+use crate::model::Model;
+
+use super::fit::Fit;
+use super::likelihood::{PRICE_OF_A_NAME, choices, price_of, subsets};
+use super::projected::{Grams, Projected};
+use super::regression::Regression;
+use super::score::{Score, weight_of};
+use super::significance::Significance;
+use crate::diagnosis::candidates::columns::{Among, lengthened};
+use crate::diagnosis::candidates::table::{Candidate, What};
+
+/// By how much a candidate lowers the sum of squares.
+struct Gain {
+    all: f64,
+    rank: usize,
+    /// The same for some of a vector's components alone: how many, and how much.
+    parts: Vec<(usize, f64)>,
+}
+
+impl Regression<'_> {
+    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    pub(crate) fn scan(&self, fit: &Fit, among: Among) -> Vec<Score> {
+        let beside = |among: Among| self.scan_beside(&self.projected(&fit.basis, among), fit);
+        match among {
+            Among::Names => self.scores_of_names.of(fit, || beside(Among::Names)),
+            Among::Shapes => self.scores_of_shapes.of(fit, || beside(Among::Shapes)),
+            Among::All => {
+                let mut all = self.scan(fit, Among::Names);
+                all.extend(self.scan(fit, Among::Shapes));
+                all
+            }
+        }
+    }
+
+    /// The same with the table projected already.
+    fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
+        let pulls = projected.pulls(&fit.residual);
+        let factor = |candidate: &Candidate| projected.factor(candidate);
+        let beside = (fit.basis.rank(), fit.rss);
+        self.scores(beside, projected.among(), factor, pulls.as_slice())
+    }
+
+    /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
+    /// leaves of each and their products with its residual.
+    pub(crate) fn scores(
+        &self,
+        (rank_beside, rss): (usize, f64),
+        among: Among,
+        factor: impl Fn(&Candidate) -> (Vec<f64>, usize),
+        pulls: &[f64],
+    ) -> Vec<Score> {
+        let m = self.m();
+        let freedom = m - rank_beside as f64;
+        let total = self.rounded(rss);
+        let mut scores = Vec::new();
+        let mut tests: Vec<Option<Rc<Significance>>> = Vec::new();
+        let candidates = self.table.candidates.iter().enumerate();
+        for (index, candidate) in candidates.filter(|c| among.has(c.1)) {
+            let Some(Gain {
+                all: gain,
+                rank,
+                parts,
+            }) = Self::gain(factor(candidate), candidate, pulls)
+            else {
+                continue;
+            };
+            let nu = freedom - rank as f64;
+            if nu < 2.0 {
+                continue;
+            }
+            tests.resize(tests.len().max(rank + 1), None);
+            let test = tests[rank].get_or_insert_with(|| self.tests.of(rank, nu));
+            let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
+            let worth = |gain: f64, rank: usize| {
+                let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
+                -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln()
+            };
+            let best_part = parts
+                .iter()
+                .map(|(size, gain)| worth(*gain, *size) - choices(rank, *size))
+                .fold(worth(gain, rank), f64::max);
+            scores.push(Score {
+                candidate: index,
+                gain,
+                minus_ln_p: test.of(r2) - weight_of(candidate),
+                ln_odds: best_part
+                    - candidate.tried.max(1.0).ln()
+                    - match &candidate.what {
+                        What::Named(_) => PRICE_OF_A_NAME,
+                        What::Anonymous(shape) => price_of(shape),
+                    },
+            });
+        }
+        scores
+    }
+
+    /// The table's columns without what a basis explains.
+    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis, among: Among) -> Projected<'r> {
+        let (columns, filter) = (&self.table.columns, &self.filter);
+        let make = || Grams::new(columns, filter, &self.table.candidates);
+        let table = (columns, filter, self.grams.get_or_init(make));
+        let along = self
+            .of_base()
+            .along((columns, filter), basis, among, self.threads);
+        let more = basis.rank().saturating_sub(self.of_base().basis().rank()) + 8;
+        self.work
+            .did((columns.count() * self.rows.samples.len() * more) as f64);
+        Projected::new(table, basis, along, among)
+    }
+
+    /// The columns of a term that is absent so far, beside a fit.
+    pub(crate) fn columns_of(&self, fit: &Fit, term: &Term) -> DMatrix<f64> {
+        let absent = Term::absent(term.effect, term.joint, term.setting);
+        let model = fit.model.with_term(absent.clone());
+        let before = model.terms().iter().take_while(|t| !t.same_column(&absent));
+        let first: usize = before.map(|t| t.coefficients.len()).sum();
+        // Of the others no column is asked for.
+        let terms = model.terms().iter().map(|t| Term {
+            held: if t.same_column(&absent) {
+                t.held
+            } else {
+                Held::ALL
+            },
+            ..t.clone()
+        });
+        let alone = Model::new(model.robot.clone(), terms.collect());
+        let (_, columns) = self.rows.extract(&alone);
+        let own = columns.columns(first, absent.coefficients.len());
+        own.into_owned()
+    }
+
+    /// By how much a term that is absent so far would lower the sum of squares of a fit.
+    pub(crate) fn gain_of_term(&self, fit: &Fit, term: &Term) -> f64 {
+        self.gain_of_columns(fit, &self.columns_of(fit, term))
+    }
+
+    /// By how much columns that are not in a fit would lower its sum of squares.
+    pub(super) fn gain_of_columns(&self, fit: &Fit, own: &DMatrix<f64>) -> f64 {
+        let mut free = self.white_of(own);
+        reject_all(&fit.basis.q, &mut free);
+        along(&Basis::new(&free).q, &fit.residual).norm_squared()
+    }
+
+    /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
+    pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
+        lengthened(self.noise.whitened(&self.rows, raw), self.beside)
+    }
+
+    /// Whitened columns of some candidates, with the rows of the priors.
+    pub(crate) fn white_columns(&self, candidates: &[&Candidate]) -> DMatrix<f64> {
+        let width = candidates.iter().map(|c| c.size).sum();
+        let mut raw = DMatrix::zeros(self.rows.len(), width);
+        let mut at = 0;
+        for candidate in candidates {
+            let own = self.table.columns.raw(candidate.first, candidate.size);
+            raw.columns_mut(at, candidate.size).copy_from(&own);
+            at += candidate.size;
+        }
+        self.filter.whiten(raw.as_mut_slice());
+        lengthened(raw, self.beside)
+    }
+
+    /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
+    /// where it would have to be negative and cannot.
+    fn gain(
+        (factor, rank): (Vec<f64>, usize),
+        candidate: &Candidate,
+        pulls: &[f64],
+    ) -> Option<Gain> {
+        let k = candidate.size;
+        if rank == 0 {
+            return None;
+        }
+        let pull = &pulls[candidate.first..candidate.first + k];
+        let about = candidate.what.term().map(|t| t.effect.about());
+        if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
+            return None;
+        }
+        let all = small_gain(&factor, k, &mut pull.to_vec());
+        let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
+        let mut parts = Vec::new();
+        if vector {
+            let gram = |i: usize, j: usize| -> f64 {
+                (0..=i.min(j))
+                    .map(|l| factor[i * k + l] * factor[j * k + l])
+                    .sum()
+            };
+            // All components of full rank are the whole, which is `all`; of a lower rank, as many as the
+            // rank may be any of them.
+            for kept in subsets(k).filter(|s| s.len() < rank || s.len() == rank && rank < k) {
+                let size = kept.len();
+                let mut own: Vec<f64> = (0..size * size)
+                    .map(|x| gram(kept[x / size], kept[x % size]))
+                    .collect();
+                let tolerance: Vec<f64> = (0..size).map(|i| 1e-9 * own[i * size + i]).collect();
+                if small_cholesky(&mut own, size, &tolerance) == size {
+                    let mut h: Vec<f64> = kept.iter().map(|i| pull[*i]).collect();
+                    parts.push((size, small_gain(&own, size, &mut h)));
+                }
+            }
+        }
+        Some(Gain { all, rank, parts })
+    }
+}

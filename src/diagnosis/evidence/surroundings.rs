@@ -1,0 +1,170 @@
+//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table.
+//!
+//! With `Q` the orthonormal columns of the fit and `u = Q c` the part of them that only one term spans, the
+//! columns of the rest are those of `Q` without `u`. Everything beside the rest follows by rank:
+//!
+//! ```text
+//! b = cᵀ (Qᵀ W),   PᵀP + bᵀb,   Pᵀr + bᵀβ,   ‖r‖² + ‖β‖²,   β = uᵀ (what the term explains)
+//! ```
+//!
+//! so that a question about each of the terms in turn costs no fit and no sample is looked at again. To first
+//! order: the others' columns stay where the fit has them. What comes close is fitted before it is used.
+
+use nalgebra::{DMatrix, DMatrixView, DVector};
+
+use super::projected::Grams;
+use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::table::Candidate;
+use crate::linear::{small_cholesky, small_gain};
+
+/// The candidates beside a fit.
+pub(crate) struct Surroundings {
+    pub(crate) among: Among,
+    /// Products of the fit's orthonormal columns with the candidates'.
+    pub(crate) along: DMatrix<f64>,
+    /// What the fit leaves of every candidate's own products.
+    pub(crate) left: Grams,
+    /// How much of each column has to be left for it to count.
+    pub(crate) least: Vec<f64>,
+    /// Products of what is left of the candidates with the residual.
+    pub(crate) pulls: DVector<f64>,
+}
+
+/// What a fit is without some of its columns, to first order.
+#[derive(Debug, Clone)]
+pub(crate) struct Without {
+    /// `c`: of the fit's orthonormal columns, those that the columns alone span.
+    pub(crate) directions: DMatrix<f64>,
+    /// `β`, a single column.
+    pub(crate) explained: DMatrix<f64>,
+    /// The sum of squares that is left.
+    pub(crate) rss: f64,
+    /// The rank.
+    pub(crate) rank: usize,
+    /// At least how likely it is; [`Regression::without`] says by how much it may be less.
+    pub(crate) ln_evidence: f64,
+}
+
+impl Without {
+    /// Of the fit's orthonormal columns, those that the columns that are taken out alone span.
+    pub(crate) fn directions(&self) -> &DMatrix<f64> {
+        &self.directions
+    }
+
+    /// How much of each of them the fit has, a single column.
+    pub(crate) fn explained(&self) -> &DMatrix<f64> {
+        &self.explained
+    }
+}
+
+impl Surroundings {
+    /// Cholesky factor of what is left of a candidate's columns where these products of them come back, and
+    /// their rank.
+    pub(crate) fn factor(
+        &self,
+        candidate: &Candidate,
+        back: DMatrixView<f64>,
+    ) -> (Vec<f64>, usize) {
+        let (first, k) = (candidate.first, candidate.size);
+        let mut gram = self.left.of(candidate).to_vec();
+        for i in 0..k {
+            for j in 0..=i {
+                gram[i * k + j] += back.column(i).dot(&back.column(j));
+            }
+        }
+        let rank = small_cholesky(&mut gram, k, &self.least[first..first + k]);
+        (gram, rank)
+    }
+
+    /// By how much a candidate would lower the sum of squares of a fit without some columns.
+    pub(crate) fn gain(&self, rest: &Without, candidate: &Candidate) -> f64 {
+        let (first, k) = (candidate.first, candidate.size);
+        let back = rest.directions.tr_mul(&self.along.columns(first, k));
+        let (factor, _) = self.factor(candidate, back.as_view());
+        let mut pulls = self.pulls.rows(first, k).into_owned();
+        pulls.gemv_tr(1.0, &back, &rest.explained.column(0), 1.0);
+        small_gain(&factor, k, pulls.as_mut_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::diagnosis::search::prepare::Prepared;
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    /// Two axes: the second with an eccentric encoder and a gear, the first with backlash.
+    #[test]
+    fn what_is_known_from_one_table_is_what_fits_without_each_term_say() {
+        let stops = (0..120).map(|k| {
+            let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
+            let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
+            let side = |by: u32| if (k / by).is_multiple_of(2) { 1 } else { -1 };
+            let (a, b) = (side(1), side(3));
+            format!(r#"{{"q_deg":[{tilt},{turn}],"dir":[{a},{b}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
+            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
+            "tool":{{"position_mm":[300,50,200],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},
+            "effects":[{{"effect":"encoder-eccentricity","joint":2,
+            "parameters":{{"amplitude_deg":0.03,"phase_deg":20}}}},
+            {{"effect":"gear-transmission-error","joint":2,
+            "parameters":{{"order":17,"amplitude_deg":0.02,"phase_deg":70}}}},
+            {{"effect":"backlash","joint":1,"parameters":{{"width_deg":0.03}}}}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":1}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let mut fit = regression.fit(&regression.base, &[]);
+        for (id, joint, order) in [
+            ("encoder-eccentricity", 1, 0.0),
+            ("gear-transmission-error", 1, 17.0),
+            ("backlash", 0, 0.0),
+        ] {
+            let wanted = |c: &&Candidate| {
+                let term = c.what.term();
+                term.is_some_and(|t| {
+                    t.effect.about().id == id && t.joint == joint && t.setting == order
+                })
+            };
+            let candidates = &regression.table.candidates;
+            fit = regression.with(&fit, &candidates.iter().find(wanted).unwrap().what);
+        }
+        let around = regression.surroundings(&fit, Among::Names);
+        for term in regression.added(&fit) {
+            let known = regression.without(&fit, term).unwrap();
+            let rest = regression.without_term(&fit, term);
+            assert!(
+                (known.rss / rest.rss - 1.0).abs() < 0.01,
+                "{} {}",
+                known.rss,
+                rest.rss
+            );
+            assert_eq!(known.rank, rest.basis.rank());
+            assert!((known.ln_evidence - rest.ln_evidence).abs() < 1.0);
+            let by_table = regression.scan_without(&around, &known);
+            let by_fit = regression.scan(&rest, Among::Names);
+            assert_eq!(by_table.len(), by_fit.len());
+            for (a, b) in by_table.iter().zip(&by_fit) {
+                assert_eq!(a.candidate, b.candidate);
+                let apart = (a.gain - b.gain).abs();
+                assert!(
+                    apart < 1.0 + 0.03 * b.gain,
+                    "{:?} {} {}",
+                    regression.table.candidates[a.candidate].what,
+                    a.gain,
+                    b.gain
+                );
+                let one = around.gain(&known, &regression.table.candidates[a.candidate]);
+                assert!((one - a.gain).abs() < 1e-6 * (1.0 + a.gain));
+            }
+        }
+    }
+}

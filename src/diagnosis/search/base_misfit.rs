@@ -1,0 +1,94 @@
+//! Names in place of what the description of a robot with several joints lacks. Where several are
+//! needed and much is left all the same, it is the base model that does not fit; where they predict
+//! unseen places no better than the geometry alone, they only follow the samples. Neither is said.
+
+use crate::fit::base_model;
+
+use super::floor::floor;
+use super::forward::mean_sigma_mm;
+use super::found::Found;
+use super::prepare::Prepared;
+use super::{aliases, final_set};
+use crate::answers::diagnosis::FloorFrom;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::Rival;
+
+/// So many names are several.
+const SEVERAL: usize = 2;
+/// Names that are right leave less than this many times the floor.
+const MOST_OVER_THE_FLOOR: f64 = 1.5;
+
+/// So many likelier sets of names are held against what is said of them, likeliest first.
+const MOST_HELD_AGAINST: usize = 6;
+
+/// Withdraws the names of a robot with several joints whose base model does not fit.
+pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
+    let regression = &prepared.regression;
+    found.fit = likeliest(prepared, found.fit.clone());
+    let names = regression.added(&found.fit).len();
+    if names == 0 || !base_model::is_arm(prepared.problem.session) {
+        return;
+    }
+    // Names alone are what a model keeps.
+    let alone = regression.fit(&found.fit.model, &[]);
+    let base = regression.fit(&regression.base, &[]);
+    let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
+    if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
+        let shapes = found.fit.shapes.clone();
+        found.names_only = alone;
+        found.fit = regression.fit(&regression.base, &shapes);
+        return;
+    }
+    // A search that ended early leaves what it had no time for: that says nothing of the base.
+    if names < SEVERAL || regression.work.ended().is_some() {
+        return;
+    }
+    let floor = floor(prepared, &found.fit);
+    let more = left_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
+    if floor.from != FloorFrom::Estimated && more {
+        found.names_only = std::mem::replace(&mut found.fit, base);
+        found.base_misfit = true;
+    }
+}
+
+/// The likeliest set of names that can be said of a robot with several joints: others take the place of those
+/// in hand where they are likelier and stand when they are held against what is said of them. A rival that
+/// does not stand itself is no reason to doubt.
+fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
+    let regression = &prepared.regression;
+    if !base_model::is_arm(prepared.problem.session) {
+        return fit;
+    }
+    // The evidence rises with each exchange, so that it ends.
+    loop {
+        if regression.work.is_spent() {
+            return fit;
+        }
+        let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
+        let stands = |r: &Rival| {
+            let said = final_set::said(prepared, r.fit.clone())?;
+            let fits = regression.added(&said).len() <= prepared.cap();
+            (fits && final_set::is_above(&said, &fit)).then_some(said)
+        };
+        let rivals = aliases::rivals(regression, &fit).into_iter();
+        let goes_on = |_: &Rival| !regression.work.is_spent();
+        let mut rivals = rivals
+            .filter(above)
+            .take(MOST_HELD_AGAINST)
+            .take_while(goes_on);
+        let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
+            return fit;
+        };
+        fit = likelier;
+    }
+}
+
+/// Root mean square length of what a fit leaves, mm.
+pub(crate) fn left_mm(prepared: &Prepared, fit: &Fit) -> f64 {
+    let regression = &prepared.regression;
+    if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
+        return regression.scale(fit) * noise_mm;
+    }
+    let axes = regression.rows.axes.len() as f64;
+    regression.scale(fit) * mean_sigma_mm(regression) * axes.sqrt()
+}

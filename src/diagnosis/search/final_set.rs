@@ -1,0 +1,239 @@
+//! The set of names that a search ends with, tested once more: each name against the rest, with the
+//! null of this very fit. A name that entered early may be worth nothing beside what came later.
+
+use crate::effects::{Over, Term};
+
+use super::forward::{CHANCE, mean_sigma_mm, needed};
+use super::found::Found;
+use super::prepare::Prepared;
+use super::steps::{Next, Step, steps};
+use super::worth::worth;
+use super::{aliases, own_evidence};
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::Folds;
+use crate::diagnosis::{Cancelled, Progress, Watch};
+
+/// Logarithm of odds at which no other setting of a term passes for it in a part of the samples.
+const BEYOND_DOUBT: f64 = 40.0;
+
+/// Takes out, worst first, every name that does not carry itself.
+pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
+    found.fit = tested(prepared, found.fit.clone(), watch)?;
+    Ok(())
+}
+
+/// A fit without the names that do not carry themselves in it.
+pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<Fit, Cancelled> {
+    let regression = &prepared.regression;
+    loop {
+        if !watch(&Progress::Comparing) {
+            return Err(Cancelled);
+        }
+        let unseen = prepared.folds.rms(regression, &fit);
+        let terms = regression.added(&fit);
+        let rests: Vec<_> = terms.iter().map(|t| regression.without(&fit, t)).collect();
+        let useful = prepared
+            .folds
+            .surely_predict(regression, &fit, &terms, &rests);
+        let worths = terms.iter().zip(useful);
+        let worths = worths.map(|(term, useful)| (worth(prepared, &fit, term), *term, useful));
+        let mut worths: Vec<_> = worths.collect();
+        // The first that does not carry itself is the worst of them: nothing is asked of the others.
+        worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
+        let worst = worths.into_iter().find_map(|(worth, term, useful)| {
+            let useful = useful && worth.ln_odds > BEYOND_DOUBT;
+            let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
+            let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE, &fit);
+            let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
+            (unlikely || improbable() || useless()).then_some(worth.rest)
+        });
+        let Some(rest) = worst else {
+            return Ok(fit);
+        };
+        fit = rest;
+    }
+}
+
+/// Whether a rival is likelier than a fit by more than rounding.
+pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
+    rival.ln_evidence > fit.ln_evidence + 1e-3
+}
+
+/// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
+/// doubt what does.
+pub(crate) fn stands_above(prepared: &Prepared, rival: &Fit, fit: &Fit) -> bool {
+    let tested = || tested(prepared, rival.clone(), &|_| true);
+    is_above(rival, fit) && tested().is_ok_and(|rival| is_above(&rival, fit))
+}
+
+/// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
+/// taken out may have made of them; whether it did.
+pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
+    let regression = &prepared.regression;
+    let mut changed = false;
+    for _ in 0..3 {
+        let mut rivals = aliases::rivals(regression, &found.fit).into_iter();
+        let fits = |r: &crate::diagnosis::evidence::rival::Rival| {
+            regression.added(&r.fit).len() <= prepared.cap()
+        };
+        let Some(rival) = rivals.find(fits) else {
+            break;
+        };
+        if !is_above(&rival.fit, &found.fit) {
+            break;
+        }
+        found.fit = rival.fit;
+        changed = true;
+    }
+    changed
+}
+
+/// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
+/// to it, and one with which the error on unseen samples does not fall is taken out.
+pub(crate) fn as_said(
+    prepared: &Prepared,
+    found: &mut Found,
+    watch: Watch,
+) -> Result<(), Cancelled> {
+    let regression = &prepared.regression;
+    let base = regression.fit(&regression.base, &[]);
+    loop {
+        if !watch(&Progress::Comparing) {
+            return Err(Cancelled);
+        }
+        if !regression.work.is_spent()
+            && let Some(likelier) = one_exchanged(prepared, &found.fit)
+        {
+            found.fit = likelier;
+            test(prepared, found, watch)?;
+            continue;
+        }
+        if let Some(term) = own_evidence::least_proven(prepared, &found.fit) {
+            found.fit = regression.without_term(&found.fit, &term);
+            continue;
+        }
+        // As the model keeps them: names alone.
+        let alone = if found.fit.shapes.is_empty() {
+            found.fit.clone()
+        } else {
+            regression.fit(&found.fit.model, &[])
+        };
+        // Of several kinds of measurement that in mm is not all that they show.
+        let of_kinds = regression.rows.observed().is_some();
+        let idle = |step: &Step| {
+            let held_out = if of_kinds {
+                step.held_out
+            } else {
+                step.held_out_mm
+            };
+            held_out.is_some_and(|h| h[1] >= h[0])
+        };
+        let steps = steps(prepared, &base, &alone);
+        if let Some(step) = steps.into_iter().rev().find(idle) {
+            found.fit = regression.without_term(&found.fit, &step.term);
+        } else if let Some(rest) = denied_by_stretches(prepared, &found.fit) {
+            found.fit = rest;
+        } else {
+            return Ok(());
+        }
+    }
+}
+
+/// Stretches deny a name by so much more of a sum of squares, in units of the noise, that noise alone seldom
+/// does: twice the logarithm of odds of 20.
+const CLEARLY_DENIED: f64 = 6.0;
+
+/// The fit without the name over the joint's value that predicts stretches of it which no fit has seen worst,
+/// where they are predicted clearly better without it. Between turns that were seen a wrong order predicts as well as the right
+/// one.
+fn denied_by_stretches(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+    let regression = &prepared.regression;
+    let of_angle = |t: &&Term| t.effect.about().over == Over::Angle;
+    let terms: Vec<&Term> = regression.added(fit).into_iter().filter(of_angle).collect();
+    if terms.is_empty() || !fit.shapes.is_empty() || regression.noise.slow.is_some() {
+        return None;
+    }
+    let stretches = Folds::stretches(regression)?;
+    let left = |fit: &Fit| {
+        let unseen = stretches.unseen(regression, fit).rms_mm / mean_sigma_mm(regression);
+        unseen * unseen * regression.rows.lengths() as f64
+    };
+    let with_all = left(fit);
+    let rests = terms.iter().map(|t| regression.without_term(fit, t));
+    let denied = rests.map(|rest| (with_all - left(&rest), rest));
+    let worst = denied.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (worst.0 > CLEARLY_DENIED).then_some(worst.1)
+}
+
+/// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
+/// place.
+pub(crate) fn said(prepared: &Prepared, fit: Fit) -> Option<Fit> {
+    let watch: Watch = &|_| true;
+    let mut found = Found {
+        names_only: fit.clone(),
+        fit: tested(prepared, fit, watch).ok()?,
+        base_misfit: false,
+        other_ends: Vec::new(),
+    };
+    as_said(prepared, &mut found, watch).ok()?;
+    Some(found.fit)
+}
+
+/// The fit with the likeliest other name in the place of one, where that is likelier.
+fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+    let regression = &prepared.regression;
+    let likelier = regression.added(fit).into_iter().filter_map(|term| {
+        let worth = worth(prepared, fit, term);
+        Next::than(prepared, fit, term, &worth)?.fit
+    });
+    let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
+    is_above(&best, fit).then_some(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::diagnosis::candidates::table::What;
+    use crate::diagnosis::tests::eccentric;
+
+    /// What is said of a set of these names that a search would have ended with.
+    fn said_of(names: &[&str]) -> Vec<&'static str> {
+        let session = eccentric(15, 0.03);
+        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let mut fit = regression.fit(&regression.base, &[]);
+        for name in names {
+            let named = |what: &What| what.term().is_some_and(|t| t.effect.about().id == *name);
+            let candidates = &regression.table.candidates;
+            let what = &candidates.iter().find(|c| named(&c.what)).unwrap().what;
+            fit = regression.with(&fit, what);
+        }
+        let mut found = Found {
+            names_only: fit.clone(),
+            fit,
+            base_misfit: false,
+            other_ends: Vec::new(),
+        };
+        as_said(&prepared, &mut found, &|_| true).unwrap();
+        let added = regression.added(&found.fit);
+        added.iter().map(|t| t.effect.about().id).collect()
+    }
+
+    #[test]
+    fn a_name_gives_way_to_a_likelier_one() {
+        assert_eq!(said_of(&["encoder-two-cycle"]), ["encoder-eccentricity"]);
+    }
+
+    #[test]
+    fn a_name_with_which_unseen_samples_are_predicted_no_better_is_not_said() {
+        let names = ["encoder-eccentricity", "encoder-two-cycle"];
+        assert_eq!(said_of(&names), ["encoder-eccentricity"]);
+    }
+
+    #[test]
+    fn what_is_right_stays() {
+        let names = ["encoder-eccentricity"];
+        assert_eq!(said_of(&names), names);
+    }
+}

@@ -1,0 +1,162 @@
+//! The noise floor: the smallest gap that noise allows, from returns to the same pose, else from
+//! the instrument's maker, else from what the final model leaves.
+
+use crate::sessions::Sigma;
+
+use super::prepare::Prepared;
+use crate::answers::diagnosis::{Floor, FloorFrom};
+use crate::diagnosis::evidence::Fit;
+
+/// From returns to the same pose, else the instrument, else the residuals of the final fit; never below
+/// what rounding to the digit of the coordinates leaves.
+pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
+    let rows = &prepared.regression.rows;
+    let squares = rows
+        .axes
+        .iter()
+        .filter_map(|axis| rows.digits_mm.get(*axis));
+    let digits_mm = squares.map(|mm| mm * mm).sum::<f64>().sqrt();
+    let floor = as_shown(prepared, fit);
+    Floor {
+        mm: floor.mm.max(digits_mm),
+        ..floor
+    }
+}
+
+fn as_shown(prepared: &Prepared, fit: &Fit) -> Floor {
+    let regression = &prepared.regression;
+    if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
+        return of_observations(prepared, fit, noise_mm);
+    }
+    if let Some(mm) = pure_error(prepared).and_then(|pure| pure.mm) {
+        return Floor {
+            mm,
+            from: FloorFrom::Repeats,
+        };
+    }
+    let axes = regression.rows.axes.len() as f64;
+    match prepared.problem.session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => Floor {
+            mm: sigma * axes.sqrt(),
+            from: FloorFrom::Instrument,
+        },
+        Some(Sigma::PerAxis(sigma)) => Floor {
+            mm: regression
+                .rows
+                .axes
+                .iter()
+                .map(|a| sigma[*a].powi(2))
+                .sum::<f64>()
+                .sqrt(),
+            from: FloorFrom::Instrument,
+        },
+        None => Floor {
+            mm: regression.noise.total_mm(&regression.rows.axes)
+                * axes.sqrt()
+                * regression.scale(fit),
+            from: FloorFrom::Estimated,
+        },
+    }
+}
+
+/// The same where other things than plain points were measured; `noise_mm` is what the noise of the
+/// regression leaves.
+fn of_observations(prepared: &Prepared, fit: &Fit, noise_mm: f64) -> Floor {
+    let regression = &prepared.regression;
+    let stated = prepared.problem.observed.as_ref();
+    let stated = stated.filter(|layer| layer.is_stated());
+    match (pure_error(prepared), stated) {
+        (Some(pure), _) => Floor {
+            // In mm of lengths alone, where repeats show any.
+            mm: pure.mm.unwrap_or(noise_mm * pure.variance.sqrt()),
+            from: FloorFrom::Repeats,
+        },
+        (None, Some(layer)) => Floor {
+            mm: noise_mm * layer.unit_mm / regression.noise.sigma_mm[0],
+            from: FloorFrom::Instrument,
+        },
+        (None, None) => Floor {
+            mm: noise_mm * regression.scale(fit),
+            from: FloorFrom::Estimated,
+        },
+    }
+}
+
+/// Fewest degrees of freedom from which repeats tell the noise.
+const FEWEST_REPEATS: usize = 8;
+
+/// What returns to the same pose tell of the noise.
+pub(crate) struct PureError {
+    /// Root mean square length, mm; `None` where no length was measured again.
+    pub(crate) mm: Option<f64>,
+    /// Mean square of a coordinate, in units of the white noise of its axis.
+    pub(crate) variance: f64,
+    /// Degrees of freedom of that, over all axes.
+    pub(crate) freedom: f64,
+}
+
+/// Spread between samples of the same pose, side, target, speed and load, reached again after
+/// another pose.
+pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
+    let rows = &prepared.regression.rows;
+    let inputs = &rows.inputs;
+    let key = |i: usize| {
+        let mut key: Vec<u64> = inputs.q.iter().map(|q| q[i].to_bits()).collect();
+        for columns in [&inputs.dir, &inputs.speed] {
+            key.extend(columns.iter().flatten().map(|c| (c[i] + 0.0).to_bits()));
+        }
+        key.extend(inputs.load_kg.iter().map(|c| c[i].to_bits()));
+        key.extend(inputs.target.iter().map(|t| u64::from(t[i])));
+        key.extend(inputs.setup.iter().map(|s| s[i].to_bits()));
+        key
+    };
+    let mut keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
+    if let Some(observed) = rows.observed() {
+        for (key, reference) in keys.iter_mut().zip(observed.layer().references()) {
+            key.push(reference as u64);
+        }
+    }
+    let mut order: Vec<usize> = (0..keys.len()).collect();
+    order.sort_by(|a, b| keys[*a].cmp(&keys[*b]).then(a.cmp(b)));
+    let (raw, _) = rows.extract(&prepared.regression.base);
+    let n = rows.samples.len();
+    let sigma = prepared.regression.noise.sigma_mm;
+    let (mut sum, mut weighted, mut freedom, mut all) = (0.0, 0.0, 0_usize, 0_usize);
+    let mut of_lengths = 0_usize;
+    let mut start = 0;
+    while start < n {
+        let end = (start..n)
+            .find(|k| keys[order[*k]] != keys[order[start]])
+            .unwrap_or(n);
+        // Reached again: something else was measured in between.
+        let group: Vec<usize> = order[start..end]
+            .iter()
+            .enumerate()
+            .filter(|(k, i)| *k == 0 || **i > order[start + k - 1] + 1)
+            .map(|(_, i)| *i)
+            .collect();
+        if group.len() > 1 {
+            freedom += group.len() - 1;
+            let mut has_length = false;
+            for axis in (0..rows.axes.len()).filter(|a| rows.has(a * n + group[0])) {
+                all += group.len() - 1;
+                let values = group.iter().map(|i| raw[axis * n + i]);
+                let mean = values.clone().sum::<f64>() / group.len() as f64;
+                let square = values.map(|v| (v - mean).powi(2)).sum::<f64>();
+                // Angles beside lengths are none.
+                let mm = rows.mm(axis * n + group[0]);
+                has_length |= mm > 0.0;
+                sum += mm * mm * square;
+                weighted += square / sigma[rows.axes[axis]].powi(2);
+            }
+            of_lengths += if has_length { group.len() - 1 } else { 0 };
+        }
+        start = end;
+    }
+    let all = all as f64;
+    (freedom >= FEWEST_REPEATS).then(|| PureError {
+        mm: (of_lengths >= FEWEST_REPEATS).then(|| (sum / of_lengths as f64).sqrt()),
+        variance: weighted / all,
+        freedom: all,
+    })
+}

@@ -1,0 +1,40 @@
+//! Which names explain the samples. [`searched`] is the whole search: forward with swaps, drops and pairs, again once
+//! outliers and noise are known beside the names, then against slow noise and free curves, and each name once more
+//! against the rest.
+//!
+//! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`: which samples count).
+//! - `forward`: one search; `orders`: several orders of one joint together; `found`: what it ends with.
+//! - `aliases`, `other_settings`: rivals that the samples cannot rule out.
+//! - `free_curve`, `smooth`, `smooth_rival`: a curve without a name as the rival of names.
+//! - `final_set`, `worth`, `steps`, `own_evidence`: the names tested at the end, and what each adds.
+//! - `floor`, `base_misfit`, `gross_error`: names that are withdrawn because it is the geometry that does not fit.
+
+pub(crate) mod aliases;
+mod base_misfit;
+mod classes;
+mod final_set;
+mod floor;
+mod forward;
+mod found;
+mod free_curve;
+mod gross_error;
+mod orders;
+pub(crate) mod other_settings;
+mod own_evidence;
+pub(crate) mod prepare;
+mod procedure;
+mod robust;
+pub(crate) mod smooth;
+pub(crate) mod smooth_rival;
+mod steps;
+mod worth;
+
+pub(crate) use base_misfit::left_mm;
+pub(crate) use final_set::{is_above, stands_above};
+pub(crate) use floor::{PureError, floor, pure_error};
+pub(crate) use forward::{CHANCE, mean_sigma_mm};
+pub(crate) use found::Found;
+pub(crate) use orders::OrderSpread;
+pub(crate) use procedure::{checked, searched, until_stopped};
+pub(crate) use steps::{Next, Step, steps};
+pub(crate) use worth::{Worth, worth};

@@ -1,0 +1,218 @@
+//! The whole search.
+
+use crate::effects::{Owner, Term};
+use crate::fit::noise::Noise;
+use crate::sessions::Session;
+use crate::set_up_errors;
+use crate::set_up_errors::Mended;
+
+use super::found::Found;
+use super::prepare::Prepared;
+use super::{base_misfit, final_set, free_curve, gross_error, smooth_rival};
+use crate::diagnosis::error::DiagnoseError;
+use crate::diagnosis::evidence::rival;
+use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
+use crate::diagnosis::options::Options;
+use crate::diagnosis::progress::{Cancelled, Progress, Watch};
+
+/// A watcher who is not asked again once the search was stopped, where what is proven until then is wanted.
+pub(crate) fn until_stopped<'w>(
+    work: &'w Work,
+    options: &Options,
+    watch: Watch<'w>,
+) -> impl Fn(&Progress) -> bool + use<'w> {
+    let keep = options.keep_when_stopped;
+    move |progress| {
+        if work.was_stopped() || watch(progress) {
+            return true;
+        }
+        if keep {
+            work.stop();
+        }
+        keep
+    }
+}
+
+/// The session without its blunders.
+pub(crate) fn checked<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Mended<'a>, Cancelled> {
+    if !watch(&Progress::Checking) && !options.keep_when_stopped {
+        return Err(Cancelled);
+    }
+    Ok(set_up_errors::mended(session, options.joint_values))
+}
+
+/// The whole search, in six steps. A step may be cut short where the work that it may cost is done ([`Work`]) or the
+/// user stops it; what is proven until then is the answer.
+pub(crate) fn searched<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+    // 1. The samples that count, the robust fit of the base, its noise, and the candidates.
+    let mut prepared = prepared(session, options, watch)?;
+    let work = prepared.regression.work.clone();
+    let told = until_stopped(&work, options, watch);
+    let watch: Watch = &told;
+    // 2. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
+    work.up_to(FIRST_SEARCH);
+    let mut found = prepared.search(watch)?;
+    // 3. Again with the names known: outliers and noise look different then.
+    work.up_to(SECOND_SEARCH);
+    found = search_again(&mut prepared, found, watch)?;
+    // 4. Against a slow part of the noise and against free curves: the likelier end wins.
+    work.up_to(RIVALS);
+    (prepared, found) = hold_rivals_against(prepared, found, watch)?;
+    // 5. Each name against the rest, and against other sets that are as likely.
+    work.up_to(OTHER_SETS);
+    test_at_the_end(&prepared, &mut found, watch)?;
+    // 6. No name for what the geometry, the rows or the set-up leave.
+    base_misfit::withdraw(&prepared, &mut found);
+    gross_error::withdraw(&prepared, &mut found);
+    work.up_to(1.0);
+    Ok((prepared, found))
+}
+
+/// The session made ready to be searched.
+fn prepared<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Prepared<'a>, DiagnoseError> {
+    let goes_on = watch(&Progress::Preparing);
+    if !goes_on && !options.keep_when_stopped {
+        return Err(DiagnoseError::Cancelled);
+    }
+    let prepared = Prepared::new(session, options)?;
+    if !goes_on {
+        // Geometry alone is an answer too.
+        prepared.regression.work.stop();
+    }
+    Ok(prepared)
+}
+
+/// The search again where the names show other outliers or another noise, or where it was not finished.
+fn search_again(
+    prepared: &mut Prepared,
+    found: Found,
+    watch: Watch,
+) -> Result<Found, DiagnoseError> {
+    let unfinished = prepared.regression.work.ended().is_some();
+    if !(prepared.reconsider(&found) || unfinished) {
+        return Ok(found);
+    }
+    prepared.regression.work.begin_again();
+    if unfinished || prepared.may_go_on(&found) {
+        prepared.search_on(&found, watch)
+    } else {
+        prepared.search(watch)
+    }
+}
+
+/// What was found against its rivals that are no names. A search that may not go on leaves names unsaid: neither
+/// a slow part of the noise nor a free curve is held against those it has, and the verdict says that something is left.
+fn hold_rivals_against<'a>(
+    prepared: Prepared<'a>,
+    found: Found,
+    watch: Watch,
+) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+    if prepared.is_capped(&found) {
+        return Ok((prepared, found));
+    }
+    let work = prepared.regression.work.clone();
+    let likelier = against_rivals(&prepared, found, watch)?;
+    // What was held against the end was not left out of it.
+    work.begin_again();
+    Ok(likelier)
+}
+
+/// Tests the names that are left, once more where one is exchanged, and takes those that can be said.
+fn test_at_the_end(
+    prepared: &Prepared,
+    found: &mut Found,
+    watch: Watch,
+) -> Result<(), DiagnoseError> {
+    final_set::test(prepared, found, watch)?;
+    if final_set::exchanged(prepared, found) {
+        final_set::test(prepared, found, watch)?;
+    }
+    final_set::as_said(prepared, found, watch)?;
+    Ok(())
+}
+
+/// What was found against a slow part of the noise and a free curve: the likeliest of them.
+fn against_rivals<'a>(
+    prepared: &Prepared<'a>,
+    mut found: Found,
+    watch: Watch,
+) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+    let slow = prepared.slow_noise();
+    let instead = prepared.slow_noise_instead(&found.fit);
+    let instead = instead.filter(|n| slow.as_ref().is_none_or(|s| !s.whitens_like(n)));
+    let noise = &prepared.regression.noise;
+    let white = noise.slow.map(|_| noise.made_white());
+    let (mut prepared, fit) = prepared.settled(&found.fit);
+    found.fit = fit;
+    free_curve::rival(&prepared, &mut found);
+    smooth_rival::rival(&prepared, &mut found);
+    let mut others = Vec::new();
+    for noise in white.into_iter().chain(slow).chain(instead) {
+        let known = &prepared.regression.noise;
+        let (rival, end) = settled_search(prepared.with_noise(noise), known, watch)?;
+        let loser = if standing(&rival, &end) > standing(&prepared, &found) {
+            prepared = rival;
+            std::mem::replace(&mut found, end)
+        } else {
+            end
+        };
+        others.push(loser.fit);
+    }
+    if prepared.regression.noise.slow.is_some() {
+        let white = prepared.with_noise(prepared.regression.noise.made_white());
+        if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
+            (prepared, found) = (white, curve);
+        }
+    }
+    let least = found.fit.ln_evidence - rival::UNDECIDED;
+    others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
+    found.other_ends = others;
+    Ok((prepared, found))
+}
+
+/// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
+/// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
+/// noise: such a name stands unless the noise rules it out.
+fn standing(prepared: &Prepared, end: &Found) -> f64 {
+    let names = prepared.regression.added(&end.fit);
+    let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
+    let only = !names.is_empty() && names.iter().all(of_the_frame);
+    let favour = prepared.regression.noise.slow.is_none() && only && end.fit.shapes.is_empty();
+    end.fit.ln_evidence + if favour { rival::UNDECIDED } else { 0.0 }
+}
+
+/// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
+/// already.
+fn settled_search<'a>(
+    mut prepared: Prepared<'a>,
+    searched: &Noise,
+    watch: Watch,
+) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+    let mut found = prepared.search(watch)?;
+    for _ in 0..3 {
+        let (settled, fit) = prepared.settled(&found.fit);
+        let noise = &settled.regression.noise;
+        let same = noise.whitens_like(&prepared.regression.noise);
+        let known = noise.whitens_like(searched);
+        (prepared, found.fit) = (settled, fit);
+        if same || known {
+            break;
+        }
+        found = prepared.search_on(&found, watch)?;
+    }
+    free_curve::rival(&prepared, &mut found);
+    smooth_rival::rival(&prepared, &mut found);
+    Ok((prepared, found))
+}

@@ -1,0 +1,164 @@
+//! Outliers while the base model is still poor: beside many columns at once whatever is smooth or
+//! periodic is followed, and what stands apart from that is an outlier, not an effect.
+//!
+//! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's
+//! biweight, which redescends to zero (Holland & Welsch 1977). A deviation is divided by the share
+//! of it that a fit leaves.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
+use crate::linear::{Basis, along, cross};
+use crate::observations::figures::apart;
+use crate::observations::outliers::suspected;
+
+use crate::diagnosis::evidence::Regression;
+use crate::diagnosis::evidence::thinned;
+
+/// With fewer samples there are no many columns to fit.
+const FEWEST: usize = 20;
+/// Rounds of each kind of weights.
+const ROUNDS: [usize; 2] = [3, 6];
+/// Huber's and Tukey's constants for three axes: the 95 % and 99.9 % points of χ.
+/// (Holland & Welsch 1977 for the weights.)
+const TUNING: [f64; 2] = [2.8, 5.5];
+
+/// Samples that were looked at, and whether they are suspected.
+pub(crate) fn suspected_beside_many(
+    problem: &Problem,
+    regression: &Regression,
+    most: usize,
+) -> Vec<(usize, bool)> {
+    let mut all = problem.clone();
+    all.set_counted(all.to_fit().to_vec());
+    let all = thinned(&all, most);
+    let rows = Rows::of(&all);
+    let n = rows.samples.len();
+    if n < FEWEST {
+        return Vec::new();
+    }
+    // The columns are needed for the suspected samples as well.
+    let same = rows.samples == regression.rows.samples;
+    let rich = if same {
+        regression.table.columns.raw_of(&regression.table.rich)
+    } else {
+        regression.table.rich_on(&rows, &regression.base)
+    };
+    let (residual, columns) = rows.extract_with_known(&regression.base, &problem.priors);
+    let own = columns.ncols();
+    let mut design = columns.resize_horizontally(own + rich.ncols(), 0.0);
+    let (m, width) = rich.shape();
+    design.view_mut((0, own), (m, width)).copy_from(&rich);
+    let q = Basis::new(&design).q;
+    let axes = rows.axes.len();
+    let mut weights = vec![1.0; n];
+    let mut left = residual.clone();
+    for (stage, rounds) in ROUNDS.into_iter().enumerate() {
+        for _ in 0..rounds {
+            let Some((e, kept)) = weighted(&q, &residual, &weights, axes) else {
+                return Vec::new();
+            };
+            left = e;
+            let lengths: Vec<f64> = (0..n)
+                .map(|i| {
+                    let squares = (0..axes).map(|a| {
+                        let row = a * n + i;
+                        left[row] * left[row] / kept[row]
+                    });
+                    squares.sum::<f64>().sqrt() * as_of_three(&rows, i)
+                })
+                .collect();
+            let mut sorted = lengths.clone();
+            let (_, median, _) = sorted.select_nth_unstable_by(n / 2, f64::total_cmp);
+            // The median length of three axes is 1.54 standard deviations.
+            let scale = (*median / 1.54).max(1e-9);
+            for (w, length) in weights.iter_mut().zip(&lengths) {
+                let z = length / (scale * TUNING[stage]);
+                *w = match stage {
+                    0 => (1.0 / z.max(1e-9)).min(1.0),
+                    _ if z < 1.0 => (1.0 - z * z).powi(2),
+                    _ => 0.0,
+                };
+            }
+        }
+    }
+    let Some((_, kept)) = weighted(&q, &residual, &weights, axes) else {
+        return Vec::new();
+    };
+    let deviations: Vec<Vec<f64>> = (0..axes)
+        .map(|a| {
+            (0..n)
+                .map(|i| left[a * n + i] / kept[a * n + i].sqrt())
+                .collect()
+        })
+        .collect();
+    if let Some(observed) = rows.observed() {
+        let unit = observed.layer().unit_mm;
+        let of = |i: usize| [0, 1, 2].map(|a| deviations.get(a).map_or(0.0, |d| d[i] / unit));
+        let white: Vec<[f64; 3]> = (0..n).map(of).collect();
+        let marked = apart(observed.layer(), &white);
+        return rows.samples.iter().copied().zip(marked).collect();
+    }
+    let columns: Vec<&[f64]> = deviations.iter().map(|d| &d[..]).collect();
+    let sigma: Vec<f64> = rows
+        .axes
+        .iter()
+        .map(|a| 1.0 / problem.axis_weights[*a].sqrt())
+        .collect();
+    let marked = suspected(&columns, &vec![true; n], &sigma, true);
+    rows.samples.iter().copied().zip(marked).collect()
+}
+
+/// The median length of so many coordinates, in standard deviations.
+const MEDIANS: [f64; 3] = [0.674_5, 1.177, 1.54];
+
+/// By how much the length of an observation with fewer rows than three is as rare as that of three.
+fn as_of_three(rows: &Rows, observation: usize) -> f64 {
+    let Some(observed) = rows.observed() else {
+        return 1.0;
+    };
+    let own = observed.layer().items[observation].rows;
+    MEDIANS[2] / MEDIANS[own.clamp(1, 3) - 1]
+}
+
+/// What a weighted fit leaves, and of each row the variance that it leaves of the noise.
+fn weighted(
+    q: &DMatrix<f64>,
+    residual: &DVector<f64>,
+    weights: &[f64],
+    axes: usize,
+) -> Option<(DVector<f64>, Vec<f64>)> {
+    let n = weights.len();
+    let mut scaled = q.clone();
+    for mut column in scaled.column_iter_mut() {
+        for a in 0..axes {
+            for (i, w) in weights.iter().enumerate() {
+                column[a * n + i] *= w;
+            }
+        }
+    }
+    let mut gram = cross(&scaled, q);
+    for k in 0..gram.nrows() {
+        gram[(k, k)] += 1e-9;
+    }
+    let factor = gram.cholesky()?;
+    let step = factor.solve(&along(&scaled, residual));
+    let left = residual - q * step;
+    let spread = factor.l_dirty().solve_lower_triangular(&q.transpose())?;
+    let kept = (0..axes * n)
+        .map(|row| {
+            let leverage = spread.column(row).norm_squared();
+            let w = weights[row % n];
+            // In the fit a row pulls it towards itself; outside of it the fit's own error adds.
+            (1.0 - 2.0 * w * leverage + leverage * w)
+                .clamp(0.1, 1.0)
+                .max(if w < 1e-3 {
+                    1.0 + leverage.min(3.0)
+                } else {
+                    0.0
+                })
+        })
+        .collect();
+    Some((left, kept))
+}

@@ -1,0 +1,70 @@
+//! Steps of equal size, at which one order of a gear is the same samples as another.
+
+use crate::answers::diagnosis::DataProblem;
+use crate::kinematics::JointKind;
+use crate::units::deg_from_rad;
+
+use crate::diagnosis::candidates::{setting, shown};
+use crate::diagnosis::evidence::rival::Rival;
+use crate::diagnosis::search::prepare::Prepared;
+
+/// Steps are equal where none differs by more than this share from their median.
+const EQUAL: f64 = 0.02;
+
+/// What is said of steps that are equal, where settings cannot be told apart by them.
+pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataProblem> {
+    let term = rivals.first()?.removed.first()?;
+    let joint = term.joint;
+    let kind = prepared.problem.session.robot.joints[joint].kind;
+    let steps = step_of(&prepared.regression.rows.inputs.q[joint]).map(|step| match kind {
+        JointKind::Prismatic => format!("{step:.3} mm"),
+        JointKind::Revolute => format!("{:.3}°", deg_from_rad(step)),
+    });
+    let settings = rivals
+        .iter()
+        .flat_map(crate::diagnosis::evidence::rival::Rival::other_settings)
+        .map(shown);
+    let settings: Vec<String> = settings.collect();
+    Some(DataProblem {
+        what: text!("equal steps"),
+        evidence: match steps {
+            Some(step) => text!(
+                "the values of joint {joint} are equal steps of {step}: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
+                joint = joint + 1,
+                step = step,
+                setting = setting(term),
+                others = settings.join(", ")
+            ),
+            None => text!(
+                "the values of joint {joint} are steps that do not part them: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
+                joint = joint + 1,
+                setting = setting(term),
+                others = settings.join(", ")
+            ),
+        },
+        proposal: text!("measure the proposed poses, which are uneven steps"),
+        mend: None,
+        samples: Vec::new(),
+    })
+}
+
+/// The step of values that are equal steps, inner units.
+pub(crate) fn step_of(values: &[f64]) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let span = sorted.last()? - sorted.first()?;
+    let same = 1e-4 * span;
+    let mut steps: Vec<f64> = sorted.windows(2).map(|w| w[1] - w[0]).collect();
+    steps.retain(|step| *step > same);
+    if steps.len() < 3 {
+        return None;
+    }
+    steps.sort_by(f64::total_cmp);
+    let median = steps[steps.len() / 2];
+    // A value that is left out makes a step of two.
+    let off = |step: &f64| (step / median - (step / median).round()).abs();
+    steps
+        .iter()
+        .all(|s| off(s) < EQUAL && *s > 0.5 * median)
+        .then_some(median)
+}

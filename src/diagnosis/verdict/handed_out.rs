@@ -1,0 +1,202 @@
+//! What a diagnosis hands out: of the fits that a search leaves, the first whose model is no worse than
+//! that of `identify`, in its RMS error and in that of samples that no fit has seen.
+//!
+//! A shape that no name explains is fitted beside the names, so that it does not bend their values. It is
+//! no part of the model: where it holds a constant (a curve over the whole of a joint does, and a slope over
+//! a temperature that is far from 20 °C) the values run off against it, and are right only together with it.
+//! So the candidates are, in this order,
+//!
+//! 1. the values beside the shapes, where the shapes take no more of the model than they show of
+//!    themselves,
+//!
+//! ```text
+//! e²(beside) − e²(names) ≤ e²(names) − e²(names and shapes)
+//! ```
+//!
+//! 2. the values of the names alone,
+//! 3. the same as they were before their sizes were corrected for the selection,
+//! 4. the same with fewer names, the last that was found left out first,
+//! 5. the model of `identify` itself.
+//!
+//! Names of several joints that cancel each other at the samples and run away over the joint ranges
+//! (`run_away`) are left out as well.
+//!
+//! Every comparison is over the same samples and the same folds. Intervals are those of the fit with the
+//! shapes where it may be used at all, and hold the value that is handed out.
+
+use crate::effects::Term;
+use crate::fit::gap::{Spread, lengths_mm};
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
+use crate::model::Model;
+
+use super::divergent_terms::runs_away;
+use super::unseen::{self, Procedure};
+use super::values::{Values, corrected_for_selection};
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::prepare::Prepared;
+
+/// What is handed out.
+pub(crate) struct HandedOut<'a> {
+    /// Its model, values and intervals.
+    pub(crate) values: Values<'a>,
+    /// RMS error of the model of `identify`, mm.
+    pub(crate) identified_mm: f64,
+    /// RMS error of what is handed out, mm: never above that of `identify`.
+    pub(crate) end_mm: f64,
+    /// Cross-validated RMS errors of both, mm; `None` with too few samples.
+    pub(crate) held_out_mm: Option<[f64; 2]>,
+    /// Names that were found and are not handed out, as the model is no better with them.
+    pub(crate) dropped: Vec<Term>,
+}
+
+/// One way to values, and what it is worth.
+struct WayToValues<'a> {
+    values: Values<'a>,
+    end_mm: f64,
+    held_out_mm: Option<f64>,
+}
+
+/// Chooses. `problem` holds all samples that may be fitted; the fits are the names alone and the names with
+/// the shapes beside them; `judged` are the values that the verdict is about, beside the shapes where those may
+/// be used, and `order` the names in the order found.
+pub(crate) fn choose<'a>(
+    prepared: &Prepared,
+    problem: &Problem<'a>,
+    [names, with_shapes]: [&Fit; 2],
+    judged: &Values<'a>,
+    order: &[Term],
+    stopped: bool,
+) -> HandedOut<'a> {
+    let regression = &prepared.regression;
+    let base_fit = regression.fit(&regression.base, &[]);
+    let identified = identified(prepared, problem);
+    let identified_mm = rms_mm(problem, &identified);
+    let identified_held_out = unseen::of(prepared, &base_fit, Procedure::Identify);
+    let no_worse = |c: &WayToValues| {
+        let held_out = match (c.held_out_mm, identified_held_out) {
+            (Some(own), Some(identified)) => own <= identified,
+            _ => true,
+        };
+        let tame = || runs_away(problem, &c.values.model).is_none();
+        held_out && c.end_mm <= identified_mm && tame()
+    };
+    let candidate = |values: Values<'a>, fit: &Fit, procedure| WayToValues {
+        end_mm: rms_mm(problem, &values.model),
+        held_out_mm: unseen::of_model(prepared, &values.model)
+            .or_else(|| unseen::of(prepared, fit, procedure)),
+        values,
+    };
+    let handed_out = |own: WayToValues<'a>, dropped: Vec<Term>| HandedOut {
+        values: own.values,
+        identified_mm,
+        end_mm: own.end_mm,
+        held_out_mm: own
+            .held_out_mm
+            .zip(identified_held_out)
+            .map(|(end, id)| [id, end]),
+        dropped,
+    };
+    let beside = judged.is_beside_shapes();
+    let found = regression.added(names).len();
+    let raw = if beside || judged.is_corrected() {
+        Values::of(prepared, problem, names, stopped)
+    } else {
+        judged.clone()
+    };
+    let corrected = if beside {
+        corrected_for_selection(prepared, names, raw.clone())
+    } else {
+        judged.clone()
+    };
+    let told_apart = beside && is_told_apart(judged, &corrected);
+    // Intervals of what is handed out.
+    let unsure = if told_apart { judged } else { &corrected };
+    if told_apart {
+        let own = candidate(judged.clone(), with_shapes, Procedure::BesideShapes);
+        if no_worse(&own) {
+            return handed_out(own, Vec::new());
+        }
+    }
+    // A smooth correction is orthogonal to the names alone, as they are fitted beside this noise.
+    let for_a_curve = prepared.options().correct_unexplained && !with_shapes.shapes.is_empty();
+    if for_a_curve && found == 0 {
+        // They are the identification itself, beside this noise.
+        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
+        return HandedOut {
+            identified_mm: own.end_mm,
+            held_out_mm: own.held_out_mm.map(|own| [own, own]),
+            ..handed_out(own, Vec::new())
+        };
+    }
+    if found > 0 {
+        for values in [corrected.clone(), raw] {
+            let own = candidate(values.sure_as(unsure), names, Procedure::Names);
+            if no_worse(&own) {
+                return handed_out(own, Vec::new());
+            }
+        }
+    }
+    for kept in (1..order.len().min(found)).rev() {
+        let dropped = &order[kept..];
+        let fewer = without(prepared, names, dropped);
+        let values = Values::of(prepared, problem, &fewer, stopped);
+        let values = corrected_for_selection(prepared, &fewer, values);
+        let own = candidate(values, &fewer, Procedure::Names);
+        if no_worse(&own) {
+            return handed_out(own, dropped.to_vec());
+        }
+    }
+    let of_base = if found == 0 {
+        unsure.clone()
+    } else {
+        Values::of(prepared, problem, &base_fit, stopped)
+    };
+    let all = regression.added(names).into_iter().cloned().collect();
+    let of_names = || Values::of(prepared, problem, &base_fit, stopped);
+    let values = of_base.at(&identified).unwrap_or_else(of_names);
+    let own = WayToValues {
+        end_mm: rms_mm(problem, &values.model),
+        held_out_mm: identified_held_out,
+        values,
+    };
+    HandedOut {
+        // The same model: what is left of it is what is left of the other.
+        identified_mm: own.end_mm,
+        ..handed_out(own, all)
+    }
+}
+
+/// The model of `identify` on all samples that may be fitted.
+fn identified(prepared: &Prepared, problem: &Problem) -> Model {
+    if prepared.locked.contains(&true) {
+        let mut plain = problem.clone();
+        plain.noise = None;
+        return solve(&plain, &prepared.base).model;
+    }
+    prepared.base.clone()
+}
+
+/// RMS error of a model over the samples that are fitted, without suspected outliers, mm.
+fn rms_mm(problem: &Problem, model: &Model) -> f64 {
+    let left_mm = lengths_mm(problem, model);
+    let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
+    spread.map_or(0.0, |s| s.rms_mm)
+}
+
+/// Whether shapes are told from the model that they were fitted beside: what they take of it is no more
+/// than what they show beyond all that it can do itself.
+fn is_told_apart(beside: &Values, names: &Values) -> bool {
+    let square = |mm: f64| mm * mm;
+    let alone = square(names.rms_mm());
+    let taken = square(beside.rms_mm()) - alone;
+    let shown = alone - square(beside.rms_with_beside_mm());
+    taken <= shown
+}
+
+/// The fit of a set of names without some of them.
+fn without(prepared: &Prepared, names: &Fit, dropped: &[Term]) -> Fit {
+    let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
+    let model = names.model.without(is_dropped);
+    prepared.regression.fit(&model, &[])
+}

@@ -1,0 +1,317 @@
+//! Whether what is left is noise: against returns to the same pose (lack of fit, an F test), else
+//! against the noise that the instrument's maker states (χ², with the kurtosis that the residuals
+//! show), on samples that the fit has not seen, by its structure, and by whether the search was
+//! stopped before its end.
+//!
+//! ```text
+//! F = [(S_fit − S_pure)/(ν − ν_pure)] / [S_pure/ν_pure],   z = (s²/σ² − 1)/√((κ − 1)/ν)
+//! ```
+//!
+//! S and s² are of the white part of the noise: a frame that wanders is an answer of its own and
+//! leaves the verdict as it is.
+
+use crate::distributions::f_tail;
+use crate::effects::called;
+use crate::sessions::Sigma;
+use crate::text::Text;
+use crate::text::length;
+
+use crate::fit::gap::lengths_mm;
+use crate::fit::noise::StatedNoise;
+use crate::observations::Layer;
+use crate::observations::figures::{LeftOfKind, left_of_kinds};
+
+use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
+use super::group_excess;
+use super::values::Values;
+use super::withheld::stand_in;
+use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
+use crate::diagnosis::search::CHANCE;
+use crate::diagnosis::search::Found;
+use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::smooth_rival;
+use crate::diagnosis::search::{PureError, pure_error};
+
+/// Adds to what is unexplained what speaks for more than noise; answers the verdict.
+pub(crate) fn judge(
+    prepared: &Prepared,
+    found: &Found,
+    values: &Values,
+    floor: &Floor,
+    held_out: &HeldOut,
+    unexplained: &mut Unexplained,
+) -> Verdict {
+    let names = prepared.regression.added(&found.fit).len();
+    if !unexplained.present {
+        let excess = match floor.from {
+            FloorFrom::Repeats => pure_error(prepared).map(|pure| lack_of_fit(values, &pure)),
+            FloorFrom::Instrument => over_stated(prepared, values, floor),
+            FloorFrom::Estimated => None,
+        };
+        let capped = prepared.is_capped(found);
+        let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
+        if unexplained.p <= structure {
+            unexplained.present = true;
+            if prepared.is_full(found) {
+                unexplained.says = text!(
+                    "the search stopped at its limit of {limit} effects; {rest}",
+                    limit = prepared.cap(),
+                    rest = &unexplained.says
+                );
+            }
+        } else if let Some(excess) = excess.filter(Excess::is_more_than_noise) {
+            flag(prepared, values, floor, excess, unexplained);
+        } else if excess.is_some()
+            && let Some(excess) = unseen(prepared, values, floor, held_out)
+            && excess.is_more_than_noise()
+        {
+            flag(prepared, values, floor, excess, unexplained);
+        } else if let Some(other) = stand_in(prepared, &found.fit) {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = text!(
+                "{withheld}, which this run leaves out, explains as much as {named}",
+                withheld = called(other.withheld),
+                named = called(&other.said)
+            );
+            unexplained.resembles.push(other.said);
+        } else if let Some(curve) = smooth_rival::as_likely(prepared, &found.fit) {
+            let robot = &prepared.regression.base.robot;
+            let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = text!(
+                "a smooth curve over joint {joint} explains as much as {effects} together",
+                joint = curve.joint + 1,
+                effects = Text::listed(names.iter().map(|name| called(name)), ", ")
+            );
+            unexplained.resembles.extend(names);
+        } else if let Some(wander) = wanders(values, names, floor) {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.says = wander;
+        }
+        if unexplained.present && unexplained.rms_mm == 0.0 {
+            let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
+            unexplained.rms_mm = (end * end - floor.mm * floor.mm).max(0.0).sqrt();
+        } else if !unexplained.present {
+            // What the search saw last is noise: there is nothing to say of it.
+            unexplained.place = None;
+            unexplained.says = Text::default();
+        }
+    }
+    if unexplained.noise.is_none() {
+        unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
+    }
+    of(names == 0, unexplained.present)
+}
+
+/// What is said of names beside a frame that wanders: an error above the floor is not explained by them.
+/// Without any name the wander is the whole answer.
+fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
+    let over = values.rms_mm() / floor.mm.max(f64::MIN_POSITIVE);
+    let stated = floor.from != FloorFrom::Estimated;
+    (names > 0 && stated && values.noise_is_slow() && over > MOST_OVER_THE_FLOOR).then(|| {
+        text!(
+            "the remaining error is {times} times the floor ({floor}): the measuring frame wanders, or something changes as slowly",
+            times = format!("{over:.2}"),
+            floor = length(floor.mm, 4)
+        )
+    })
+}
+
+/// The short answer: whether no name is found, and whether something is left.
+pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
+    match (nothing_found, something_left) {
+        (true, false) => Verdict::Noise,
+        (false, false) => Verdict::Explained,
+        (false, true) => Verdict::PartlyExplained,
+        (true, true) => Verdict::Unexplained,
+    }
+}
+
+/// The smallest chance that simulations can state: structure that the search did not take all the
+/// same (it does not predict unseen samples, or matters little) is said to be there.
+const CHANCE_OF_STRUCTURE: f64 = 0.0005;
+
+fn flag(
+    prepared: &Prepared,
+    values: &Values,
+    floor: &Floor,
+    excess: Excess,
+    unexplained: &mut Unexplained,
+) {
+    unexplained.present = true;
+    unexplained.p = excess.p.max(f64::MIN_POSITIVE);
+    let session = values.problem.session;
+    unexplained.place = group_excess::place(session, &lengths_mm(&values.problem, &values.model));
+    let times = format!("{:.2}", excess.ratio);
+    let returns = floor.from == FloorFrom::Repeats;
+    unexplained.says = if let Some(kind) = excess.kind {
+        text!(
+            "the remaining error of {kind} is {times} times what {against}, without a structure that the search knows",
+            kind = kind,
+            times = times,
+            against = if returns {
+                text!("returns to the same pose show")
+            } else {
+                text!("is stated for the instrument")
+            }
+        )
+    } else {
+        let size = length(floor.mm, 4);
+        text!(
+            "the remaining error is {times} times what {against}, without a structure that the search knows",
+            times = times,
+            against = if returns {
+                text!("returns to the same pose show ({size})", size = size)
+            } else {
+                text!("is stated for the instrument ({size})", size = size)
+            }
+        )
+    };
+    if floor.from == FloorFrom::Instrument {
+        unexplained.noise = against_stated(prepared, values);
+    }
+}
+
+/// Noise as stated and as found.
+fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
+    if prepared.problem.observed.is_some() {
+        // Every kind states its own; the errors by kind hold both.
+        return None;
+    }
+    let stated = prepared.problem.session.instrument.sigma_mm?;
+    let axes = &prepared.regression.rows.axes;
+    Some(StatedNoise::of(stated, values.sigma_mm(), axes))
+}
+
+/// F of the lack of fit against pure error.
+fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
+    let (variance, freedom, _) = values.white();
+    let beyond = freedom - pure.freedom;
+    let none = Excess {
+        ratio: 1.0,
+        p: 1.0,
+        kind: None,
+    };
+    if beyond < 1.0 || pure.variance <= 0.0 {
+        return none;
+    }
+    let lack = (variance * freedom - pure.variance * pure.freedom) / beyond;
+    let f = lack / pure.variance;
+    if !(beyond > 0.0 && pure.freedom > 0.0) {
+        return none;
+    }
+    Excess {
+        ratio: (variance / pure.variance).sqrt(),
+        p: f_tail(f, beyond, pure.freedom),
+        kind: None,
+    }
+}
+
+/// The white noise that was found against the stated one.
+fn over_stated(prepared: &Prepared, values: &Values, floor: &Floor) -> Option<Excess> {
+    if let Some(layer) = &values.problem.observed {
+        return by_kind(layer, values, floor);
+    }
+    let stated = prepared.problem.session.instrument.sigma_mm?;
+    let axes = &prepared.regression.rows.axes;
+    let (_, freedom, kurtosis) = values.white();
+    let sigma = values.sigma_mm();
+    let mean = |of: &dyn Fn(usize) -> f64| {
+        axes.iter().map(|a| of(*a)).sum::<f64>() / axes.len().max(1) as f64
+    };
+    let ratio2 = match stated {
+        Sigma::Overall(s) => mean(&|a| (sigma[a] / s).powi(2)),
+        Sigma::PerAxis(s) => mean(&|a| (sigma[a] / s[a]).powi(2)),
+    };
+    // A few far samples are tails, of which thirty samples do not show enough to know them: of a
+    // larger noise the bulk is larger as well.
+    let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(1e-12);
+    let counts = is_of_the_bulk(bulk, values, floor);
+    counts.then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
+}
+
+/// Whether an excess may count. A bulk that is no larger than stated takes a small one for tails; a whole group of
+/// samples that is off leaves the bulk as it is too, and is no tail: the RMS error itself is above the floor then. (A
+/// variance for each degree of freedom is above it as well where priors hold a robot that is farther off.)
+fn is_of_the_bulk(bulk: f64, values: &Values, floor: &Floor) -> bool {
+    bulk > 1.0 || values.rms_mm() > MOST_OVER_THE_FLOOR * floor.mm
+}
+
+/// The same of every kind whose noise is stated, by itself: the clearest of them, its chance that of
+/// as much in any.
+fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
+    let of_kind = left_of_kinds(layer, &values.model);
+    let tried = of_kind.len() as f64;
+    let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
+    let spent = values.rank() / all.max(1) as f64;
+    let one = |kind: &LeftOfKind| {
+        let rows = kind.squares.len() as f64;
+        // Every kind pays for the coefficients with its share of the rows.
+        let freedom = (rows * (1.0 - spent)).max(1.0);
+        let ratio2 = kind.squares.iter().sum::<f64>() / freedom;
+        let mut sizes: Vec<f64> = kind.squares.iter().map(|s| s.sqrt()).collect();
+        let (_, median, _) = sizes.select_nth_unstable_by(kind.squares.len() / 2, f64::total_cmp);
+        let bulk = *median / 0.674_5 / (1.0 - spent).max(1e-3).sqrt();
+        let fourth = kind.squares.iter().map(|s| s * s).sum::<f64>() / rows;
+        let second = kind.squares.iter().sum::<f64>() / rows;
+        let kurtosis = (fourth / (second * second).max(f64::MIN_POSITIVE)).max(3.0);
+        let own = excess_of(ratio2, freedom, f64::INFINITY, kurtosis);
+        is_of_the_bulk(bulk, values, floor).then(|| Excess {
+            p: (own.p * tried).min(1.0),
+            kind: (tried > 1.0).then_some(kind.name),
+            ..own
+        })
+    };
+    let excesses = of_kind.iter().filter_map(one);
+    excesses.min_by(|a, b| a.p.total_cmp(&b.p))
+}
+
+/// The error on unseen samples against the floor: p predicted coordinates carry the error of the
+/// fit besides their own noise. A slow part of the noise is not the model's.
+fn unseen(
+    prepared: &Prepared,
+    values: &Values,
+    floor: &Floor,
+    held_out: &HeldOut,
+) -> Option<Excess> {
+    let gaps = held_out.gaps?;
+    // One row of an observation tells little beside the coefficients that it carries: their error is
+    // not the same everywhere, and what is left of every kind decides alone.
+    let of_kinds = values.problem.observed.is_some();
+    if of_kinds || floor.from == FloorFrom::Estimated || values.noise_is_slow() {
+        return None;
+    }
+    let axes = prepared.regression.rows.axes.len() as f64;
+    let (_, freedom, kurtosis) = values.white();
+    let m = freedom + values.rank();
+    let carried = (m + values.rank()) / m.max(1.0);
+    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
+    let count = (held_out.samples as f64 * axes).min(m);
+    let known_from = match floor.from {
+        FloorFrom::Repeats => pure_error(prepared)?.freedom,
+        _ => f64::INFINITY,
+    };
+    Some(excess_of(ratio2, count, known_from, kurtosis))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use statrs::distribution::ContinuousCDF;
+    use statrs::distribution::FisherSnedecor;
+
+    #[test]
+    fn a_floor_from_few_returns_says_less_than_a_stated_one() {
+        // 504 coordinates 11 % above a floor that is stated, and one from 36 returns along three axes.
+        let stated = excess_of(1.235, 504.0, f64::INFINITY, 3.0);
+        let returns = excess_of(1.235, 504.0, 108.0, 3.0);
+        assert!(stated.is_more_than_noise(), "{stated:?}");
+        assert!(!returns.is_more_than_noise(), "{returns:?}");
+        // The same chances as F has.
+        let f = FisherSnedecor::new(504.0, 108.0).unwrap();
+        assert!((returns.p / f.sf(1.235) - 1.0).abs() < 0.03, "{returns:?}");
+    }
+}

@@ -1,0 +1,29 @@
+//! What the user is told: values with intervals on all samples, each name with its evidence, whether what is left is
+//! noise, what could not have been seen, and what predicts without a name. Nothing here changes which names were found.
+//!
+//! - `conclude`: the answer put together; `values`, `selection`: parameters and their intervals.
+//! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
+//! - `judgement`, `excess`, `group_excess`, `remainder`, `withheld`: what is left, and whether noise explains it.
+//! - `limits`, `testable`: what would have been seen, and what cannot be.
+//! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
+
+mod conclude;
+mod divergent_terms;
+pub(crate) mod equal_steps;
+mod excess;
+mod group_excess;
+mod handed_out;
+mod judgement;
+pub(crate) mod limits;
+mod named_effects;
+mod remainder;
+mod selection;
+mod step_time;
+mod testable;
+mod unnamed;
+mod unseen;
+mod values;
+mod withheld;
+
+pub(crate) use conclude::{Planner, Proposal, Undecided, answer};
+pub(crate) use testable::not_testable;

@@ -1,0 +1,108 @@
+//! The names that were found, each with its evidence in numbers and words.
+
+use crate::answers::diagnosis::{Floor, Found};
+use crate::effects::{called, stated};
+use crate::text::Text;
+use crate::text::lengths;
+
+use super::step_time;
+use super::values::Values;
+use crate::diagnosis::evidence::FamilyP;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::worth;
+use crate::diagnosis::search::{Next, Step};
+
+pub(crate) fn found(
+    prepared: &Prepared,
+    with_shapes: &Fit,
+    steps: &[Step],
+    floor: &Floor,
+    values: &Values,
+) -> Vec<Found> {
+    let regression = &prepared.regression;
+    let explained: f64 = steps
+        .iter()
+        .map(|s| s.gap_mm[0].powi(2) - s.gap_mm[1].powi(2))
+        .sum();
+    let one = |step: &Step| {
+        let about = step.term.effect.about();
+        let term = &step.term;
+        let worth = worth(prepared, with_shapes, term);
+        let next = Next::than(prepared, with_shapes, term, &worth);
+        let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.ln_odds.max(0.0));
+        let next = next.map(|n| n.term.name_on(&regression.base.robot));
+        let p_family = regression.family_p(worth.minus_ln_p, with_shapes);
+        let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
+        let odds = over.clamp(-30.0, 30.0).exp();
+        let within_s = step_time::within_s(prepared, term, &worth);
+        let mut says = says(step, &p_family, odds, next.as_deref(), floor);
+        if let Some(of) = stated(&regression.base.robot, term) {
+            says = text!(
+                "{evidence}; {cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
+                evidence = says,
+                cycles = of.per_motor_turn,
+                ratio = of.ratio
+            );
+        }
+        if let Some([from, to]) = within_s {
+            says = text!(
+                "{evidence}; the step lies between {from} and {to} s (95 %)",
+                evidence = says,
+                from = format!("{from:.0}"),
+                to = format!("{to:.0}")
+            );
+        }
+        Found {
+            effect: about.id,
+            joint: about.per_joint.then_some(term.joint + 1),
+            parameters: values.parameters_of(term),
+            figures: values.model.figures_of(term, &prepared.problem.inputs),
+            p_family,
+            share: if explained > 0.0 {
+                (share / explained).clamp(0.0, 1.0)
+            } else {
+                0.0
+            },
+            gap_mm: step.gap_mm,
+            held_out_mm: step.held_out_mm,
+            odds_over_next: odds,
+            within_s,
+            next,
+            says,
+            check: about.check,
+        }
+    };
+    steps.iter().map(one).collect()
+}
+
+pub(crate) fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> Text {
+    let sign = if p.bound { '<' } else { '=' };
+    let p = format!("{sign} {}", p.p);
+    let evidence = match next {
+        Some(next) if odds > 1000.0 => text!(
+            "p {p} (chance that noise alone looks like this); more than 1000 times likelier than the next candidate ({next})",
+            p = p,
+            next = called(next)
+        ),
+        Some(next) => text!(
+            "p {p} (chance that noise alone looks like this); {times} times likelier than the next candidate ({next})",
+            p = p,
+            times = format!("{odds:.1}"),
+            next = called(next)
+        ),
+        None => text!(
+            "p {p} (chance that noise alone looks like this); no other effect was a candidate",
+            p = p
+        ),
+    };
+    match step.held_out_mm {
+        Some([without, with]) => text!(
+            "{evidence}; cross-validated RMS error {change}, floor {floor}",
+            evidence = evidence,
+            change = lengths([without, with], 4),
+            floor = format!("{:.4}", floor.mm)
+        ),
+        None => evidence,
+    }
+}

@@ -1,0 +1,299 @@
+//! What may predict without a name: families of columns, each with a strength of its own.
+//!
+//! Along the motion of a joint: gravity, what the conditions of measuring turn it by, harmonics of its
+//! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
+//! along it: harmonics of its own value (a bearing that runs out or wobbles).
+
+use crate::text::Text;
+use nalgebra::DMatrix;
+
+use crate::effects::curve::DIRECTIONS;
+use crate::effects::rest::{Along, At, Rest, UNIT_SAGS, Wave, unit_sag};
+use crate::effects::unnamed::asked_at;
+use crate::effects::{Inputs, Term};
+use crate::kinematics::{JointKind, Robot};
+
+/// Harmonics of a joint's own value.
+const HARMONICS: usize = 6;
+/// Harmonics of a neighbour's value.
+const OF_NEIGHBOURS: usize = 2;
+/// How many joints away a neighbour is at most.
+const NEIGHBOURS: usize = 2;
+/// Harmonics across a joint's axis.
+const ACROSS: usize = 3;
+/// Cosines of a smooth curve; a curve of so many bends.
+const BENDS: usize = 8;
+
+/// What a family is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum What {
+    Gravity,
+    /// See [`Along::conditions`].
+    Condition(usize),
+    Harmonics,
+    Curve,
+    /// Over the value of another joint.
+    Over(usize),
+    /// Radial (1) or axial (2).
+    Across(usize),
+    /// A gear's order.
+    Order(f64),
+}
+
+/// A family of columns of one joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Family {
+    pub(super) joint: usize,
+    pub(super) what: What,
+}
+
+/// A function of the pose.
+#[derive(Debug, Clone, PartialEq)]
+enum Source {
+    Sag(usize),
+    Condition(usize),
+    /// `cos(order (q − from))` of a joint's value.
+    Cosine {
+        joint: usize,
+        order: f64,
+        from: f64,
+    },
+}
+
+impl Source {
+    fn at(&self, at: &At, sags: &[f64; UNIT_SAGS]) -> f64 {
+        match self {
+            Self::Sag(k) => sags[*k],
+            Self::Condition(k) => at.conditions()[*k],
+            Self::Cosine { joint, order, from } => (order * (at.q[*joint] - from)).cos(),
+        }
+    }
+}
+
+/// A column: its function, and what one standard deviation of its coefficient is at strength 1.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Column {
+    pub(super) family: usize,
+    source: Source,
+    pub(super) size: f64,
+}
+
+/// All families of a robot.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Families {
+    pub(super) all: Vec<Family>,
+    pub(super) columns: Vec<Column>,
+    ranges: Vec<[f64; 2]>,
+}
+
+impl Families {
+    /// Of the poses of these samples.
+    pub(super) fn of(robot: &Robot, inputs: &Inputs) -> Self {
+        let range = |q: &[f64]| {
+            q.iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+                    [a.min(*v), b.max(*v)]
+                })
+        };
+        let mut families = Self {
+            ranges: inputs.q.iter().map(|q| range(q)).collect(),
+            ..Self::default()
+        };
+        for joint in 0..robot.joints.len() {
+            families.add_of(robot, joint);
+        }
+        families
+    }
+
+    fn add_of(&mut self, robot: &Robot, joint: usize) {
+        let turns = |j: usize| robot.joints[j].kind == JointKind::Revolute;
+        if robot.gravity_m_s2.is_some() && turns(joint) {
+            let sags = (0..UNIT_SAGS).map(|k| (Source::Sag(k), 1.0));
+            self.add(joint, What::Gravity, sags.collect());
+        }
+        for k in 0..5 {
+            self.add(joint, What::Condition(k), vec![(Source::Condition(k), 1.0)]);
+        }
+        if turns(joint) {
+            let own = harmonics(joint, HARMONICS);
+            self.add(joint, What::Harmonics, own);
+        }
+        let [from, to] = self.ranges[joint];
+        if to > from {
+            let bend = |k: usize| {
+                let order = k as f64 * std::f64::consts::PI / (to - from);
+                (Source::Cosine { joint, order, from }, (k as f64).powi(-2))
+            };
+            self.add(joint, What::Curve, (1..=BENDS).map(bend).collect());
+        }
+        for other in
+            joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
+        {
+            if other != joint && turns(other) {
+                let own = harmonics(other, OF_NEIGHBOURS);
+                self.add(joint, What::Over(other), own);
+            }
+        }
+        for direction in 1..DIRECTIONS {
+            if turns(joint) {
+                self.add(joint, What::Across(direction), harmonics(joint, ACROSS));
+            }
+        }
+    }
+
+    /// A gear's order more.
+    pub(super) fn add_order(&mut self, joint: usize, order: f64) {
+        self.add(joint, What::Order(order), pair(joint, order).to_vec());
+    }
+
+    fn add(&mut self, joint: usize, what: What, sources: Vec<(Source, f64)>) {
+        let family = self.all.len();
+        self.all.push(Family { joint, what });
+        self.columns
+            .extend(sources.into_iter().map(|(source, size)| Column {
+                family,
+                source,
+                size,
+            }));
+    }
+
+    /// Only some of the families, in the same order.
+    pub(super) fn only(&self, kept: &[bool]) -> Self {
+        let mut now = Self {
+            ranges: self.ranges.clone(),
+            ..Self::default()
+        };
+        for (k, family) in self.all.iter().enumerate().filter(|(k, _)| kept[*k]) {
+            let own = self.columns.iter().filter(|c| c.family == k);
+            let own = own.map(|c| (c.source.clone(), c.size)).collect();
+            now.add(family.joint, family.what, own);
+        }
+        now
+    }
+
+    fn direction(&self, column: &Column) -> usize {
+        match self.all[column.family].what {
+            What::Across(direction) => direction,
+            _ => 0,
+        }
+    }
+
+    /// What the samples show of each column from number `first` on at one standard deviation:
+    /// `directions` are the rows of a unit in each direction of each joint.
+    pub(super) fn shown(
+        &self,
+        robot: &Robot,
+        inputs: &Inputs,
+        directions: &DMatrix<f64>,
+        first: usize,
+    ) -> DMatrix<f64> {
+        let n = inputs.len();
+        let own = &self.columns[first..];
+        let mut all = DMatrix::zeros(directions.nrows(), own.len());
+        for joint in 0..robot.joints.len() {
+            let of_joint = |c: &Column| self.all[c.family].joint == joint;
+            if !own.iter().any(of_joint) {
+                continue;
+            }
+            let poses = asked_at(robot, inputs, joint);
+            let sags: Vec<_> = poses
+                .iter()
+                .map(|at| unit_sag(robot, joint, &at.q))
+                .collect();
+            for (k, column) in own.iter().enumerate().filter(|(_, c)| of_joint(c)) {
+                let value: Vec<f64> = poses
+                    .iter()
+                    .zip(&sags)
+                    .map(|(at, sags)| column.size * column.source.at(at, sags))
+                    .collect();
+                let unit = directions.column(joint * DIRECTIONS + self.direction(column));
+                for (row, (to, unit)) in all.column_mut(k).iter_mut().zip(unit.iter()).enumerate() {
+                    *to = unit * value[row % n];
+                }
+            }
+        }
+        all
+    }
+
+    /// The terms of a model with such coefficients, in standard deviations at strength 1.
+    pub(super) fn terms(&self, coefficients: &[f64], joints: usize) -> Vec<Term> {
+        let mut rests = vec![None; joints];
+        for (column, coefficient) in self.columns.iter().zip(coefficients) {
+            let joint = self.all[column.family].joint;
+            let rest = rests[joint].get_or_insert_with(|| Rest {
+                ranges: self.ranges.clone(),
+                ..Rest::default()
+            });
+            let along = &mut rest.along[self.direction(column)];
+            column
+                .source
+                .write(column.size * coefficient, joints, along);
+        }
+        let there = rests.into_iter().enumerate();
+        there
+            .filter_map(|(joint, rest)| Some(Term::unnamed(joint, rest?)))
+            .collect()
+    }
+}
+
+impl Source {
+    fn write(&self, value: f64, joints: usize, along: &mut Along) {
+        match self {
+            Self::Sag(k) => {
+                along.moments.resize(UNIT_SAGS, 0.0);
+                along.moments[*k] += value;
+            }
+            Self::Condition(k) => along.conditions[*k] += value,
+            Self::Cosine { joint, order, from } => {
+                let mut orders = vec![0.0; joints];
+                orders[*joint] = *order;
+                let at = along.waves.iter().position(|w| w.orders == orders);
+                let at = at.unwrap_or_else(|| {
+                    along.waves.push(Wave {
+                        orders,
+                        ..Wave::default()
+                    });
+                    along.waves.len() - 1
+                });
+                let (sin, cos) = (order * from).sin_cos();
+                along.waves[at].sine += value * sin;
+                along.waves[at].cosine += value * cos;
+            }
+        }
+    }
+}
+
+/// A cosine and a sine of a joint's value.
+fn pair(joint: usize, order: f64) -> [(Source, f64); 2] {
+    let quarter = 0.5 * std::f64::consts::PI / order;
+    [0.0, quarter].map(|from| (Source::Cosine { joint, order, from }, 1.0))
+}
+
+fn harmonics(joint: usize, count: usize) -> Vec<(Source, f64)> {
+    (1..=count).flat_map(|k| pair(joint, k as f64)).collect()
+}
+
+impl Family {
+    /// In words: the joint and what it follows.
+    pub(super) fn in_words(&self) -> Text {
+        let own = self.joint + 1;
+        let what = match self.what {
+            What::Gravity => text!("gravity"),
+            What::Condition(k) => [
+                phrase!("load"),
+                phrase!("measured torque"),
+                phrase!("approach direction"),
+                phrase!("speed"),
+                phrase!("temperature"),
+            ][k]
+                .into(),
+            What::Harmonics => text!("harmonics"),
+            What::Curve => text!("smooth curve"),
+            What::Over(other) => text!("over joint {joint}", joint = other + 1),
+            What::Across(1) => text!("radial harmonics"),
+            What::Across(_) => text!("axial harmonics"),
+            What::Order(order) => text!("{count} cycles per turn", count = format!("{order:.1}")),
+        };
+        text!("joint {joint} ({what})", joint = own, what = what)
+    }
+}

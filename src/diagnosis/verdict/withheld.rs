@@ -1,0 +1,84 @@
+//! Names that stand in for one that a run leaves out (`--without`). What the name that was left out would
+//! explain as well is not explained by the other alone: the answer says so, as something unexplained.
+
+use crate::effects::{CATALOGUE, Effect, Term, form_in};
+use crate::fit::scan;
+
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::Regression;
+use crate::diagnosis::search::prepare::Prepared;
+
+/// A name that was left out may be less likely by this much, as a logarithm, and is still as good: the noise
+/// decides between two that do the same.
+const AS_LIKELY: f64 = 1.0;
+
+/// A name that is said, and one that was left out and explains as much.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StandIn {
+    pub(crate) said: String,
+    pub(crate) withheld: &'static str,
+}
+
+/// The first name of a fit in whose place one that was left out is as likely.
+pub(crate) fn stand_in(prepared: &Prepared, fit: &Fit) -> Option<StandIn> {
+    let allowed = &prepared.options().allowed;
+    let withheld = || CATALOGUE.iter().filter(|e| !allowed.exists(e.about().id));
+    withheld().next()?;
+    let regression = &prepared.regression;
+    regression.added(fit).into_iter().find_map(|term| {
+        let rest = regression.without_term(fit, term);
+        let as_likely = |effect: &&&'static Effect| {
+            // What a name becomes in the limit is no other name.
+            effect.about().family() != term.effect.about().family()
+                && evidence_with(prepared, &rest, effect)
+                    .is_some_and(|with| with > fit.ln_evidence - AS_LIKELY)
+        };
+        let other = withheld().find(as_likely)?;
+        Some(StandIn {
+            said: term.name_on(&regression.base.robot),
+            withheld: other.about().id,
+        })
+    })
+}
+
+/// The largest evidence of a fit with an effect more, over its joints and settings.
+fn evidence_with(prepared: &Prepared, rest: &Fit, effect: &'static Effect) -> Option<f64> {
+    let (regression, survey) = (&prepared.regression, &prepared.survey);
+    let about = effect.about();
+    let joints = if about.per_joint {
+        survey.joints.len()
+    } else {
+        1
+    };
+    let of_joint = |joint: usize| -> Option<f64> {
+        let exists = (effect.exists_on)(joint, survey.joints[joint].kind);
+        if !exists || effect.obstacle(survey, joint).is_some() {
+            return None;
+        }
+        let term = Term::absent(form_in(effect, survey, joint), joint, 0.0);
+        let settings = scan::settings(&regression.problem, &term);
+        let tried = (settings.len() as f64).max(1.0);
+        let at = |setting: f64| Term {
+            setting,
+            ..term.clone()
+        };
+        let best = best_of(regression, rest, settings.into_iter().map(at))?;
+        Some(
+            regression
+                .fit(&rest.model.with_term(best), &rest.shapes)
+                .ln_evidence
+                - tried.ln(),
+        )
+    };
+    (0..joints).filter_map(of_joint).max_by(f64::total_cmp)
+}
+
+/// The term that would lower the sum of squares most.
+fn best_of(regression: &Regression, rest: &Fit, terms: impl Iterator<Item = Term>) -> Option<Term> {
+    let there = |t: &Term| rest.model.terms().iter().any(|o| o.same_column(t));
+    let gains = terms
+        .filter(|t| !there(t))
+        .map(|t| (regression.gain_of_term(rest, &t), t));
+    let best = gains.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(best.1)
+}
