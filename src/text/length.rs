@@ -3,7 +3,6 @@
 
 use std::cell::Cell;
 
-use super::sentence::Text;
 use crate::units::LengthUnit;
 
 thread_local! {
@@ -39,6 +38,11 @@ pub(super) struct Lengths {
 }
 
 impl Lengths {
+    pub(super) fn new(mm: &[f64], decimals: usize) -> Self {
+        let mm = mm.iter().map(|mm| mm.to_bits()).collect();
+        Self { mm, decimals }
+    }
+
     /// In this unit: in mm with its decimals, in another one with three digits.
     pub(super) fn said(&self, unit: LengthUnit) -> String {
         let number = |bits: &u64| {
@@ -67,26 +71,10 @@ fn three_digits(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// A length with so many digits behind the point in mm, as the argument of a sentence.
-pub(crate) fn length(mm: impl std::borrow::Borrow<f64>, decimals: usize) -> Text {
-    Text::length(Lengths {
-        mm: vec![mm.borrow().to_bits()],
-        decimals,
-    })
-}
-
-/// How a length changes: `0.1350 → 0.0540 mm`.
-pub(crate) fn lengths(mm: [f64; 2], decimals: usize) -> Text {
-    Text::length(Lengths {
-        mm: mm.map(f64::to_bits).to_vec(),
-        decimals,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::{Language, current};
+    use crate::text::{Language, current, length, lengths};
 
     #[test]
     fn a_sentence_has_the_unit_that_the_reader_chose_and_a_file_has_millimetres() {

@@ -113,7 +113,8 @@ pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
-pub(crate) use length::{InUnit, length, lengths};
+pub(crate) use length::InUnit;
+pub(crate) use sentence::{length, lengths};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]

@@ -1,6 +1,6 @@
 //! A sentence as a value.
 
-use std::borrow::Cow;
+use std::borrow::{Borrow, Cow};
 use std::fmt;
 use std::sync::Arc;
 
@@ -50,10 +50,6 @@ impl Text {
     /// in the window and on paper; another language always has the words.
     pub(crate) fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
         Self(Kind::Named(Box::new((id.into(), words.into()))))
-    }
-
-    pub(super) fn length(lengths: Lengths) -> Self {
-        Self(Kind::Length(lengths))
     }
 
     /// One after the other, with this between them.
@@ -112,6 +108,16 @@ impl Text {
             Kind::Length(_) | Kind::Named(_) | Kind::Sentence(_) => false,
         }
     }
+}
+
+/// A length with so many digits behind the point in mm, as the argument of a sentence.
+pub(crate) fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
+    Text(Kind::Length(Lengths::new(&[*mm.borrow()], decimals)))
+}
+
+/// How a length changes: `0.1350 → 0.0540 mm`.
+pub(crate) fn lengths(mm: [f64; 2], decimals: usize) -> Text {
+    Text(Kind::Length(Lengths::new(&mm, decimals)))
 }
 
 impl Argument {
