@@ -75,10 +75,15 @@ fn joints(estimates: &[Estimate], detail: Detail) -> Table {
                 || "–".to_owned(),
                 |one| {
                     let (value, unit) = cell(one, detail);
-                    let value = value.replacen(' ', below, 1);
                     // The zeros of joints that turn and of joints that slide are in one column.
                     let zero = one.name.starts_with("offset_");
-                    if zero { value + &unit } else { value }
+                    let unit = if zero { unit } else { String::new() };
+                    match value.split_once(" ± ") {
+                        Some((value, half)) if detail.units.is_some() => {
+                            format!("{value}{unit}\n±{half}")
+                        }
+                        _ => value + &unit,
+                    }
                 },
             )
         });

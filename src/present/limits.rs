@@ -7,7 +7,7 @@
 use crate::diagnosis::{Diagnosis, Limit, Sight};
 use crate::effects::find;
 use crate::kinematics::Robot;
-use crate::text::{Text, current};
+use crate::text::{Text, by_titles, current};
 
 use super::names::parameter;
 use super::numbers::significant;
@@ -112,7 +112,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
         Line {
             names: names.join("; "),
             of_joints: true,
-            says: because.spoken_in(current()),
+            says: because.said(current(), by_titles()),
         }
     };
     reasons.into_iter().map(line).collect()

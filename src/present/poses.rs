@@ -4,7 +4,7 @@ use super::numbers::trimmed;
 use super::table::{Column, Table};
 use crate::diagnosis::NextPose;
 use crate::kinematics::Robot;
-use crate::text::current;
+use crate::text::{by_titles, current};
 
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
@@ -81,7 +81,7 @@ fn after_sides(poses: &[NextPose], k: usize, robot: &Robot) -> [String; 3] {
     [
         pose.target.clone().unwrap_or_default(),
         conditions.join(", "),
-        pose.why.spoken_in(current()),
+        pose.why.said(current(), by_titles()),
     ]
 }
 

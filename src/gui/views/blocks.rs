@@ -79,12 +79,12 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
         .id_salt(("table", index))
         .show(ui, |ui| {
             // Wide tables in small letters, as the panel is narrow.
-            let letters = if table.columns.len() > WIDE {
-                size::SMALL
+            let (letters, apart) = if table.columns.len() > WIDE {
+                (size::SMALL, 6.0)
             } else {
-                size::BODY
+                (size::BODY, 12.0)
             };
-            let grid = Grid::new(("table of an answer", index)).spacing([10.0, 4.0]);
+            let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
             grid.min_col_width(0.0).show(ui, |ui| {
                 for column in &table.columns {
                     let heading = RichText::new(&column.heading);
