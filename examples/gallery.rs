@@ -108,7 +108,7 @@ impl Gallery {
             (Language::Chinese, "-zh", "英寸"),
         ] {
             let mut window = walk::window_in(language, self.theme, None);
-            for key in [Key::I, Key::G] {
+            for key in [Key::I, Key::G, Key::Num4] {
                 walk::key(&mut window, key);
             }
             let english = language == Language::English;

@@ -90,7 +90,7 @@ impl Axes {
         let numbers: Result<Vec<Number>, E> = self.slots.iter().copied().map(number).collect();
         let shape = Shape::Joints {
             numbers: numbers?,
-            inner: self.inner_of_degrees(),
+            inner: self.inner_of_degrees().into(),
             decimals: 5,
         };
         Ok(Target::new(name, at, shape))

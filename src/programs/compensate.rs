@@ -220,7 +220,7 @@ fn read_back(
             Shape::Joints { numbers, inner, .. } => {
                 let mut raw = written.corrected.clone();
                 convention.to_raw(&mut raw);
-                let values = numbers.iter().zip(inner).zip(&raw);
+                let values = numbers.iter().zip(inner.iter()).zip(&raw);
                 let off = values.map(|((number, inner), q)| (number.value * inner - q).abs());
                 off.fold(0.0, f64::max)
             }

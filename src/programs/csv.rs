@@ -6,6 +6,7 @@
 
 use crate::text::Template;
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{Heading, Quantity, Unit};
@@ -42,37 +43,38 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     let lines = text
         .lines()
         .filter(|l| !text.bytes[l.clone()].trim_ascii().is_empty());
-    let mut lines = lines.peekable();
-    let Some(first) = lines.peek() else {
+    let mut lines = lines;
+    let Some(first) = lines.next() else {
         let expected = text!("a header, with q1_deg … or x_mm, y_mm, z_mm …");
         return Err(vec![Problem::new(0, text!("an empty table"), expected)]);
     };
     let separator = separator(&text.bytes[first.clone()]);
-    let mut problems = Vec::new();
-    let mut rows = Vec::new();
-    for line in lines {
-        match cells(text, line, separator) {
-            Ok(row) => rows.push(row),
-            Err(problem) => problems.push(problem),
-        }
-    }
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    let header = rows.remove(0);
+    let header = cells(text, first, separator).map_err(|problem| vec![problem])?;
     let columns = header_columns(text, &header, axes).map_err(|problem| vec![problem])?;
-    let table = Table {
+    let mut table = Table {
         text,
         axes,
         columns,
+        joints: Vec::new(),
+        inner: Arc::default(),
         comma: separator != b',',
     };
+    let joints = (0..axes.joints()).filter_map(|joint| table.of(Quantity::Commanded(joint)));
+    let (joints, inner): (Vec<usize>, Vec<f64>) = joints.unzip();
+    (table.joints, table.inner) = (joints, inner.into());
     let mut program = table.layout(&header).map_err(|problem| vec![problem])?;
-    for (k, row) in rows.iter().enumerate() {
-        if row.cells.iter().all(Range::is_empty) {
-            continue;
-        }
-        match table.target(k + 1, row) {
+    let mut problems = Vec::new();
+    // Row by row: a large table has hundreds of thousands.
+    for (k, line) in lines.enumerate() {
+        let row = match cells(text, line, separator) {
+            Ok(row) if row.cells.iter().all(Range::is_empty) => continue,
+            Ok(row) => row,
+            Err(problem) => {
+                problems.push(problem);
+                continue;
+            }
+        };
+        match table.target(k + 1, &row) {
             Ok(target) => program.targets.push(target),
             Err(problem) => problems.push(problem),
         }
@@ -215,6 +217,9 @@ struct Table<'x> {
     text: &'x Text<'x>,
     axes: &'x Axes,
     columns: Columns,
+    /// The columns of the joint values, in the order of the joints, and rad or mm in one of their units.
+    joints: Vec<usize>,
+    inner: Arc<[f64]>,
     /// Whether a decimal comma is possible.
     comma: bool,
 }
@@ -283,19 +288,13 @@ impl Table<'_> {
         }
         let number_at = |k: usize| self.number(row.cells[k].clone());
         let shape = if self.is_of_joints() {
-            let mut numbers = Vec::new();
-            let mut inner = Vec::new();
-            for joint in 0..self.axes.joints() {
-                if let Some((k, unit)) = self.of(Quantity::Commanded(joint)) {
-                    numbers.push(number_at(k)?);
-                    inner.push(unit);
-                }
-            }
+            let numbers = self.joints.iter().map(|k| number_at(*k));
+            let numbers: Result<Vec<Number>, Problem> = numbers.collect();
             // 10⁻⁷ rad is 10⁻⁴ mm at a metre.
-            let degrees = inner.iter().all(|unit| (*unit - 1.0).abs() > 0.5);
+            let degrees = self.inner.iter().all(|unit| (*unit - 1.0).abs() > 0.5);
             Shape::Joints {
-                numbers,
-                inner,
+                numbers: numbers?,
+                inner: Arc::clone(&self.inner),
                 decimals: if degrees { 6 } else { 7 },
             }
         } else {

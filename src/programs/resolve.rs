@@ -67,7 +67,7 @@ impl<'a> Resolver<'a> {
         }
         let (q, pose) = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
-                let values = numbers.iter().zip(inner);
+                let values = numbers.iter().zip(inner.iter());
                 let mut q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
                 self.convention.to_model(&mut q);
                 self.check_limits(&q)?;

@@ -23,7 +23,7 @@ pub(super) fn edits(
             inner,
             decimals,
         } => {
-            let values = numbers.iter().zip(inner).zip(&raw);
+            let values = numbers.iter().zip(inner.iter()).zip(&raw);
             let values = values.map(|((number, inner), q)| (number, q / inner, *decimals));
             values.collect()
         }

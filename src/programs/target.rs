@@ -2,6 +2,7 @@
 
 use crate::text::Text;
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::kinematics::configuration::Statement;
 
@@ -44,8 +45,8 @@ pub enum Shape {
     Joints {
         /// In the order of the robot's joints.
         numbers: Vec<Number>,
-        /// rad or mm in one of the file's units, joint by joint.
-        inner: Vec<f64>,
+        /// rad or mm in one of the file's units, joint by joint: the same of all targets of a table.
+        inner: Arc<[f64]>,
         /// Digits behind the point that a number needs at least.
         decimals: usize,
     },

@@ -333,7 +333,7 @@ impl UrscriptReader<'_, '_> {
                 }
                 Shape::Joints {
                     numbers: numbers.clone(),
-                    inner: vec![1.0; joints],
+                    inner: vec![1.0; joints].into(),
                     decimals: 7,
                 }
             }

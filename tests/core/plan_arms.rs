@@ -610,7 +610,7 @@ fn a_program_of_joint_moves_reads_back_as_what_was_planned() {
                     };
                     numbers
                         .iter()
-                        .zip(inner)
+                        .zip(inner.iter())
                         .map(|(n, inner)| n.value * inner)
                         .collect()
                 })
