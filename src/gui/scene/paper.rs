@@ -13,6 +13,8 @@ use crate::present::drawing::{self, Anchor, Colour, Drawing, Item};
 pub(super) const SCALE: f32 = 0.64;
 /// A letter of small type is about so wide, parts of its size.
 const LETTER: f32 = 0.53;
+/// What lets more than this through is not drawn, of 255.
+const HARDLY: u8 = 12;
 /// Corners of a disc.
 const CORNERS: u8 = 12;
 
@@ -137,7 +139,9 @@ impl Canvas for Paper<'_> {
 
     fn net(&mut self, corners: &[(Pos2, Ink)], across: usize) {
         for here in across..corners.len() {
-            if here % across > 0 {
+            // What is hardly there must not hide what is beneath.
+            let there = corners[here].1.color(&LIGHT).a() > HARDLY;
+            if there && here % across > 0 {
                 let cell = [here, here - 1, here - across - 1, here - across];
                 let cell = cell.map(|k| corners[k].0);
                 self.filled(&cell, colour(corners[here].1));

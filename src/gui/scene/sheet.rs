@@ -108,7 +108,9 @@ impl Sheet {
             let sign = at + vec2(0.5 * entry.wide, 0.0);
             items(&entry.sign, &Camera::of_signs(sign), &mut paper);
             let name = at + vec2(entry.wide + BESIDE, 0.0);
-            paper.words(label.anchor.anchor_size(name, size), &label);
+            if !entry.name.is_empty() {
+                paper.words(label.anchor.anchor_size(name, size), &label);
+            }
             at.x += wide + BETWEEN;
         }
         if self.legend.is_empty() {
