@@ -36,6 +36,7 @@ mod jobs;
 mod layers;
 mod plots;
 mod preferences;
+mod scene;
 mod style;
 #[cfg(test)]
 mod testing;

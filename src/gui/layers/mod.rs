@@ -11,20 +11,17 @@
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
 //! - Paint: `gpu` (what egui calls back), `drawer` (what stays on the graphics processor) and `pipelines`
 //!   with `space` (samples by their depth, in a picture of their own) and `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`, `heat.wgsl` and
-//!   `copy.wgsl`; `shapes` draws the heat
-//!   map where there is nothing but egui.
+//!   `copy.wgsl`.
 
 mod drawer;
 mod frame;
 mod gpu;
 mod pipelines;
-mod shapes;
 mod space;
 mod target;
 #[cfg(all(test, feature = "window-tests"))]
 mod tests;
 
-pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};
+pub(crate) use frame::{Frame, HEAT, Look, OUTLINE, WEDGE, WIDTH, scale_at};
 pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, register};
-pub(crate) use shapes::mesh;
 pub(crate) use space::SpaceLayer;

@@ -7,6 +7,7 @@ use egui::{
 };
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
+use crate::gui::scene::dashes;
 use crate::gui::style::tokens::{Palette, size};
 use crate::present::chart::{Bar, Chart, Item, Stands, Ticks};
 use crate::present::drawing::Anchor;
@@ -35,21 +36,20 @@ pub(crate) fn show<'a>(
     more: impl Fn(&Canvas<'_>, &mut Vec<Shape>) + 'a,
 ) -> (Response, PlotTransform) {
     let palette = Palette::of(ui);
-    let painter = ui.painter().clone();
     let alone = !chart
         .items
         .iter()
         .any(|item| item.stands() == Some(Stands::After));
-    let beside = beside(&painter, chart, &palette);
+    let beside = beside(ui.painter(), chart, &palette);
     // No closer than their numbers need, which are left out otherwise.
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
     let plot = plot(id, chart, beside, most, &palette);
     let plotted = gestures::show(ui, plot, |plot| {
-        let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
+        let draw = move |ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let canvas = Canvas {
                 transform,
-                painter: &painter,
+                painter: ui.painter(),
                 palette: &palette,
                 alone,
             };
@@ -105,6 +105,9 @@ pub(crate) struct Canvas<'a> {
     alone: bool,
 }
 
+/// A dash and the gap after it, points.
+const DASH: [f32; 2] = [5.0, 3.5];
+
 /// The lowest that a column gets, points.
 const LEAST: f32 = 1.5;
 
@@ -141,7 +144,7 @@ impl Canvas<'_> {
                 let points: Vec<_> = points.iter().map(|p| self.at(*p)).collect();
                 let stroke = Stroke::new(*width, color);
                 if *dashed {
-                    shapes.extend(dashes(&points, stroke));
+                    shapes.extend(dashes(&points, stroke, DASH));
                 } else {
                     shapes.push(Shape::line(points, stroke));
                 }
@@ -200,65 +203,5 @@ impl Canvas<'_> {
             }
         }
         Shape::mesh(mesh)
-    }
-}
-
-/// A dash and the gap after it, points.
-const DASH: [f32; 2] = [5.0, 3.5];
-
-/// A dashed line through points that may be nearer to each other than a dash is long.
-fn dashes(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
-    let mut shapes = Vec::new();
-    let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
-    let (mut drawn, mut left) = (true, DASH[0]);
-    for pair in points.windows(2) {
-        let (mut from, to) = (pair[0], pair[1]);
-        let mut length = from.distance(to);
-        if !length.is_finite() {
-            continue;
-        }
-        while length > left {
-            from += (to - from) * (left / length);
-            length -= left;
-            dash.push(from);
-            if drawn {
-                shapes.push(Shape::line(std::mem::take(&mut dash), stroke));
-            }
-            dash = vec![from];
-            drawn = !drawn;
-            left = DASH[usize::from(!drawn)];
-        }
-        left -= length;
-        dash.push(to);
-    }
-    if drawn && dash.len() > 1 {
-        shapes.push(Shape::line(dash, stroke));
-    }
-    shapes
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::gui::style::tokens::DARK;
-
-    #[test]
-    fn dashes_have_one_length_however_near_the_points_are() {
-        let ends = [pos2(0.0, 3.0), pos2(85.0, 3.0)];
-        let fine: Vec<Pos2> = (0_u8..=170)
-            .map(|k| pos2(0.5 * f32::from(k), 3.0))
-            .collect();
-        let lengths = |points: &[Pos2]| {
-            let shapes = dashes(points, Stroke::new(1.0, DARK.text));
-            let of = |shape: &Shape| shape.visual_bounding_rect().width();
-            shapes.iter().map(of).collect::<Vec<f32>>()
-        };
-        let (few, many) = (lengths(&ends), lengths(&fine));
-        assert_eq!(few.len(), 10);
-        assert_eq!(many.len(), 10);
-        for (a, b) in few.iter().zip(&many) {
-            assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
-        }
-        assert!(dashes(&ends[..1], Stroke::new(1.0, DARK.text)).is_empty());
     }
 }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use egui::{Color32, Shape, Ui};
 use egui_plot::{PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform};
 
-type Draw<'a> = Box<dyn Fn(&PlotTransform, &mut Vec<Shape>) + 'a>;
+type Draw<'a> = Box<dyn Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a>;
 
 /// A drawing as an item of an egui plot. It takes part in the plot's bounds and in nothing else: what can be hovered is
 /// the plots' own affair.
@@ -20,7 +20,7 @@ impl<'a> Drawing<'a> {
     pub(crate) fn new(
         name: &str,
         [min, max]: [[f64; 2]; 2],
-        draw: impl Fn(&PlotTransform, &mut Vec<Shape>) + 'a,
+        draw: impl Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a,
     ) -> Self {
         Self {
             base: PlotItemBase::new(name.to_owned()),
@@ -31,8 +31,8 @@ impl<'a> Drawing<'a> {
 }
 
 impl PlotItem for Drawing<'_> {
-    fn shapes(&self, _: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>) {
-        (self.draw)(transform, shapes);
+    fn shapes(&self, ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>) {
+        (self.draw)(ui, transform, shapes);
     }
 
     fn initialize(&mut self, _: RangeInclusive<f64>) {}

@@ -9,7 +9,7 @@ use crate::gui::view::Canvas;
 use crate::gui::workbench::Workbench;
 
 use super::apart;
-use super::model::{Dial, Scene};
+use super::model::{Dial, Shown};
 
 /// Sectors reach from the path's inside to its outside, in parts of the radius.
 pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
@@ -21,7 +21,7 @@ const ROOM: f64 = 1.22;
 const CHORD_RAD: f64 = 0.05;
 
 /// Smallest and largest corner of everything, mm, with room for handles.
-pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
+pub(crate) fn bounds(shown: &Shown) -> [[f64; 2]; 2] {
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
     let mut take = |p: [f64; 2]| {
@@ -32,14 +32,14 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
             }
         }
     };
-    scene.measured_mm.into_iter().for_each(&mut take);
-    scene.robot_mm.into_iter().for_each(&mut take);
-    for p in scene.paths_mm.iter().flatten() {
-        take(*p);
-    }
-    if let Some(dial) = &scene.dial {
+    shown.measured_mm.into_iter().for_each(&mut take);
+    shown.robot_mm.into_iter().for_each(&mut take);
+    let paths = shown.paths_mm.iter().flatten();
+    let paths: Vec<[f64; 2]> = paths.map(|p| shown.look.facing.flat(*p)).collect();
+    paths.iter().copied().for_each(&mut take);
+    if let Some(dial) = &shown.dial {
         take(dial.centre_mm);
-        for p in scene.paths_mm.iter().flatten() {
+        for p in &paths {
             let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
             let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
             take([
@@ -51,7 +51,7 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
     if !low[0].is_finite() || !low[1].is_finite() {
         return [[-1.0, -1.0], [1.0, 1.0]];
     }
-    let margin = 0.03 * scene.reach_mm;
+    let margin = 0.03 * shown.reach_mm;
     [low.map(|v| v - margin), high.map(|v| v + margin)]
 }
 
@@ -106,11 +106,11 @@ const APART: [f64; 2] = [1_500.0, 7_500.0];
 
 /// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
 /// apart along both axes; vectors become longer as well, and so fewer of them fit.
-pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
-    let Canvas::Layers(most) = scene.canvas else {
+pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
+    let Canvas::Layers(most) = shown.canvas else {
         return [0; 2];
     };
-    let [low, high] = scene.measured_mm;
+    let [low, high] = shown.measured_mm;
     let side = |k: usize, points_per_mm: f64, frame: f32| {
         let drawn = (high[k] - low[k]) * points_per_mm.abs();
         (drawn / f64::from(frame.max(1.0))).max(1.0)
@@ -118,7 +118,7 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
     let frame = transform.frame();
     let wide = side(0, transform.dpos_dvalue_x(), frame.width());
     let tall = side(1, transform.dpos_dvalue_y(), frame.height());
-    let most = scene.samples.min(most);
+    let most = shown.samples.min(most);
     let at_most = |apart: f64| {
         if apart < most as f64 {
             crate::numeric::whole(apart)
@@ -127,7 +127,7 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
         }
     };
     let [vectors, points] = APART;
-    let vectors = match &scene.extent {
+    let vectors = match &shown.extent {
         Some(extent) => extent.cells(apart::side_mm(transform)),
         None => vectors * (wide * tall).sqrt(),
     };
@@ -135,15 +135,15 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
 }
 
 /// What a layer says when it does not draw everything.
-pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String> {
-    let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
+pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
+    let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
     let note = |(count, what): (usize, &str)| {
-        let why = if scene.canvas == Canvas::Layers(count) {
+        let why = if shown.canvas == Canvas::Layers(count) {
             say!("this computer draws in software")
         } else {
             say!("zoom in for more")
         };
-        (count < scene.samples).then(|| {
+        (count < shown.samples).then(|| {
             say!(
                 "showing 1 in {one_of} {what}; {why}",
                 one_of = one_of(count),
@@ -183,16 +183,18 @@ pub(crate) fn under(
 mod tests {
     use egui_plot::PlotBounds;
 
+    use super::super::model::Seen;
     use super::*;
     use crate::gui::testing::workbench;
 
     #[test]
     fn everything_that_is_drawn_is_within_the_bounds() {
-        let scene = Scene::of(&workbench());
-        let [low, high] = bounds(&scene);
-        let dial = scene.dial.expect("it turns");
+        let shown = Shown::of(&workbench());
+        let [low, high] = bounds(&shown);
+        let dial = shown.dial.expect("it turns");
         let handle = dial.at(0.0, HANDLE * dial.radius_mm);
-        for p in scene.points.iter().map(|p| p.at_mm).chain([handle]) {
+        let flat = |p: &Seen| shown.look.facing.flat(p.at_mm);
+        for p in shown.each.iter().map(flat).chain([handle]) {
             assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
         }
     }
@@ -208,25 +210,25 @@ mod tests {
 
     #[test]
     fn the_nearer_one_looks_the_more_vectors_are_drawn() {
-        let mut scene = Scene::of(&workbench());
-        scene.samples = 1_000_000;
-        scene.canvas = Canvas::Layers(usize::MAX);
+        let mut shown = Shown::of(&workbench());
+        shown.samples = 1_000_000;
+        shown.canvas = Canvas::Layers(usize::MAX);
         let at = |scale: f64| {
             let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
             let bounds = PlotBounds::from_min_max(
                 [-300.0 * scale, -240.0 * scale],
                 [300.0 * scale, 240.0 * scale],
             );
-            counts(&scene, &PlotTransform::new(frame, bounds, false))
+            counts(&shown, &PlotTransform::new(frame, bounds, false))
         };
         assert_eq!(at(1.5), [7_500, 1_500]);
         let [points, vectors] = at(0.1);
         assert!(points > 100_000 && vectors > 7_000, "{points} {vectors}");
         assert!(at(0.02) > at(0.1));
         assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
-        let says = drawn(&scene, at(1.5));
+        let says = drawn(&shown, at(1.5));
         assert_eq!(says[1], "showing 1 in 667 vectors; zoom in for more");
-        assert!(drawn(&scene, [1_000_000; 2]).is_empty());
+        assert!(drawn(&shown, [1_000_000; 2]).is_empty());
     }
 
     #[test]
@@ -238,8 +240,8 @@ mod tests {
 
     #[test]
     fn a_sector_is_cut_into_pieces_that_cover_it() {
-        let scene = Scene::of(&workbench());
-        let dial = scene.dial.expect("it turns");
+        let shown = Shown::of(&workbench());
+        let dial = shown.dial.expect("it turns");
         let pieces = sector(&dial, -0.4, 0.6);
         let first = pieces.first().expect("at least one");
         let last = pieces.last().expect("at least one");

@@ -1,99 +1,32 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use egui::{
-    Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
-    Stroke, Ui, Vec2, pos2, vec2,
-};
-use egui_plot::PlotTransform;
+use egui::{Align2, FontId, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
 
-use crate::gui::layers::{OUTLINE, scale_at};
-use crate::gui::plots::marks;
+use crate::gui::layers::OUTLINE;
+use crate::gui::scene::{
+    Camera, Entry, Form, Ink, Item, Label, Mark, Place, SIGN, Screen, Sheet, Stroke, Token,
+};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
-use crate::numeric::single;
 use crate::present::numbers::trimmed;
 
-use super::drawn::SQUARE;
 use super::layout;
-use super::model::Scene;
+use super::model::Shown;
 use super::polar::Polar;
 use super::robot::Drawn;
 use super::scales::{self, HIGH, entry};
+use super::scene::SQUARE;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
-/// A mark of the legend.
-#[derive(Clone, Copy)]
-enum Sign {
-    Line(Color32, f32),
-    Dashes(Color32),
-    Disc(Color32),
-    /// Filled with what colour says.
-    Filled(Color32),
-    Ring(Color32),
-    /// What it is filled with, and its edge.
-    Diamond(Color32, Color32),
-    Triangle(f64),
-    Tube,
-    Band(Color32),
-    /// As wide as it is drawn, points.
-    Square(Color32, f32),
-}
 
-impl Sign {
-    fn paint(self, painter: &Painter, at: Pos2, palette: &Palette) {
-        let half = vec2(7.0, 0.0);
-        let ends = [at - half, at + half];
-        match self {
-            Self::Line(color, width) => {
-                painter.line_segment(ends, Stroke::new(width, color));
-            }
-            Self::Dashes(color) => {
-                let stroke = Stroke::new(1.25, color);
-                painter.extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
-            }
-            Self::Disc(color) => {
-                painter.add(marks::disc(at, 2.8, color));
-            }
-            Self::Filled(color) => {
-                let edge = Stroke::new(OUTLINE, palette.text);
-                painter.add(marks::pointing(at, 4.0, 0.0, color, edge));
-            }
-            Self::Ring(color) => {
-                painter.add(marks::ring(at, 3.4, Stroke::new(1.2, color)));
-            }
-            Self::Diamond(fill, color) => {
-                let edge = Stroke::new(1.4, color);
-                painter.add(marks::diamond(at, 4.2, fill, edge));
-            }
-            Self::Triangle(side) => {
-                let edge = Stroke::new(1.2, palette.muted);
-                painter.add(marks::pointing(at, 3.4, side, Color32::TRANSPARENT, edge));
-            }
-            Self::Tube => {
-                for (width, color) in [(7.0, palette.nominal), (4.5, palette.surface)] {
-                    painter.line_segment(ends, Stroke::new(width, color));
-                }
-            }
-            Self::Band(color) => {
-                let rect = Rect::from_center_size(at, vec2(14.0, 8.0));
-                painter.rect_filled(rect, 1.0, color.gamma_multiply(0.3));
-            }
-            Self::Square(color, width) => {
-                let rect = Rect::from_center_size(at, Vec2::splat(width));
-                painter.rect_filled(rect, 0.0, color);
-            }
-        }
-    }
-}
-
-fn sign(ui: &mut Ui, name: &str, sign: Sign, palette: &Palette) {
-    let room = entry(ui, 14.0, name, palette);
-    sign.paint(ui.painter(), room.center(), palette);
+fn sign(ui: &mut Ui, one: &Entry, palette: &Palette) {
+    let room = entry(ui, one.wide, &one.name, palette);
+    Screen::sign(ui.painter(), palette, one, room.center());
 }
 
 fn note(ui: &mut Ui, says: &str, palette: &Palette) {
@@ -113,7 +46,7 @@ fn rows(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
-    scene: &Scene,
+    shown: &Shown,
     robot: Option<&Drawn>,
     notes: &[String],
     palette: &Palette,
@@ -121,32 +54,15 @@ pub(super) fn show(
     let mut scale = None;
     let measured = !workbench.subject().is_empty();
     let low = ui.available_height() < LOW;
-    let marks = |ui: &mut Ui| {
-        if measured {
-            meanings(ui, workbench, scene, palette);
-        }
-        // Whether somebody points at a sample or not: nothing moves under the pointer.
-        if let Some(robot) = robot {
-            sign(ui, say!("robot"), Sign::Tube, palette);
-            match &robot.real {
-                Some(real) if real.identified => {
-                    sign(
-                        ui,
-                        say!("identified"),
-                        Sign::Line(palette.after, 2.5),
-                        palette,
-                    );
-                }
-                Some(_) => sign(
-                    ui,
-                    say!("as measured"),
-                    Sign::Line(palette.before, 2.5),
-                    palette,
-                ),
-                None => {}
-            }
-        }
-    };
+    let entries = entries(workbench, shown, robot);
+    let scales = scales::entries(workbench, shown, low, &|text| {
+        let font = FontId::proportional(size::SMALL);
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font, palette.muted);
+        galley.size().x
+    });
+    let marks = |ui: &mut Ui| entries.iter().for_each(|one| sign(ui, one, palette));
     rows(ui, |ui| {
         if measured {
             scale = Some(entry(ui, SCALE, "", palette));
@@ -154,7 +70,9 @@ pub(super) fn show(
         if !low {
             marks(ui);
         }
-        scales::show(ui, scene, workbench, low, palette);
+        for one in &scales {
+            sign(ui, one, palette);
+        }
         if low {
             folded(ui, marks);
         }
@@ -181,134 +99,126 @@ fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
         });
 }
 
-/// The scale's arrow, where there is room for it.
-pub(super) fn scale(
-    ui: &Ui,
-    room: Rect,
-    scene: &Scene,
-    transform: &PlotTransform,
-    workbench: &Workbench,
-    palette: &Palette,
-) {
+/// The scale of the vectors: an arrow that stands for a round length, and which.
+fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
     let units = workbench.units();
-    let points_per_mm = transform.dpos_dvalue_x().abs();
-    let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
-    let long = single(mm * scene.magnification * points_per_mm);
-    let color = if scene.look.colouring != Colouring::State {
-        palette.muted
-    } else if scene.look.answered && scene.look.blend > 0.0 {
-        palette.after
+    let points_per_mm = camera.points_per_mm();
+    let mm = layout::scale_mm(shown.magnification, points_per_mm, LONGEST_SCALE);
+    let long = mm * shown.magnification * points_per_mm;
+    let token = if shown.look.colouring != Colouring::State {
+        Token::Muted
+    } else if shown.look.answered && shown.look.blend > 0.0 {
+        Token::After
     } else {
-        palette.before
+        Token::Before
     };
-    let from = pos2(room.left(), room.center().y);
-    let mut shapes = Vec::new();
-    let stroke = Stroke::new(2.0, color);
-    marks::arrow(&mut shapes, from, from + vec2(long, 0.0), stroke);
-    ui.painter().extend(shapes);
+    let at = |x: f64| Place::from([x - 0.5 * f64::from(SCALE), 0.0, 0.0]);
     let says = format!(
         "{} {}",
         trimmed(units.length_value(mm), 6),
         units.length_name()
     );
-    ui.painter().text(
-        from + vec2(long + 8.0, 0.0),
-        Align2::LEFT_CENTER,
-        says,
-        FontId::proportional(size::SMALL),
-        palette.text,
-    );
+    let says = Label {
+        anchor: Align2::LEFT_CENTER,
+        ..Label::new(at(long + 8.0), says, Token::Text)
+    };
+    let arrow = Item::Vector([at(0.0), at(long)], Stroke::new(2.0, token));
+    Entry {
+        name: String::new(),
+        sign: vec![arrow, Item::Label(says)],
+        wide: SCALE,
+    }
+}
+
+/// Draws the scale where there is room for it.
+pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown, camera: &Camera) {
+    let scale = scale(workbench, shown, camera);
+    Screen::sign(ui.painter(), &Palette::of(ui), &scale, room.center());
+}
+
+/// What marks and colours mean, on a sheet.
+pub(super) fn on_paper(
+    workbench: &Workbench,
+    shown: &Shown,
+    robot: Option<&Drawn>,
+    camera: &Camera,
+) -> Vec<Entry> {
+    let mut all = vec![scale(workbench, shown, camera)];
+    all.extend(entries(workbench, shown, robot));
+    all.extend(scales::entries(workbench, shown, false, &Sheet::width));
+    all
 }
 
 /// What the marks mean.
-fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette) {
-    if !scene.paths_mm.is_empty() {
-        sign(
-            ui,
-            say!("nominal path"),
-            Sign::Line(palette.nominal, 1.25),
-            palette,
-        );
+fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<Entry> {
+    let mut all = Vec::new();
+    if !workbench.subject().is_empty() {
+        meanings(&mut all, workbench, shown);
     }
-    if scene.look.ghosts() {
-        let faint = palette.before.gamma_multiply(0.5);
-        sign(ui, say!("before"), Sign::Line(faint, 1.5), palette);
-        sign(ui, say!("after"), Sign::Line(palette.after, 1.8), palette);
+    // Whether somebody points at a sample or not: nothing moves under the pointer.
+    let Some(robot) = robot else {
+        return all;
+    };
+    let tube = [(7.0, Token::Nominal), (4.5, Token::Surface)];
+    let tube = tube.map(|(width, token)| Entry::line("", Stroke::new(width, token)).sign);
+    all.push(Entry {
+        name: say!("robot").to_owned(),
+        sign: tube.concat(),
+        wide: SIGN,
+    });
+    if let Some(real) = &robot.real {
+        let (name, token) = if real.identified {
+            (say!("identified"), Token::After)
+        } else {
+            (say!("as measured"), Token::Before)
+        };
+        all.push(Entry::line(name, Stroke::new(2.5, token)));
+    }
+    all
+}
+
+fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown) {
+    let line = |name: &str, width, ink: Ink| Entry::line(name, Stroke::new(width, ink));
+    if !shown.paths_mm.is_empty() {
+        all.push(line(say!("nominal path"), 1.25, Token::Nominal.into()));
+    }
+    if shown.look.ghosts() {
+        all.push(line(say!("before"), 1.5, Token::Before.clear(0.5)));
+        all.push(line(say!("after"), 1.8, Token::After.into()));
     }
     // Where colour says something else, shape alone says what is within the tolerance.
-    let colouring = scene.look.colouring;
+    let colouring = shown.look.colouring;
     let plain = colouring == Colouring::State;
-    let middle = scale_at(colouring, palette, 0.5);
-    let disc = |color| {
+    let middle = Token::Scale(colouring, 0.5);
+    let here = [0.0; 3];
+    let disc = |token: Token| {
         if plain {
-            Sign::Disc(color)
+            Mark::filled(here, Form::Disc, 2.8, token)
         } else {
-            Sign::Filled(middle)
+            let edge = Stroke::new(OUTLINE, Token::Text);
+            Mark::filled(here, Form::Disc, 4.0, middle).edged(edge)
         }
     };
     if workbench.document().tolerance_mm.is_some() {
-        let inner = if plain { palette.surface } else { middle };
-        sign(ui, say!("within"), disc(palette.within), palette);
-        sign(
-            ui,
-            say!("outside"),
-            Sign::Diamond(inner, palette.outside),
-            palette,
-        );
+        let inner = if plain { Token::Surface } else { middle };
+        let edge = Stroke::new(1.4, Token::Outside);
+        let diamond = Mark::filled(here, Form::Diamond, 4.2, inner).edged(edge);
+        all.push(Entry::mark(say!("within"), disc(Token::Within)));
+        all.push(Entry::mark(say!("outside"), diamond));
     } else {
-        sign(ui, say!("measured"), disc(palette.text), palette);
+        all.push(Entry::mark(say!("measured"), disc(Token::Text)));
     }
-    if !scene.over.is_empty() {
-        let square = Sign::Square(middle, SQUARE);
-        sign(ui, say!("poses over the joints’ ranges"), square, palette);
+    if !shown.over.is_empty() {
+        let square = Mark::filled(here, Form::Square, 0.5 * SQUARE, middle);
+        all.push(Entry::mark(say!("poses over the joints’ ranges"), square));
     }
 }
 
 /// The rows over the polar view.
 pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
-    let answered = workbench.answer().is_some();
-    let only_after = workbench.view().only_after && answered;
-    let many = workbench.around().is_some();
     let low = ui.available_height() < LOW;
-    let marks = |ui: &mut Ui| {
-        sign(
-            ui,
-            say!("nominal circle"),
-            Sign::Line(palette.nominal, 1.75),
-            palette,
-        );
-        if !only_after {
-            sign(ui, say!("before"), Sign::Ring(palette.before), palette);
-        }
-        if answered {
-            sign(ui, say!("after"), Sign::Disc(palette.after), palette);
-        }
-        if !many {
-            if !only_after {
-                sign(
-                    ui,
-                    say!("mean before"),
-                    Sign::Dashes(palette.before),
-                    palette,
-                );
-            }
-            if answered {
-                sign(
-                    ui,
-                    say!("mean after"),
-                    Sign::Line(palette.after, 1.5),
-                    palette,
-                );
-            }
-        }
-        if polar.spots.iter().any(|s| s.side != 0.0) {
-            sign(ui, say!("moving positive"), Sign::Triangle(1.0), palette);
-            sign(ui, say!("negative"), Sign::Triangle(-1.0), palette);
-        }
-        if polar.tolerance_mm.is_some() {
-            sign(ui, say!("tolerance"), Sign::Band(palette.within), palette);
-        }
-    };
+    let entries = super::polar::legend(workbench, polar);
+    let marks = |ui: &mut Ui| entries.iter().for_each(|one| sign(ui, one, palette));
     rows(ui, |ui| {
         let says = super::polar::scale(polar, workbench.units());
         note(ui, &says, palette);
@@ -317,12 +227,9 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
         } else {
             marks(ui);
         }
-        if many {
-            note(
-                ui,
-                say!("from the smallest to the largest at each angle"),
-                palette,
-            );
+        if workbench.around().is_some() {
+            let says = say!("from the smallest to the largest at each angle");
+            note(ui, says, palette);
         }
     });
 }

@@ -1,7 +1,7 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
 //! camera's line of sight.
 
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
@@ -16,32 +16,29 @@ use crate::numeric::single;
 
 use super::extent::{Extent, SOME};
 
-/// An error vector of a sample.
+/// A sample that is drawn by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Arrow {
-    pub(crate) sample: usize,
-    /// Where the simulation is, mm.
-    pub(crate) from_mm: [f64; 2],
-    /// The deviation that is shown, mm, as long as it really is.
-    pub(crate) vector_mm: [f64; 2],
-    /// The deviation before, where another is shown.
-    pub(crate) before_mm: Option<[f64; 2]>,
-    /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
-    pub(crate) says: Option<f32>,
-}
-
-/// A measured point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Point {
+pub(crate) struct Seen {
     pub(crate) sample: usize,
     /// Where it was measured, mm.
-    pub(crate) at_mm: [f64; 2],
+    pub(crate) at_mm: [f64; 3],
+    /// The deviation that is shown, mm, as long as it really is.
+    pub(crate) vector_mm: [f64; 3],
+    /// The deviation before, where another is shown.
+    pub(crate) before_mm: Option<[f64; 3]>,
     /// Whether the deviation that is shown is within the tolerance; `None` without one.
     pub(crate) within: Option<bool>,
     /// Whether it is a suspected outlier.
     pub(crate) suspected: bool,
-    /// What its colour says, as its vector's does.
+    /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
     pub(crate) says: Option<f32>,
+}
+
+impl Seen {
+    /// Where the simulation has it that a deviation is from, mm.
+    pub(crate) fn simulated_mm(&self, deviation_mm: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| self.at_mm[k] - deviation_mm[k])
+    }
 }
 
 /// How angles of joint 1 lie in the plane.
@@ -77,18 +74,16 @@ impl Dial {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Scene {
-    /// Error vectors, perhaps thinned; none where a layer draws them.
-    pub(crate) arrows: Vec<Arrow>,
-    /// Measured points of the same samples; none where a layer draws them.
-    pub(crate) points: Vec<Point>,
+pub(crate) struct Shown {
+    /// Samples, perhaps thinned; none where a layer draws them.
+    pub(crate) each: Vec<Seen>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
-    pub(crate) paths_mm: Vec<Vec<[f64; 2]>>,
+    pub(crate) paths_mm: Vec<Vec<[f64; 3]>>,
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
     /// something else.
     pub(crate) sure: Vec<Vec<f32>>,
     /// The same at poses over the ranges of several joints, with where they are, mm.
-    pub(crate) over: Vec<([f64; 2], f32)>,
+    pub(crate) over: Vec<([f64; 3], f32)>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -111,7 +106,7 @@ pub(crate) struct Scene {
     pub(crate) canvas: Canvas,
 }
 
-impl Scene {
+impl Shown {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
         Self::on(workbench, workbench.view().canvas)
@@ -122,7 +117,6 @@ impl Scene {
         let subject = &**workbench.subject();
         let view = workbench.view();
         let facing = workbench.facing();
-        let flat = |p: [f64; 3]| facing.flat(p);
         let answer = workbench.answer();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
@@ -140,7 +134,9 @@ impl Scene {
         };
         let extent = (canvas != Canvas::Shapes && usable.len() > FEW).then(|| {
             let some = spread.iter().take(SOME);
-            let some: Vec<_> = some.map(|s| flat(subject.measured(*s as usize))).collect();
+            let some: Vec<_> = some
+                .map(|s| facing.flat(subject.measured(*s as usize)))
+                .collect();
             Extent::of(&some)
         });
         let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
@@ -149,31 +145,21 @@ impl Scene {
             let nearness = |sample: usize| facing.nearness(subject.measured(sample));
             shown_here.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
         }
-        let samples = || shown_here.iter().copied();
-        let arrows = samples().map(|sample| {
+        let each = shown_here.into_iter().map(|sample| {
             let e = shown(sample);
-            let measured = subject.measured(sample);
-            Arrow {
+            Seen {
                 sample,
-                from_mm: flat(std::array::from_fn(|k| measured[k] - e[k])),
-                vector_mm: flat(e),
-                before_mm: look
-                    .ghosts()
-                    .then(|| flat(subject.deviation_before(sample))),
+                at_mm: subject.measured(sample),
+                vector_mm: e,
+                before_mm: look.ghosts().then(|| subject.deviation_before(sample)),
+                within: tolerance_mm.map(|t| length(e) <= t),
+                suspected: answer.is_some_and(|a| a.suspected[sample]),
                 says: says(workbench, &look, sample, e),
             }
         });
-        let points = samples().map(|sample| Point {
-            sample,
-            at_mm: flat(subject.measured(sample)),
-            within: tolerance_mm.map(|t| length(shown(sample)) <= t),
-            suspected: answer.is_some_and(|a| a.suspected[sample]),
-            says: says(workbench, &look, sample, shown(sample)),
-        });
         Self {
-            arrows: arrows.collect(),
-            points: points.collect(),
-            paths_mm: paths(subject, |p| facing.flat((workbench.base() * p).into())),
+            each: each.collect(),
+            paths_mm: paths(subject, &workbench.base()),
             sure: sure(workbench),
             over: over(workbench, &facing),
             dial: (!view.in_space())
@@ -193,7 +179,7 @@ impl Scene {
 
     /// What it says when it does not show everything.
     pub(crate) fn notes(&self) -> Vec<String> {
-        let drawn = self.points.len();
+        let drawn = self.each.len();
         if drawn >= self.samples {
             return Vec::new();
         }
@@ -380,25 +366,25 @@ fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
 }
 
 /// The uncertainty over the ranges of several joints, the farthest first.
-fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 2], f32)> {
+fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 3], f32)> {
     let Some(uncertain) = workbench.uncertain() else {
         return Vec::new();
     };
     let mut all: Vec<_> = uncertain.over.iter().collect();
     all.sort_by(|(a, _), (b, _)| facing.nearness(*a).total_cmp(&facing.nearness(*b)));
-    let part = |(at, mm): &([f64; 3], f64)| (facing.flat(*at), single(mm / uncertain.most_mm));
+    let part = |(at, mm): &([f64; 3], f64)| (*at, single(mm / uncertain.most_mm));
     all.into_iter().map(part).collect()
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &Subject, flat: impl Fn(Point3<f64>) -> [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+fn paths(subject: &Subject, base: &Isometry3<f64>) -> Vec<Vec<[f64; 3]>> {
     let values = subject.over_travel();
     if values.is_empty() {
         return Vec::new();
     }
     let robot = &subject.session.robot;
     let arcs = subject.session.targets.iter().map(|target| {
-        let at = |q: &f64| flat(robot.point_in_base(&[*q], &target.position_mm));
+        let at = |q: &f64| (base * robot.point_in_base(&[*q], &target.position_mm)).into();
         values.iter().map(at).collect()
     });
     arcs.collect()
@@ -418,34 +404,35 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        assert!(Scene::of(&workbench).sure.is_empty());
+        assert!(Shown::of(&workbench).sure.is_empty());
         workbench.execute(Command::Colour(Colouring::Uncertainty));
         workbench.receive();
-        let scene = Scene::of(&workbench);
+        let shown = Shown::of(&workbench);
         let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
-        let paths = scene.paths_mm.iter().map(Vec::len).collect();
-        let sure = scene.sure.iter().map(Vec::len).collect();
+        let paths = shown.paths_mm.iter().map(Vec::len).collect();
+        let sure = shown.sure.iter().map(Vec::len).collect();
         assert!(lengths(sure).is_some_and(|sure| Some(sure) == lengths(paths)));
-        let parts = scene.sure.iter().flatten();
+        let parts = shown.sure.iter().flatten();
         assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
         assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
         workbench.execute(Command::Colour(Colouring::State));
-        assert!(Scene::of(&workbench).sure.is_empty());
+        assert!(Shown::of(&workbench).sure.is_empty());
     }
 
     #[test]
     fn an_error_vector_runs_from_the_simulation_to_the_measurement() {
         let workbench = workbench();
-        let scene = Scene::of(&workbench);
+        let shown = Shown::of(&workbench);
         let subject = workbench.subject();
-        for arrow in &scene.arrows {
-            let measured = subject.measured(arrow.sample);
-            for (k, axis) in [0, 1].into_iter().enumerate() {
-                let tip = arrow.from_mm[k] + arrow.vector_mm[k];
-                assert!((tip - measured[axis]).abs() < 1e-9);
+        for one in &shown.each {
+            let measured = subject.measured(one.sample);
+            let from = one.simulated_mm(one.vector_mm);
+            for k in 0..3 {
+                let tip = from[k] + one.vector_mm[k];
+                assert!((tip - measured[k]).abs() < 1e-9);
             }
         }
-        assert_eq!(scene.arrows.len(), subject.len());
+        assert_eq!(shown.each.len(), subject.len());
     }
 
     #[test]
@@ -454,7 +441,7 @@ mod tests {
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
         let longest = |workbench: &Workbench| {
-            let lengths = Scene::of(workbench).arrows;
+            let lengths = Shown::of(workbench).each;
             let lengths = lengths.iter().map(|a| a.vector_mm[0].hypot(a.vector_mm[1]));
             lengths.fold(0.0, f64::max)
         };
@@ -473,8 +460,8 @@ mod tests {
 
     #[test]
     fn an_angle_on_the_dial_is_found_again_on_any_turn() {
-        let scene = Scene::of(&workbench());
-        let dial = scene.dial.expect("the joint turns in this plane");
+        let shown = Shown::of(&workbench());
+        let dial = shown.dial.expect("the joint turns in this plane");
         for q in [-3.5, -1.0, 0.0, 0.5, 4.0] {
             let found = dial.angle_of(dial.at(q, 100.0), q + 0.3);
             assert!((found - q).abs() < 1e-12, "{q} {found}");
@@ -485,13 +472,13 @@ mod tests {
     fn there_is_no_dial_where_the_joint_is_seen_from_the_side() {
         let mut workbench = workbench();
         workbench.execute(Command::Look(Plane::Xz));
-        assert_eq!(Scene::of(&workbench).dial, None);
+        assert_eq!(Shown::of(&workbench).dial, None);
     }
 
     #[test]
     fn more_samples_than_can_be_drawn_are_thinned_and_the_plot_says_so() {
         let mut workbench = workbench();
-        assert!(Scene::of(&workbench).notes().is_empty());
+        assert!(Shown::of(&workbench).notes().is_empty());
         workbench.execute(Command::Simulate(crate::gui::core::simulate::Form {
             step_deg: 0.01,
             ..crate::gui::core::simulate::Form::default()
@@ -499,18 +486,17 @@ mod tests {
         workbench.receive();
         let subject = Arc::clone(workbench.subject());
         assert_eq!(subject.len(), 36_002);
-        let scene = Scene::of(&workbench);
-        assert_eq!(scene.arrows.len(), scene.points.len());
-        assert!(scene.points.len() <= MOST && scene.points.len() > MOST / 2);
+        let shown = Shown::of(&workbench);
+        assert!(shown.each.len() <= MOST && shown.each.len() > MOST / 2);
         let says = format!(
             "{} of 36002 samples, the largest deviations among them",
-            scene.points.len()
+            shown.each.len()
         );
-        assert_eq!(scene.notes(), [says]);
+        assert_eq!(shown.notes(), [says]);
         let length = |sample: u32| subject.before.length_mm[sample as usize];
         let largest = subject.overview.usable.iter().copied();
         let largest = largest.max_by(|a, b| length(*a).total_cmp(&length(*b)));
-        let drawn = |sample: u32| scene.arrows.iter().any(|a| a.sample == sample as usize);
+        let drawn = |sample: u32| shown.each.iter().any(|a| a.sample == sample as usize);
         assert!(largest.is_some_and(drawn));
     }
 }

@@ -7,7 +7,7 @@ use crate::gui::view::Canvas;
 
 use super::apart::longest_of_cells;
 use super::layout;
-use super::model::Scene;
+use super::model::Shown;
 
 /// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
 /// from the plot's size: the legend says what the frame before found.
@@ -18,11 +18,11 @@ pub(super) struct Notes {
 }
 
 impl Notes {
-    pub(super) fn recall(ui: &Ui, scene: &Scene) -> Self {
+    pub(super) fn recall(ui: &Ui, shown: &Shown) -> Self {
         let id = ui.scope_id().with("what is not drawn");
         let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        let mut said = if scene.canvas == Canvas::Shapes {
-            scene.notes()
+        let mut said = if shown.canvas == Canvas::Shapes {
+            shown.notes()
         } else {
             Vec::new()
         };
@@ -30,14 +30,14 @@ impl Notes {
         Self { id, before, said }
     }
 
-    pub(super) fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
-        let counts = if scene.canvas == Canvas::Shapes {
-            let kept = longest_of_cells(scene, transform);
-            [scene.samples, kept.map_or(scene.samples, |kept| kept.len())]
+    pub(super) fn keep(self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
+        let counts = if shown.canvas == Canvas::Shapes {
+            let kept = longest_of_cells(shown, transform);
+            [shown.samples, kept.map_or(shown.samples, |kept| kept.len())]
         } else {
-            layout::counts(scene, transform)
+            layout::counts(shown, transform)
         };
-        let now = layout::drawn(scene, counts);
+        let now = layout::drawn(shown, counts);
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();

@@ -1,18 +1,17 @@
 //! The legend of colours. What colour says is said a second time: a deviation by the vector's
 //! length, a direction by its direction, a condition by its width.
 
-use egui::epaint::Mesh;
-use egui::{Align2, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, FontId, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::layers::{WEDGE, scale_at};
-use crate::gui::plots::marks;
+use crate::gui::layers::WEDGE;
+use crate::gui::scene::{Entry, Ink, Item, Label, Place, Stroke, Token};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{significant, trimmed};
 
-use super::model::Scene;
+use super::model::Shown;
 
 /// Length of a scale, points; and in a low plot.
 const LONG: f32 = 96.0;
@@ -37,11 +36,11 @@ pub(crate) struct Scale {
 }
 
 /// The scales that are in use.
-pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
+pub(crate) fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
     let units = workbench.units();
-    let colouring = scene.look.colouring;
+    let colouring = shown.look.colouring;
     let heat = workbench.heat().is_some();
-    let long = significant(units.length_value(scene.look.long_mm), 2);
+    let long = significant(units.length_value(shown.look.long_mm), 2);
     let lengths = |name: &str| Scale {
         name: format!("{name}, {}", units.length_name()),
         ends: Some(["0".to_owned(), format!("≥ {long}")]),
@@ -86,80 +85,72 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     scales
 }
 
-pub(super) fn show(
-    ui: &mut Ui,
-    scene: &Scene,
+/// The scales as entries of a legend: from little to much, a wedge where the width of vectors says the
+/// same; every direction in its colour. `width` is that of words in small type.
+pub(super) fn entries(
     workbench: &Workbench,
+    shown: &Shown,
     low: bool,
-    palette: &Palette,
-) {
+    width: &dyn Fn(&str) -> f32,
+) -> Vec<Entry> {
     let long = if low { SHORT } else { LONG };
-    for scale in scales(workbench, scene) {
-        let Some([low, high]) = &scale.ends else {
-            let name = &scale.name;
-            let room = entry(ui, DIRECTIONS, name, palette);
-            ui.painter().extend(arrows(room, palette));
-            continue;
-        };
-        let font = FontId::proportional(size::SMALL);
-        let number = |text: &str| {
-            ui.painter()
-                .layout_no_wrap(text.to_owned(), font.clone(), palette.muted)
-        };
-        let ends = [number(low), number(high)];
-        let wide: f32 = ends.iter().map(|end| end.size().x + 4.0).sum();
-        let room = entry(ui, wide + long, &scale.name, palette);
-        let [low, high] = ends;
-        let left = room.left() + low.size().x + 4.0;
-        let y = |galley: &egui::Galley| room.center().y - 0.5 * galley.size().y;
-        let at = [
-            pos2(room.left(), y(&low)),
-            pos2(left + long + 4.0, y(&high)),
-        ];
-        ui.painter().galley(at[0], low, palette.muted);
-        ui.painter().galley(at[1], high, palette.muted);
-        let middle = pos2(left, room.center().y);
-        ui.painter().add(strip(middle, long, &scale, palette));
-    }
+    let all = scales(workbench, shown).into_iter();
+    all.map(|scale| strip(scale, long, width)).collect()
 }
 
-/// From little to much; a wedge where the width of vectors says the same.
-fn strip(middle: Pos2, long: f32, scale: &Scale, palette: &Palette) -> Shape {
+fn strip(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> Entry {
+    let Some([low, high]) = scale.ends else {
+        return Entry {
+            name: scale.name,
+            sign: arrows(),
+            wide: DIRECTIONS,
+        };
+    };
+    let before = width(&low) + 4.0;
+    let wide = before + long + 4.0 + width(&high);
+    let left = before - 0.5 * wide;
     let wedge = scale.colouring.by_width();
     let half = |part: f32| {
         let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
         0.5 * if wedge { wide } else { THICK }
     };
-    let mut mesh = Mesh::default();
-    for k in 0..=PIECES {
+    let place = |x: f32, y: f32| Place::from([f64::from(x), f64::from(y), 0.0]);
+    let corners = (0..=PIECES).flat_map(|k| {
         let part = f32::from(k) / f32::from(PIECES);
-        let color = scale_at(scale.colouring, palette, part);
-        let x = middle.x + part * long;
-        mesh.colored_vertex(pos2(x, middle.y - half(part)), color);
-        mesh.colored_vertex(pos2(x, middle.y + half(part)), color);
-        if k > 0 {
-            let here = 2 * u32::from(k);
-            mesh.add_triangle(here - 2, here - 1, here);
-            mesh.add_triangle(here - 1, here, here + 1);
-        }
+        let ink = Ink::from(Token::Scale(scale.colouring, part));
+        [1.0, -1.0].map(|up| (place(left + part * long, up * half(part)), ink))
+    });
+    let end = |x: f32, says: String| {
+        Item::Label(Label {
+            anchor: Align2::LEFT_CENTER,
+            ..Label::new(place(x, 0.0), says, Token::Muted)
+        })
+    };
+    let sign = vec![
+        end(-0.5 * wide, low),
+        end(left + long + 4.0, high),
+        Item::Net(corners.collect(), 2),
+    ];
+    Entry {
+        name: scale.name,
+        sign,
+        wide,
     }
-    Shape::mesh(mesh)
 }
 
-/// Every direction in its colour, from the right around over up.
-fn arrows(room: Rect, palette: &Palette) -> Vec<Shape> {
+/// From the right around over up.
+fn arrows() -> Vec<Item> {
     const NUMBER: u8 = 8;
-    let mut shapes = Vec::new();
-    let step = room.width() / f32::from(NUMBER);
-    for k in 0..NUMBER {
+    let step = f64::from(DIRECTIONS) / f64::from(NUMBER);
+    let arrow = |k: u8| {
         let part = f32::from(k) / f32::from(NUMBER);
-        let (sin, cos) = (part * std::f32::consts::TAU).sin_cos();
-        let half = 6.5 * vec2(cos, -sin);
-        let middle = pos2(room.left() + step * (f32::from(k) + 0.5), room.center().y);
-        let stroke = Stroke::new(2.0, scale_at(Colouring::Direction, palette, part));
-        marks::arrow(&mut shapes, middle - half, middle + half, stroke);
-    }
-    shapes
+        let (sin, cos) = (f64::from(part) * std::f64::consts::TAU).sin_cos();
+        let middle = step * (f64::from(k) + 0.5) - 0.5 * f64::from(DIRECTIONS);
+        let at = |way: f64| Place::from([middle + 6.5 * way * cos, 6.5 * way * sin, 0.0]);
+        let stroke = Stroke::new(2.0, Token::Scale(Colouring::Direction, part));
+        Item::Vector([at(-1.0), at(1.0)], stroke)
+    };
+    (0..NUMBER).map(arrow).collect()
 }
 
 /// Height of a row, points.
@@ -186,6 +177,7 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gui::layers::scale_at;
     use crate::gui::style::tokens::{DARK, LIGHT, STOPS};
     use crate::gui::style::vision::{Sight, apart, lightness};
     use crate::gui::testing::workbench;
@@ -195,8 +187,8 @@ mod tests {
     fn every_colour_that_says_something_has_a_scale() {
         let mut workbench = workbench();
         let named = |workbench: &Workbench| {
-            let scene = Scene::of(workbench);
-            let names = scales(workbench, &scene).into_iter().map(|s| s.name);
+            let shown = Shown::of(workbench);
+            let names = scales(workbench, &shown).into_iter().map(|s| s.name);
             names.collect::<Vec<_>>()
         };
         assert!(named(&workbench).is_empty());
@@ -218,7 +210,7 @@ mod tests {
         workbench.receive();
         let mut end_mm = |blend: f32| {
             workbench.execute(Command::Blend(blend));
-            let scale = scales(&workbench, &Scene::of(&workbench)).pop();
+            let scale = scales(&workbench, &Shown::of(&workbench)).pop();
             let [_, end] = scale.and_then(|s| s.ends).expect("the heat map's");
             end.trim_start_matches("≥ ")
                 .parse::<f64>()
@@ -237,17 +229,17 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Colour(Colouring::Uncertainty));
         workbench.receive();
-        assert!(scales(&workbench, &Scene::of(&workbench)).is_empty());
+        assert!(scales(&workbench, &Shown::of(&workbench)).is_empty());
         workbench.execute(Command::Edit(crate::gui::core::edit::Edit::Identify));
         workbench.receive();
-        let scene = Scene::of(&workbench);
-        let scale = scales(&workbench, &scene).pop().expect("a scale");
+        let shown = Shown::of(&workbench);
+        let scale = scales(&workbench, &shown).pop().expect("a scale");
         assert_eq!(scale.name, "uncertainty (1σ), mm");
         let most = workbench.uncertain().expect("it is known").most_mm;
         let [low, high] = scale.ends.expect("its ends");
         assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let parts: Vec<f32> = scene.arrows.iter().filter_map(|a| a.says).collect();
-        assert_eq!(parts.len(), scene.arrows.len());
+        let parts: Vec<f32> = shown.each.iter().filter_map(|a| a.says).collect();
+        assert_eq!(parts.len(), shown.each.len());
         assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 
@@ -255,9 +247,9 @@ mod tests {
     fn a_condition_that_was_not_recorded_is_not_offered() {
         let mut workbench = workbench();
         workbench.execute(Command::Colour(Colouring::Temperature));
-        let scene = Scene::of(&workbench);
-        assert_eq!(scene.look.colouring, Colouring::State);
-        assert!(scales(&workbench, &scene).is_empty());
+        let shown = Shown::of(&workbench);
+        assert_eq!(shown.look.colouring, Colouring::State);
+        assert!(scales(&workbench, &shown).is_empty());
     }
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];

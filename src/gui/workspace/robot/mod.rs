@@ -1,7 +1,9 @@
-//! The robot at one pose: the nominal one in outline, the real one beside it.
+//! The robot at one pose: the nominal one, and the real one beside it.
 
+mod body;
+mod card;
 mod model;
-mod paint;
 
-pub(super) use model::{Drawn, Sign, home};
-pub(super) use paint::{FAINT, beneath, real_beneath, values};
+pub(super) use body::{body, surface};
+pub(super) use card::values;
+pub(super) use model::Drawn;

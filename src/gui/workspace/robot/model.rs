@@ -4,10 +4,9 @@
 //! vectors are. What its joints between do the tool alone cannot tell: the displacement grows
 //! evenly along the chain from where the first axis lets go of it, which for a column is exact.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::view::Facing;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 
@@ -40,9 +39,7 @@ fn displaced(corners: &[Point3<f64>], tip_mm: Vector3<f64>) -> Vec<Point3<f64>> 
 /// How a joint is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sign {
-    pub(crate) at_mm: [f64; 2],
-    /// Its axis as it is seen: 1 long where it lies in the plane, 0 where one looks along it.
-    pub(crate) along: [f64; 2],
+    pub(crate) at_mm: Point3<f64>,
     /// Its axis, a unit vector of the measuring frame.
     pub(crate) axis: [f64; 3],
     /// Whether it turns (else it slides).
@@ -53,7 +50,7 @@ pub(crate) struct Sign {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Real {
     /// From base to tool, mm.
-    pub(crate) corners_mm: Vec<[f64; 2]>,
+    pub(crate) corners_mm: Vec<Point3<f64>>,
     /// How many times its deviation is drawn.
     pub(crate) times: f64,
     /// Whether that is the identified robot (else it is as it was measured).
@@ -70,15 +67,11 @@ pub(crate) struct Drawn {
     pub(crate) q: Vec<f64>,
     /// The nominal robot from base to tool, mm of the measuring frame.
     pub(crate) corners_mm: Vec<Point3<f64>>,
-    /// The same as it is seen, mm.
-    pub(crate) nominal_mm: Vec<[f64; 2]>,
     pub(crate) real: Option<Real>,
     /// Its joints.
     pub(crate) signs: Vec<Sign>,
     /// The joints' names and values.
     pub(crate) values: Vec<(String, String)>,
-    /// Whether the plane shows what is up and what is down.
-    pub(crate) upright: bool,
 }
 
 impl Drawn {
@@ -104,20 +97,9 @@ impl Drawn {
         let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
-        let (facing, base) = (workbench.facing(), workbench.base());
+        let base = workbench.base();
         let corners = Skeleton::new(robot, &target_mm).at(&q)?;
         let corners: Vec<_> = corners.iter().map(|p| base * p).collect();
-        let flat = |p: &Point3<f64>| facing.flat(p.coords.into());
-        let motions = robot.motions_from_home(&q);
-        let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
-            let along = base.rotation * (motions[k].rotation * joint.axis.direction);
-            Sign {
-                at_mm: flat(&corners[2 * k + 1]),
-                along: facing.flat(along.into_inner().into()),
-                axis: along.into_inner().into(),
-                turns: joint.kind == JointKind::Revolute,
-            }
-        });
         let units = workbench.units();
         let values = robot.joints.iter().zip(&q).map(|(joint, q)| {
             let value = match joint.kind {
@@ -130,12 +112,25 @@ impl Drawn {
             sample,
             asked_for: asked.is_some() || view.pose.is_some(),
             q: q.clone(),
-            nominal_mm: corners.iter().map(flat).collect(),
-            real: sample.and_then(|sample| real(workbench, sample, &corners, &facing)),
-            signs: signs.collect(),
+            real: sample.and_then(|sample| real(workbench, sample, &corners)),
+            signs: signs(robot, &q, &base, &corners),
             values: values.collect(),
-            corners_mm: corners.clone(),
-            upright: facing.up[2] > 0.999,
+            corners_mm: corners,
+        })
+    }
+
+    /// A robot by itself at home, without a session.
+    pub(crate) fn alone(robot: &Robot) -> Option<Self> {
+        let q = home(robot);
+        let corners = Skeleton::new(robot, &Point3::origin()).at(&q)?;
+        Some(Self {
+            sample: None,
+            asked_for: true,
+            real: None,
+            signs: signs(robot, &q, &Isometry3::identity(), &corners),
+            values: Vec::new(),
+            corners_mm: corners,
+            q,
         })
     }
 
@@ -158,8 +153,25 @@ impl Drawn {
     }
 }
 
+/// The joints at a pose, where the corners of the chain are known.
+fn signs(robot: &Robot, q: &[f64], base: &Isometry3<f64>, corners_mm: &[Point3<f64>]) -> Vec<Sign> {
+    let motions = robot.motions_from_home(q);
+    let joints = robot.joints.iter().zip(&motions);
+    let corners = corners_mm.iter().skip(1).step_by(2);
+    joints
+        .zip(corners)
+        .map(|((joint, motion), at_mm)| Sign {
+            at_mm: *at_mm,
+            axis: (base.rotation * (motion.rotation * joint.axis.direction))
+                .into_inner()
+                .into(),
+            turns: joint.kind == JointKind::Revolute,
+        })
+        .collect()
+}
+
 /// Every joint at zero, or as near to it as it gets.
-pub(crate) fn home(robot: &Robot) -> Vec<f64> {
+fn home(robot: &Robot) -> Vec<f64> {
     let value = |joint: &crate::kinematics::Joint| match joint.limits {
         Some(range) if range.from <= range.to => 0.0_f64.clamp(range.from, range.to),
         _ => 0.0,
@@ -167,12 +179,7 @@ pub(crate) fn home(robot: &Robot) -> Vec<f64> {
     robot.joints.iter().map(value).collect()
 }
 
-fn real(
-    workbench: &Workbench,
-    sample: usize,
-    corners: &[Point3<f64>],
-    facing: &Facing,
-) -> Option<Real> {
+fn real(workbench: &Workbench, sample: usize, corners: &[Point3<f64>]) -> Option<Real> {
     let subject = &**workbench.subject();
     if !subject.usable[sample] {
         return None;
@@ -195,7 +202,7 @@ fn real(
     };
     let moved = displaced(corners, deviation * times);
     Some(Real {
-        corners_mm: moved.iter().map(|p| facing.flat(p.coords.into())).collect(),
+        corners_mm: moved,
         times,
         identified: answer.is_some(),
     })
@@ -232,8 +239,8 @@ mod tests {
         let displacement = |workbench: &Workbench| {
             let drawn = Drawn::of(workbench).expect("there are samples");
             let real = drawn.real.expect("it was measured");
-            let (a, b) = (drawn.nominal_mm[3], real.corners_mm[3]);
-            assert_eq!(drawn.nominal_mm[2], real.corners_mm[2], "the mast stays");
+            let (a, b) = (drawn.corners_mm[3], real.corners_mm[3]);
+            assert_eq!(drawn.corners_mm[2], real.corners_mm[2], "the mast stays");
             (
                 (b[0] - a[0]).hypot(b[1] - a[1]),
                 real.times,
@@ -258,10 +265,11 @@ mod tests {
         let mut workbench = workbench();
         for plane in Plane::ALL {
             workbench.execute(Command::Look(plane));
-            let scene = super::super::super::model::Scene::of(&workbench);
-            let [low, high] = super::super::super::layout::bounds(&scene);
+            let shown = super::super::super::model::Shown::of(&workbench);
+            let [low, high] = super::super::super::layout::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");
-            for p in &drawn.nominal_mm {
+            for p in &drawn.corners_mm {
+                let p = workbench.facing().flat(p.coords.into());
                 assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
             }
         }

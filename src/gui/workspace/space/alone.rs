@@ -1,17 +1,16 @@
 //! A robot by itself, without a session: at its zero, turned by dragging.
 
-use egui::{Color32, Response, Sense, Stroke, Ui, Vec2, vec2};
-use nalgebra::{Point3, Vector3};
+use egui::{Color32, Response, Sense, Stroke, Ui, Vec2};
+use nalgebra::Isometry3;
 
-use crate::gui::core::skeleton::Skeleton;
+use crate::gui::scene::{self, Projection, Scene, Screen, paint};
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Ball, Camera};
 use crate::gui::widgets;
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::Robot;
 
-use super::super::robot::{Drawn, Sign, home};
+use super::super::robot::{Drawn, body};
 use super::looking::looked;
-use super::robot::{Pen, nominal};
 
 /// Room around the robot, a part of its ball.
 const ROOM: f64 = 1.12;
@@ -28,55 +27,21 @@ pub(crate) fn robot_alone(
     let palette = Palette::of(ui);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, space::ROUND, palette.inset);
-    let q = home(robot);
-    let Some(corners) = Skeleton::new(robot, &Point3::origin()).at(&q) else {
+    let Some(drawn) = Drawn::alone(robot) else {
         return response;
     };
-    let points: Vec<[f64; 3]> = corners.iter().map(|p| p.coords.into()).collect();
+    let points: Vec<[f64; 3]> = drawn.corners_mm.iter().map(|p| p.coords.into()).collect();
     let mut ball = Ball::around(&points);
     ball.radius_mm *= ROOM;
     *camera = looked(ui, &response, rect, &ball, *camera);
-    let facing = camera.facing();
     let sides = [rect.width(), rect.height()].map(f64::from);
-    let points_per_mm = camera.points_per_mm(&ball, sides);
-    let centre = [0, 1, 2].map(|k| ball.centre_mm[k] + camera.offset_mm[k]);
-    let middle = facing.flat(centre);
-    #[expect(clippy::cast_possible_truncation, reason = "points of the screen")]
-    let screen = |p: Point3<f64>| {
-        let at = facing.flat(p.coords.into());
-        let off = [at[0] - middle[0], middle[1] - at[1]].map(|v| (v * points_per_mm) as f32);
-        rect.center() + vec2(off[0], off[1])
-    };
-    let motions = robot.motions_from_home(&q);
-    let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
-        let along = (motions[k].rotation * joint.axis.direction).into_inner();
-        Sign {
-            at_mm: facing.flat(corners[2 * k + 1].coords.into()),
-            along: facing.flat(along.into()),
-            axis: along.into(),
-            turns: joint.kind == JointKind::Revolute,
-        }
-    });
-    let drawn = Drawn {
-        sample: None,
-        asked_for: true,
-        q: q.clone(),
-        nominal_mm: Vec::new(),
-        real: None,
-        signs: signs.collect(),
-        values: Vec::new(),
-        corners_mm: corners,
-        upright: false,
-    };
-    let pen = Pen {
-        facing: &facing,
-        points_per_mm,
-        screen,
-        palette: &palette,
-        base: [Vector3::x(), Vector3::y(), Vector3::z()],
-    };
+    let seen_along = Projection::Parallel(camera.facing());
+    let seen = scene::Camera::showing(seen_along, camera.bounds(&ball, sides), rect);
+    let mut scene = Scene::default();
+    body(&mut scene, &drawn, &Isometry3::identity(), &seen, None);
     let mut shapes = Vec::new();
-    nominal(&mut shapes, &drawn, &pen, None);
+    let mut screen = Screen::new(&painter, &palette, &mut shapes);
+    paint(&scene, &seen, &mut screen);
     painter.extend(shapes);
     if response.has_focus() {
         let ring = Stroke::new(1.0, palette.outline);

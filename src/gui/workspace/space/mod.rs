@@ -4,15 +4,12 @@
 //! legend and robot are the same in both; only what has a depth is added here.
 
 mod alone;
-mod ground;
 mod joints;
 mod looking;
-mod paint;
 mod pick;
-mod robot;
-mod sheet;
-mod surface;
+mod scene;
+mod show;
 
 pub(crate) use alone::robot_alone;
-pub(super) use paint::show;
-pub(crate) use sheet::sheet;
+pub(crate) use show::sheet;
+pub(super) use show::show;

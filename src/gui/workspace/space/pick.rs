@@ -1,10 +1,10 @@
 //! Which sample is under the pointer, of those that are drawn.
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::view::{Canvas, Facing};
+use crate::gui::view::Canvas;
 use crate::gui::workbench::Workbench;
 
-use super::super::model::Scene;
+use super::super::model::Shown;
 
 /// Marks that are less than this apart on the screen stand on one another, points.
 const SAME: f64 = 3.0;
@@ -29,29 +29,28 @@ fn picked(candidates: &[Candidate]) -> Option<usize> {
     there.max_by(first).map(|c| c.sample)
 }
 
-/// The sample at a point of the plot, mm to the right and up as the scene has it, within `reach`
-/// points of it. Only what is drawn is there: the first `points` of the cloud, or the scene's points.
+/// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
+/// points of it. Only what is drawn is there: the first `points` of the cloud, or the shown's points.
 pub(super) fn under(
     workbench: &Workbench,
-    scene: &Scene,
-    facing: &Facing,
+    shown: &Shown,
     at_mm: [f64; 2],
     points_per_mm: f64,
     (reach, points): (f64, usize),
 ) -> Option<usize> {
+    let facing = &shown.look.facing;
     let reach_mm = reach / points_per_mm;
     let within = |p: [f64; 2]| {
         let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
         (distance <= reach_mm).then_some(distance * points_per_mm)
     };
-    let found: Vec<Candidate> = match scene.canvas {
+    let found: Vec<Candidate> = match shown.canvas {
         Canvas::Shapes => {
-            let candidates = scene.points.iter().filter_map(|point| {
-                let measured = workbench.subject().measured(point.sample);
+            let candidates = shown.each.iter().filter_map(|one| {
                 Some(Candidate {
-                    sample: point.sample,
-                    distance: within(point.at_mm)?,
-                    nearness: facing.nearness(measured),
+                    sample: one.sample,
+                    distance: within(facing.flat(one.at_mm))?,
+                    nearness: facing.nearness(one.at_mm),
                 })
             });
             candidates.collect()
@@ -109,21 +108,21 @@ mod tests {
             for camera in [Camera::from(Standard::Front), tilted] {
                 workbench.execute(Command::LookFrom(None));
                 workbench.execute(Command::Turn(camera));
-                let scene = Scene::of(&workbench);
+                let shown = Shown::of(&workbench);
                 let facing = workbench.facing();
                 let subject = workbench.subject();
                 for sample in subject.overview.usable.iter().map(|s| *s as usize) {
                     let p = subject.measured(sample);
                     let at = facing.flat(p);
                     let all = subject.len();
-                    let found = under(&workbench, &scene, &facing, at, 100.0, (14.0, all));
+                    let found = under(&workbench, &shown, at, 100.0, (14.0, all));
                     let found = found.expect("it is there");
                     let q = subject.measured(found);
                     let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
                     assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
                     assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
                 }
-                let nowhere = under(&workbench, &scene, &facing, [1e5, 1e5], 100.0, (14.0, 9));
+                let nowhere = under(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
                 assert_eq!(nowhere, None);
             }
         }

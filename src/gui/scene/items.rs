@@ -1,0 +1,202 @@
+//! What a scene is made of.
+
+use std::sync::Arc;
+
+use egui::Align2;
+
+use crate::gui::cache::cloud::{Cloud, Remainder};
+use crate::gui::cache::heat::Heat;
+use crate::gui::layers::Look;
+use crate::gui::style::tokens::size;
+
+use super::ink::{Ink, Stroke};
+
+/// A place: mm, and so many points from there to the right and down in the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) at: [f64; 3],
+    pub(crate) aside: [f32; 2],
+}
+
+impl From<[f64; 3]> for Place {
+    fn from(at: [f64; 3]) -> Self {
+        let aside = [0.0; 2];
+        Self { at, aside }
+    }
+}
+
+impl Place {
+    /// So many points to the right and down from here.
+    pub(crate) fn beside(self, right: f32, down: f32) -> Self {
+        let [x, y] = self.aside;
+        Self {
+            at: self.at,
+            aside: [x + right, y + down],
+        }
+    }
+}
+
+/// The form of a mark.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Form {
+    Disc,
+    /// A square on its tip.
+    Diamond,
+    Square,
+    /// A triangle that points along a direction of the scene.
+    Ahead([f64; 3]),
+}
+
+/// A sign as large at any zoom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Mark {
+    pub(crate) at: Place,
+    pub(crate) form: Form,
+    /// Points.
+    pub(crate) radius: f32,
+    pub(crate) fill: Option<Ink>,
+    pub(crate) edge: Option<Stroke>,
+    /// Whose it is.
+    pub(crate) sample: Option<usize>,
+}
+
+impl Mark {
+    /// Filled, of nobody.
+    pub(crate) fn filled(
+        at: impl Into<Place>,
+        form: Form,
+        radius: f32,
+        fill: impl Into<Ink>,
+    ) -> Self {
+        Self {
+            at: at.into(),
+            form,
+            radius,
+            fill: Some(fill.into()),
+            edge: None,
+            sample: None,
+        }
+    }
+
+    /// An outline, of nobody.
+    pub(crate) fn ring(at: impl Into<Place>, form: Form, radius: f32, edge: Stroke) -> Self {
+        Self {
+            at: at.into(),
+            form,
+            radius,
+            fill: None,
+            edge: Some(edge),
+            sample: None,
+        }
+    }
+
+    pub(crate) fn edged(self, edge: Stroke) -> Self {
+        Self {
+            edge: Some(edge),
+            ..self
+        }
+    }
+
+    pub(crate) fn of(self, sample: usize) -> Self {
+        Self {
+            sample: Some(sample),
+            ..self
+        }
+    }
+}
+
+/// Words at a place.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Label {
+    pub(crate) at: Place,
+    pub(crate) text: String,
+    pub(crate) ink: Ink,
+    pub(crate) anchor: Align2,
+    /// Points.
+    pub(crate) size: f32,
+    pub(crate) bold: bool,
+    /// What is longer is cut, points; whole where the pointer is on it.
+    pub(crate) most: Option<f32>,
+    /// Room around it, points: it is left out where it would touch another one with such room, and
+    /// stays within the picture.
+    pub(crate) room: Option<[f32; 2]>,
+    /// What is behind it in its room.
+    pub(crate) ground: Option<Ink>,
+}
+
+impl Label {
+    pub(crate) fn new(at: impl Into<Place>, text: impl Into<String>, ink: impl Into<Ink>) -> Self {
+        Self {
+            at: at.into(),
+            text: text.into(),
+            ink: ink.into(),
+            anchor: Align2::CENTER_CENTER,
+            size: size::SMALL,
+            bold: false,
+            most: None,
+            room: None,
+            ground: None,
+        }
+    }
+}
+
+/// A triangle, mm.
+pub(crate) type Triangle = [[f32; 3]; 3];
+
+/// One thing in a scene.
+#[derive(Debug, Clone)]
+pub(crate) enum Item {
+    /// Through its places.
+    Line(Vec<Place>, Stroke),
+    /// The area that places enclose: convex, whatever their order.
+    Area(Vec<Place>, Option<Ink>, Option<Stroke>),
+    /// Without edges, so that neighbours leave no seams; the first is at the bottom.
+    Triangles(Vec<(Triangle, Ink)>),
+    /// A net of coloured corners, so many in a row.
+    Net(Vec<(Place, Ink)>, usize),
+    /// An arrow.
+    Vector([Place; 2], Stroke),
+    Mark(Mark),
+    Label(Label),
+    Layer(Layer),
+}
+
+/// What the graphics processor draws for any number of samples.
+#[derive(Debug, Clone)]
+pub(crate) enum Layer {
+    Samples(Samples),
+    /// The error between samples.
+    Heat(Arc<Heat>, Look),
+}
+
+/// Measured points and error vectors.
+#[derive(Debug, Clone)]
+pub(crate) struct Samples {
+    pub(crate) cloud: Arc<Cloud>,
+    /// What an answer leaves.
+    pub(crate) remainder: Option<Arc<Remainder>>,
+    pub(crate) look: Look,
+    /// So many of their points, and so many of their vectors.
+    pub(crate) counts: [usize; 2],
+}
+
+/// What is seen, bottom first.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scene {
+    pub(crate) items: Vec<Item>,
+}
+
+impl Scene {
+    pub(crate) fn line(&mut self, ends: [[f64; 3]; 2], stroke: Stroke) {
+        self.items
+            .push(Item::Line(ends.map(Place::from).to_vec(), stroke));
+    }
+
+    pub(crate) fn mark(&mut self, mark: Mark) {
+        self.items.push(Item::Mark(mark));
+    }
+
+    pub(crate) fn label(&mut self, label: Label) {
+        self.items.push(Item::Label(label));
+    }
+}

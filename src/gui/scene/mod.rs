@@ -1,0 +1,21 @@
+//! What is seen, once: lines, faces, vectors, marks and labels in mm, with sizes in points and
+//! tokens of the style as colours. The model of a view decides what is in its scene; [`paint()`]
+//! draws it through a [`Camera`] on a [`Canvas`], of which there are two: the screen, and a drawing
+//! for a picture. So a picture shows what the screen shows.
+
+mod camera;
+mod entry;
+mod ink;
+mod items;
+mod paint;
+mod paper;
+mod screen;
+mod sheet;
+
+pub(crate) use camera::{Bearing, Camera, Projection};
+pub(crate) use entry::{Entry, SIGN};
+pub(crate) use ink::{Ink, Stroke, Token};
+pub(crate) use items::{Form, Item, Label, Layer, Mark, Place, Samples, Scene, Triangle};
+pub(crate) use paint::{DIAMOND, TRIANGLE, corners_of, paint};
+pub(crate) use screen::{Screen, dashes};
+pub(crate) use sheet::{SIZE, Sheet};

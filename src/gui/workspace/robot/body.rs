@@ -1,0 +1,234 @@
+//! The robot in a scene: its surface where meshes are known, or else links as rods and joints as drums
+//! about their axes, what is near over what is far. Rods and drums are as thick at any zoom: they are
+//! signs, not the machine. The real robot is a line with a filled tool: form says what colour says.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Isometry3, Point3, Vector3};
+
+use crate::gui::core::appearance::Appearance;
+use crate::gui::scene::{Camera, Form, Ink, Item, Mark, Place, Scene, Stroke, Token, Triangle};
+use crate::gui::view::Facing;
+
+use super::model::{Drawn, Sign};
+
+/// Width of a rod, and of its wall, points.
+const ROD: [f32; 2] = [10.0, 1.25];
+/// Radius and half the length of a drum, points; of a joint that slides half a side.
+const DRUM: [f64; 2] = [8.5, 8.5];
+const BLOCK: f64 = 8.0;
+/// Half a side of the plate that the robot stands on, points.
+const PLATE: f64 = 17.0;
+/// Width of the real robot's line, points.
+const LINE: f32 = 2.5;
+/// How much of the robot is seen that nobody asked for.
+const FAINT: f32 = 0.6;
+/// The light: from above and from the left, over the shoulder.
+const LIGHT: [f64; 3] = [-0.35, 0.55, 0.76];
+
+/// Both robots, beneath what was measured. `base` is the base in the measuring frame, `surface` that
+/// of the nominal robot.
+pub(crate) fn body(
+    scene: &mut Scene,
+    drawn: &Drawn,
+    base: &Isometry3<f64>,
+    camera: &Camera,
+    surface: Option<Vec<(Triangle, Ink)>>,
+) {
+    let pen = Pen {
+        camera,
+        mm: 1.0 / camera.points_per_mm(),
+    };
+    if let Some(stands) = drawn.corners_mm.first() {
+        let sides = [Vector3::x(), Vector3::y()].map(|side| base.rotation * side * PLATE);
+        let edge = Stroke::new(1.25, seen(drawn, Token::Nominal));
+        let plate = pen.face(*stands, sides, false);
+        let fill = Some(Token::Surface.into());
+        scene.items.push(Item::Area(plate, fill, Some(edge)));
+    }
+    match surface {
+        Some(triangles) => scene.items.push(Item::Triangles(triangles)),
+        None => links_and_joints(scene, drawn, &pen),
+    }
+    tool(scene, drawn);
+    real(scene, drawn);
+}
+
+/// As it is seen where somebody asked for it, or else paler.
+fn seen(drawn: &Drawn, token: Token) -> Ink {
+    token.pale(if drawn.asked_for { 1.0 } else { FAINT })
+}
+
+fn place(p: &Point3<f64>) -> Place {
+    Place::from(<[f64; 3]>::from(p.coords))
+}
+
+/// The open ring of the nominal robot's tool.
+fn tool(scene: &mut Scene, drawn: &Drawn) {
+    if let Some(tool) = drawn.corners_mm.last() {
+        let edge = Stroke::new(1.5, seen(drawn, Token::Nominal));
+        scene.mark(Mark::filled(place(tool), Form::Disc, 5.5, Token::Surface).edged(edge));
+    }
+}
+
+/// The real robot, where somebody asked for this pose.
+fn real(scene: &mut Scene, drawn: &Drawn) {
+    let Some(real) = drawn.real.as_ref().filter(|_| drawn.asked_for) else {
+        return;
+    };
+    let token = if real.identified {
+        Token::After
+    } else {
+        Token::Before
+    };
+    let corners = real.corners_mm.iter().map(place).collect();
+    scene
+        .items
+        .push(Item::Line(corners, Stroke::new(LINE, token)));
+    if let Some(tool) = real.corners_mm.last() {
+        scene.mark(Mark::filled(place(tool), Form::Disc, 5.0, Token::Surface));
+        scene.mark(Mark::filled(place(tool), Form::Disc, 4.0, token));
+    }
+}
+
+/// Rods and drums, where the screws are all that is known.
+fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
+    let [edge, ink] = [Token::Nominal, Token::Text].map(|token| seen(drawn, token));
+    let nearness = |p: Point3<f64>| pen.camera.nearness(p.into());
+    let mut pieces: Vec<(f64, Vec<Item>)> = Vec::new();
+    for pair in drawn.corners_mm.windows(2) {
+        if (pair[1] - pair[0]).norm() > 1e-6 {
+            let middle = nalgebra::center(&pair[0], &pair[1]);
+            pieces.push((nearness(middle), rod(&pair[0], &pair[1], edge)));
+        }
+    }
+    for sign in &drawn.signs {
+        let above = nearness(sign.at_mm) + DRUM[0] * pen.mm;
+        pieces.push((above, pen.joint(sign, Stroke::new(1.5, ink))));
+    }
+    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let pieces = pieces.into_iter().flat_map(|(_, piece)| piece);
+    scene.items.extend(pieces);
+}
+
+/// A link from one corner to the next.
+fn rod(from: &Point3<f64>, to: &Point3<f64>, wall: Ink) -> Vec<Item> {
+    let ends = [from, to].map(place);
+    let inner = ROD[0] - 2.0 * ROD[1];
+    let mut items = Vec::new();
+    for (width, ink) in [(ROD[0], wall), (inner, Token::Surface.into())] {
+        items.push(Item::Line(ends.to_vec(), Stroke::new(width, ink)));
+        let round = |end| Item::Mark(Mark::filled(end, Form::Disc, 0.5 * width, ink));
+        items.extend(ends.map(round));
+    }
+    items
+}
+
+/// What signs are drawn with.
+struct Pen<'a> {
+    camera: &'a Camera,
+    /// A point of the picture, mm.
+    mm: f64,
+}
+
+impl Pen<'_> {
+    /// A flat piece around a point with these half sides (or radii, where it is round), points.
+    fn face(&self, at: Point3<f64>, sides: [Vector3<f64>; 2], round: bool) -> Vec<Place> {
+        let corners: u8 = if round { 24 } else { 4 };
+        let corner = |k: u8| {
+            let (sin, cos) = (TAU * (f64::from(k) + 0.5) / f64::from(corners)).sin_cos();
+            let out = if round { 1.0 } else { 2.0_f64.sqrt() };
+            place(&(at + (sides[0] * cos + sides[1] * sin) * (out * self.mm)))
+        };
+        (0..corners).map(corner).collect()
+    }
+
+    /// A drum about an axis, or a block along it.
+    fn joint(&self, sign: &Sign, edge: Stroke) -> Vec<Item> {
+        let axis = Vector3::from(sign.axis);
+        let [radius, half] = if sign.turns { DRUM } else { [BLOCK; 2] };
+        let aside = if axis.x.abs() < 0.9 {
+            Vector3::x()
+        } else {
+            Vector3::y()
+        };
+        let across = axis.cross(&aside).normalize();
+        let sides = [across * radius, axis.cross(&across) * radius];
+        // The end that is farther first, the body over it, the nearer end over both.
+        let way = if self.camera.nearness(sign.axis) < 0.0 {
+            -axis
+        } else {
+            axis
+        };
+        let off = way * (half * self.mm);
+        let near = sign.at_mm + off;
+        let ends = [sign.at_mm - off, near].map(|end| self.face(end, sides, sign.turns));
+        let area = |corners, fill: Token| Item::Area(corners, Some(fill.into()), Some(edge));
+        vec![
+            area(ends.concat(), Token::Inset),
+            area(ends[1].clone(), Token::Surface),
+            Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.ink)),
+        ]
+    }
+}
+
+/// The robot's meshes at a pose, every triangle in one shade by how it is turned to a light that goes
+/// with the viewer, the farthest first, so that what is near covers what is far. `motions` are those
+/// from home, in the measuring frame.
+pub(crate) fn surface(
+    appearance: &Appearance,
+    motions: &[Isometry3<f64>],
+    facing: &Facing,
+    asked_for: bool,
+) -> Vec<(Triangle, Ink)> {
+    let [right, up, towards] = [facing.right, facing.up, facing.towards].map(Vector3::from);
+    let light = right * LIGHT[0] + up * LIGHT[1] + towards * LIGHT[2];
+    let part = if asked_for { 1.0 } else { FAINT };
+    let mut faces: Vec<(f64, (Triangle, Ink))> = Vec::new();
+    for (behind, triangles) in &appearance.parts {
+        let Some(motion) = motions.get(*behind) else {
+            continue;
+        };
+        faces.extend(triangles.iter().map(|triangle| {
+            let corners = triangle.map(|p| motion * Point3::from(p.map(f64::from)));
+            let normal = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+            // Meshes do not agree on which side is outside.
+            let turned = normal.dot(&light).abs() / normal.norm().max(f64::MIN_POSITIVE);
+            let near: f64 = corners.iter().map(|p| p.coords.dot(&towards)).sum();
+            let ink = Token::Lit(crate::numeric::single(turned.min(1.0))).pale(part);
+            let corners = corners.map(|p| [p.x, p.y, p.z].map(crate::numeric::single));
+            (near, (corners, ink))
+        }));
+    }
+    faces.retain(|(near, _)| near.is_finite());
+    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    faces.into_iter().map(|(_, face)| face).collect()
+}
+
+#[cfg(test)]
+#[test]
+fn what_is_near_is_drawn_over_what_is_far_at_the_pose_of_its_link() {
+    use crate::gui::core::appearance::Chain;
+    use crate::gui::view::Plane;
+    let at = |z: f32| [[0.0, 0.0, z], [10.0, 0.0, z], [0.0, 10.0, z]];
+    let appearance = Appearance {
+        parts: vec![
+            (1, vec![at(5.0)]),
+            (0, vec![at(0.0), at(2.0)]),
+            (7, vec![at(0.0)]),
+        ],
+        chain: Chain::default(),
+    };
+    let motions = [
+        Isometry3::identity(),
+        Isometry3::translation(100.0, 0.0, -20.0),
+    ];
+    let facing = Plane::Xy.facing();
+    let faces = surface(&appearance, &motions, &facing, true);
+    let firsts: Vec<[f32; 2]> = faces.iter().map(|(c, _)| [c[0][0], c[0][2]]).collect();
+    assert_eq!(
+        firsts,
+        [[100.0, -15.0], [0.0, 0.0], [0.0, 2.0]],
+        "from far to near"
+    );
+}
