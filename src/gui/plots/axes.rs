@@ -75,10 +75,36 @@ pub(super) fn places(of: &Ticks, bounds: (f64, f64), most: f64) -> Vec<GridMark>
     }
 }
 
+/// Grid lines at round numbers of the unit in which values are written, `per` of it for one of the plot's.
+pub(crate) fn steps_in(per: f64, (low, high): (f64, f64), lines: f64) -> Vec<GridMark> {
+    let marks = steps((low * per, high * per), false, lines).into_iter();
+    let back = |mark: GridMark| GridMark {
+        value: mark.value / per,
+        step_size: mark.step_size / per,
+    };
+    marks.map(back).collect()
+}
+
 /// Grid lines at round numbers, at most about `lines`, so that each gets its label: in degrees at
 /// parts of a turn.
-pub(crate) fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
+fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
     let (values, step_size) = ticks([low, high], degrees, lines);
     let mark = |value| GridMark { value, step_size };
     values.into_iter().map(mark).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_round_in_the_unit_in_which_they_are_written() {
+        let per_mm = 1.0 / 25.4;
+        let marks = steps_in(per_mm, (-420.0, 420.0), 9.0);
+        let inches: Vec<f64> = marks.iter().map(|mark| mark.value * per_mm).collect();
+        assert_eq!(inches.len(), 7, "{inches:?}");
+        for inch in inches {
+            assert!((inch / 5.0 - (inch / 5.0).round()).abs() < 1e-9, "{inch}");
+        }
+    }
 }

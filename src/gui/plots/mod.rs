@@ -8,7 +8,7 @@ pub(crate) mod gestures;
 pub(crate) mod legend;
 pub(crate) mod marks;
 
-pub(crate) use axes::{axis, steps};
+pub(crate) use axes::{axis, steps_in};
 pub(crate) use drawing::Drawing;
 pub(crate) use marks::disc;
 

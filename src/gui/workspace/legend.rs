@@ -103,7 +103,10 @@ fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
 fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
     let units = workbench.units();
     let points_per_mm = camera.points_per_mm();
-    let mm = layout::scale_mm(shown.magnification, points_per_mm, LONGEST_SCALE);
+    // Round in the unit in which it is written.
+    let per_mm = units.length_value(1.0);
+    let round = layout::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let mm = round / per_mm;
     let long = mm * shown.magnification * points_per_mm;
     let token = if shown.look.colouring != Colouring::State {
         Token::Muted

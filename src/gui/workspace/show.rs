@@ -3,7 +3,7 @@
 use egui::{Role, Ui, WidgetInfo};
 use egui_plot::Axis;
 
-use crate::gui::plots::{Drawing, axis, gestures, steps};
+use crate::gui::plots::{Drawing, axis, gestures, steps_in};
 use crate::gui::scene::{Camera, Projection, SIZE, Screen, Sheet, paint};
 use crate::gui::style::tokens::Palette;
 use crate::gui::view::{Canvas, Step};
@@ -96,6 +96,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if ui.available_height() < legend::LOW {
         across.clear();
     }
+    let per_mm = units.length_value(1.0);
     let hints = |side, name| axis(side, name, &palette, move |mm| units.length_value(mm));
     let editing = view.step == Step::Regions && !workbench.subject().is_empty();
     let notes = Notes::recall(ui, &shown);
@@ -104,8 +105,8 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
-        .x_grid_spacer(|input| steps(input.bounds, false, 9.0))
-        .y_grid_spacer(|input| steps(input.bounds, false, 9.0))
+        .x_grid_spacer(move |input| steps_in(per_mm, input.bounds, 9.0))
+        .y_grid_spacer(move |input| steps_in(per_mm, input.bounds, 9.0))
         .custom_x_axes(hints(Axis::X, across))
         .custom_y_axes(hints(Axis::Y, upwards));
     let seen_along = Projection::Parallel(workbench.facing());

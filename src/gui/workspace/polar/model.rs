@@ -78,6 +78,8 @@ pub(crate) struct Polar {
     /// Mean of what is left, by side.
     pub(crate) after: Vec<Trace>,
     pub(crate) division_mm: f64,
+    /// So many of the unit in which lengths are written are a millimetre.
+    per_mm: f64,
     /// So many divisions inside the nominal circle and outside.
     pub(crate) divisions: [f64; 2],
     /// How far a position may be off, mm.
@@ -123,7 +125,8 @@ impl Polar {
             .map(|sample| Spot::of(subject, answer, view.component, sample))
             .collect();
         let only_after = view.only_after && answer.is_some();
-        let mut polar = Self::from_spots(spots, view.component, only_after);
+        let per_mm = workbench.units().length_value(1.0);
+        let mut polar = Self::from_spots(spots, view.component, only_after, per_mm);
         polar.stride = stride;
         polar.tolerance_mm = workbench.document().tolerance_mm;
         if let Some(all) = envelope.and_then(crate::gui::cache::envelope::Envelope::extent) {
@@ -136,7 +139,12 @@ impl Polar {
     }
 
     /// The view of these samples; of what is left alone where it is looked at alone.
-    pub(crate) fn from_spots(spots: Vec<Spot>, component: Component, only_after: bool) -> Self {
+    pub(crate) fn from_spots(
+        spots: Vec<Spot>,
+        component: Component,
+        only_after: bool,
+        per_mm: f64,
+    ) -> Self {
         let before = spots.iter().filter(|_| !only_after);
         let before: Vec<_> = before.map(|s| (s.side, s.q, s.before_mm)).collect();
         let after = spots
@@ -154,6 +162,7 @@ impl Polar {
             stride: 1,
             before: traces(before),
             after: traces(after),
+            per_mm,
             division_mm: LEAST_MM,
             divisions: [1.0; 2],
             tolerance_mm: None,
@@ -167,7 +176,9 @@ impl Polar {
     fn scale_to(&mut self, shown_mm: impl Iterator<Item = f64>) {
         let [low, high] = shown_mm.fold([0.0_f64; 2], |[a, b], mm| [a.min(mm), b.max(mm)]);
         let largest = high.max(-low);
-        self.division_mm = round_up(largest / MOST_DIVISIONS).max(LEAST_MM);
+        // Round in the unit in which it is written.
+        let round = round_up(largest * self.per_mm / MOST_DIVISIONS);
+        self.division_mm = (round / self.per_mm).max(LEAST_MM);
         let most = |mm: f64| (mm / self.division_mm - 1e-9).ceil();
         self.divisions = [-low, high].map(|mm| most(mm).clamp(1.0, MOST_DIVISIONS));
     }
@@ -264,6 +275,7 @@ mod tests {
                 vec![spot(0, 0.0, largest), spot(1, 1.0, -0.3 * largest)],
                 Component::Radial,
                 false,
+                1.0,
             );
             let drawn = largest / polar.division_mm;
             assert!(drawn <= 5.0 + 1e-9 && drawn > 1.9, "{largest}: {drawn}");
@@ -282,10 +294,10 @@ mod tests {
     #[test]
     fn nothing_but_zeros_and_missing_values_still_has_a_scale() {
         let zeros = vec![spot(0, 0.0, 0.0), spot(1, 0.0, f64::NAN)];
-        let polar = Polar::from_spots(zeros, Component::Radial, false);
+        let polar = Polar::from_spots(zeros, Component::Radial, false, 1.0);
         assert!(polar.division_mm > 0.0 && polar.divisions == [1.0; 2]);
         assert!(
-            Polar::from_spots(Vec::new(), Component::Length, true)
+            Polar::from_spots(Vec::new(), Component::Length, true, 1.0)
                 .before
                 .is_empty()
         );
@@ -296,7 +308,7 @@ mod tests {
         let spots = [(0.0, 1.0), (0.001, 3.0), (0.2, 4.0), (2.0, 5.0)];
         let spots = spots.iter().enumerate();
         let spots = spots.map(|(k, (q, mm))| spot(k, *q, *mm)).collect();
-        let polar = Polar::from_spots(spots, Component::Radial, false);
+        let polar = Polar::from_spots(spots, Component::Radial, false, 1.0);
         let pieces = &polar.before[0].pieces;
         assert_eq!(pieces.len(), 2);
         assert_eq!(pieces[0].len(), 2);
@@ -321,7 +333,7 @@ mod tests {
 
     #[test]
     fn a_length_is_outside_the_circle_and_so_is_its_tolerance() {
-        let mut polar = Polar::from_spots(vec![spot(0, 0.0, 1.0)], Component::Length, false);
+        let mut polar = Polar::from_spots(vec![spot(0, 0.0, 1.0)], Component::Length, false, 1.0);
         polar.tolerance_mm = Some(0.2);
         assert_eq!(polar.band_mm(), Some([0.0, 0.2]));
         polar.component = Component::Radial;

@@ -285,7 +285,7 @@ mod tests {
             after_mm: Some(-0.1),
             side: 0.0,
         };
-        Polar::from_spots(vec![spot], Component::Radial, false)
+        Polar::from_spots(vec![spot], Component::Radial, false, 1.0)
     }
 
     #[test]

@@ -61,7 +61,7 @@ pub(super) fn scene(
 ) -> Scene {
     let mut scene = Scene::default();
     let camera = &space.camera;
-    grid(&mut scene, space);
+    grid(&mut scene, workbench, space);
     path(&mut scene, shown);
     if let Some(robot) = robot {
         let subject = workbench.subject();
@@ -81,14 +81,15 @@ pub(super) fn scene(
     scene
 }
 
-/// Side of a square of the grid, mm: round, and so that there are a few of them.
-fn square_mm(ball: &Ball) -> f64 {
-    round_down(ball.radius_mm / SQUARES)
+/// Side of a square of the grid, mm: round in the unit of which `per_mm` are a millimetre, and so that there are a few
+/// of them.
+fn square_mm(ball: &Ball, per_mm: f64) -> f64 {
+    round_down(per_mm * ball.radius_mm / SQUARES) / per_mm
 }
 
 /// The grid under everything, in whole squares of the base frame: pairs of ends, mm.
-fn lines(ball: &Ball) -> Vec<[[f64; 3]; 2]> {
-    let square = square_mm(ball);
+fn lines(ball: &Ball, per_mm: f64) -> Vec<[[f64; 3]; 2]> {
+    let square = square_mm(ball, per_mm);
     let ends = [0, 1].map(|k| {
         let reach = |sign: f64| (ball.centre_mm[k] + sign * ball.radius_mm) / square;
         [reach(-1.0).floor() * square, reach(1.0).ceil() * square]
@@ -112,8 +113,9 @@ fn lines(ball: &Ball) -> Vec<[[f64; 3]; 2]> {
     lines
 }
 
-fn grid(scene: &mut Scene, space: &Space) {
-    for ends in lines(&space.ball) {
+fn grid(scene: &mut Scene, workbench: &Workbench, space: &Space) {
+    let per_mm = workbench.units().length_value(1.0);
+    for ends in lines(&space.ball, per_mm) {
         let through_origin = ends.iter().all(|p| p[0] == 0.0) || ends.iter().all(|p| p[1] == 0.0);
         let token = if through_origin {
             Token::Axis
@@ -127,7 +129,10 @@ fn grid(scene: &mut Scene, space: &Space) {
 /// How long the side of a square is, in the corner.
 fn side_of_squares(scene: &mut Scene, workbench: &Workbench, shown: &Shown, space: &Space) {
     let units = workbench.units();
-    let square = trimmed(units.length_value(square_mm(&space.ball)), 3);
+    let square = trimmed(
+        units.length_value(square_mm(&space.ball, units.length_value(1.0))),
+        3,
+    );
     let says = say!(
         "grid {square} {unit}",
         square = square,
@@ -227,8 +232,8 @@ mod tests {
             centre_mm: [130.0, -70.0, 400.0],
             radius_mm: 910.0,
         };
-        assert_eq!(square_mm(&ball), 200.0);
-        let lines = lines(&ball);
+        assert_eq!(square_mm(&ball, 1.0), 200.0);
+        let lines = lines(&ball, 1.0);
         assert!(lines.iter().flatten().all(|p| p[2] == 0.0));
         for k in 0..2 {
             let of = |pick: fn(f64, f64) -> f64, start| {
