@@ -6,7 +6,7 @@ use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
-use crate::diagnosis::{NextPose, Sight};
+use crate::diagnosis::{Detectability, NextPose};
 use crate::language::spoken;
 use crate::present::numbers::significant;
 use crate::present::table::width;
@@ -194,10 +194,12 @@ fn limits(plan: &Plan, text: &mut String) {
         let sizes: Vec<String> = limit
             .sizes
             .iter()
-            .map(|(name, size)| match Sight::of(*size) {
-                Sight::Above(size) => value(name, &significant(size, 3)),
-                Sight::AtAnySize => value(name, "0"),
-                Sight::AtNoSize => say!("{parameter} of no size", parameter = parameter(name)),
+            .map(|(name, size)| match Detectability::of(*size) {
+                Detectability::Above(size) => value(name, &significant(size, 3)),
+                Detectability::AtAnySize => value(name, "0"),
+                Detectability::AtNoSize => {
+                    say!("{parameter} of no size", parameter = parameter(name))
+                }
             })
             .collect();
         line(

@@ -302,7 +302,7 @@ impl Object<'_, '_> {
     }
 }
 
-impl<'o> At<'o, '_> {
+impl At<'_, '_> {
     /// As [`At::list`], of one element or more.
     pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
         match &self.node.value {
