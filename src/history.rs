@@ -28,7 +28,9 @@ use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, identify_exact};
 use crate::model::Calibration;
 use crate::model::format_v1::load_model;
 use crate::progress::{Progress, ReadError, unwatched};
-use crate::sessions::{Session, files, hash_of_samples, load};
+use crate::sessions::files::open;
+use crate::sessions::load;
+use crate::sessions::{Session, hash_of_samples};
 
 /// Everything that a folder tells.
 #[derive(Debug, Clone, PartialEq)]
@@ -211,7 +213,7 @@ fn compare(
     let documents = documents(folder)?;
     for (k, path) in documents.iter().enumerate() {
         whole.counted(k, documents.len())?;
-        let Ok(bytes) = files::read_document(path) else {
+        let Ok(bytes) = open::read_document(path) else {
             continue;
         };
         let file = path
@@ -264,7 +266,7 @@ fn compare(
 /// The folder cannot be read, or no session is in it.
 pub fn sessions_of_folder(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     let is_session = |path: &PathBuf| {
-        let bytes = files::read_document(path);
+        let bytes = open::read_document(path);
         bytes.is_ok_and(|bytes| source_of(&bytes) == Some(Source::Session))
     };
     let mut paths = documents(folder)?;
@@ -361,7 +363,7 @@ fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read
 fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
     let calibration = load_model(path).map_err(|rejected| rejected.says())?;
     let steps = &calibration.history;
-    let gap = |step: Option<&crate::model::GapStep>| step.map_or(f64::NAN, |step| step.gap_mm);
+    let gap = |step: Option<&crate::model::ResidualStep>| step.map_or(f64::NAN, |step| step.gap_mm);
     Ok(Read {
         entry: Entry {
             file: file.to_owned(),

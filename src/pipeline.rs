@@ -38,10 +38,10 @@ use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
 };
 use crate::fonts::Library;
-use crate::model::{Calibration, GapStep, SetUp};
+use crate::model::{Calibration, ResidualStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
 use crate::standards::Standards;
 use crate::text::Text;
@@ -53,9 +53,9 @@ pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};
 pub use crate::programs::compensate;
+pub use crate::sessions::{load, save};
 pub use crate::sessions::{
-    load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, save_with_samples,
-    write_inline,
+    load_robot, load_watched, parse, parse_with_csv, save_watched, save_with_samples, write_inline,
 };
 pub use crate::simulation::{load_scenario, parse_scenario, simulate};
 
@@ -136,7 +136,7 @@ pub fn identify_unless(
     if values == JointValues::Read {
         let made = calibration.set_up.of_samples().iter();
         let made = made.chain(calibration.set_up.corrections()).cloned();
-        calibration.set_up = SetUp::new(made.chain([Mend::TakeReadBack]));
+        calibration.set_up = SetUp::new(made.chain([SessionCorrection::TakeReadBack]));
     }
     if let Method::Exact {
         effects,
@@ -154,7 +154,7 @@ pub fn identify_unless(
                     identify_watched(session, effects, &with[..n], *priors, values, go_on)?;
                 without.gap.after.rms_mm
             };
-            calibration.history.push(GapStep {
+            calibration.history.push(ResidualStep {
                 what: match n.checked_sub(1) {
                     None => FULL_MODEL.to_owned(),
                     Some(last) => format!("with {}", with[last].effect.about().id),

@@ -73,7 +73,7 @@ fn session(k: usize) -> Seen {
     ids.sort_unstable();
     let cap = max_effects.unwrap_or(design.samples.div_ceil(10).min(12));
     let seen = Seen {
-        improbable: answer.found.iter().any(|f| f.p_family.p > LARGEST_P),
+        improbable: answer.found.iter().any(|f| f.p_familywise.p > LARGEST_P),
         unlikely: answer.found.iter().any(|f| f.odds_over_next < 1.0),
         beyond_the_cap: answer.found.len() > cap,
         in_the_set: in_the_set(&answer, &ids),
@@ -83,7 +83,7 @@ fn session(k: usize) -> Seen {
         details(|| {
             let worth = answer.found.iter().map(|f| {
                 let next = f.next.as_deref().unwrap_or("none");
-                let (p, odds) = (f.p_family.p, f.odds_over_next);
+                let (p, odds) = (f.p_familywise.p, f.odds_over_next);
                 format!("{} p {p:.4} odds {odds:.1e} over {next}", f.effect)
             });
             let worth: Vec<String> = worth.collect();

@@ -3,8 +3,8 @@
 use crate::effects::curve::Curve;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::model::shapes::{Shape, Where};
-use crate::model::{Calibration, GapStep, Model, SetUp};
-use crate::sessions::{Mend, Session};
+use crate::model::{Calibration, Model, ResidualStep, SetUp};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Template, Text};
 use crate::text::{length, lengths};
 
@@ -85,7 +85,7 @@ pub struct Found {
     /// samples show it.
     pub figures: Vec<(&'static str, Option<f64>)>,
     /// The chance that the search finds as much in noise alone.
-    pub p_family: FamilyP,
+    pub p_familywise: FamilyP,
     /// Its share of what was explained.
     pub share: f64,
     /// Gaps without and with it, in the order found, mm.
@@ -251,7 +251,7 @@ pub struct Diagnosis {
     /// The fit that values and intervals come from.
     pub identification: Identification,
     /// The gap step by step.
-    pub history: Vec<GapStep>,
+    pub history: Vec<ResidualStep>,
     /// Corrections of the session's set-up, after which everything else here is; its poses to measure next
     /// are as the controller takes them.
     pub set_up: SetUp,
@@ -278,7 +278,7 @@ impl Diagnosis {
         let mut model = self.model.clone();
         if let Some(correction) = self.unexplained.corrected() {
             model = model.with_term(correction.term.clone());
-            history.push(GapStep {
+            history.push(ResidualStep {
                 what: format!("with {}", correction.term.effect.about().id),
                 gap_mm: correction.gap_mm[1],
                 held_out_mm: Some(correction.held_out_mm[1]),
@@ -347,7 +347,7 @@ pub struct DataProblem {
     /// What to do.
     pub proposal: Text,
     /// The same as a change of the session, where that is mechanical.
-    pub mend: Option<Mend>,
+    pub mend: Option<SessionCorrection>,
     /// The samples that it is about, counted from 0; empty where it is about all of them.
     pub samples: Vec<usize>,
 }

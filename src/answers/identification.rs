@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use crate::effects::term::setting_quantity;
 use crate::effects::{Effect, Inputs, Unit, find, form_with};
 use crate::kinematics::Range;
-use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
+use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 use crate::text::{Template, Text};
@@ -261,7 +261,7 @@ impl Identification {
 
     /// The calibration that goes with this answer, to be saved and exported.
     pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
-        let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {
+        let step = |what: &str, pick: fn(&Gap) -> Spread| ResidualStep {
             what: what.to_owned(),
             gap_mm: pick(&self.gap).rms_mm,
             held_out_mm: self.held_out.as_ref().map(|g| pick(g).rms_mm),

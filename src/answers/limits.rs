@@ -8,7 +8,7 @@ const ABSURD: f64 = 1e6;
 
 /// From which size an effect would have been seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sight {
+pub enum Detectability {
     /// Above this, in the parameter's unit.
     Above(f64),
     /// At any: there is no noise that it could hide in.
@@ -17,7 +17,7 @@ pub enum Sight {
     AtNoSize,
 }
 
-impl Sight {
+impl Detectability {
     /// What a detection limit says.
     pub fn of(size: f64) -> Self {
         match size {
@@ -36,7 +36,7 @@ pub struct Limit {
     pub effect: &'static str,
     /// Joint, counted from 0; `None` where it belongs to none.
     pub joint: Option<usize>,
-    /// For each parameter its name and the size above which it would have been seen; [`Sight::of`]
+    /// For each parameter its name and the size above which it would have been seen; [`Detectability::of`]
     /// says what a size means.
     pub sizes: Vec<(&'static str, f64)>,
 }

@@ -12,7 +12,7 @@ use clap_mangen::Man as Page;
 
 use super::failure::Failure;
 use super::output;
-use crate::sessions::bundled::BUNDLED;
+use crate::sessions::files::bundled::BUNDLED;
 
 /// Put truepose into the menus: desktop entry, icons, file type, man pages, shell completions, sessions to try
 #[derive(Debug, Args)]

@@ -13,7 +13,7 @@ pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Failure> {
 /// Says what there is instead.
 #[cfg(not(feature = "gui"))]
 pub(crate) fn open(_: Option<PathBuf>) -> Result<(), Failure> {
-    let job = crate::sessions::bundled::job_in_the_terminal();
+    let job = crate::sessions::files::bundled::job_in_the_terminal();
     let text = text!(
         "this build has no window; the main job in the terminal is: {job}",
         job = job

@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 use crate::model::{Calibration, SetUp};
-use crate::sessions::{Mend, Session, Setups};
+use crate::sessions::{Session, SessionCorrection, Setups};
 use crate::text::{Template, Text};
 
 use super::as_read::verify_as_read;
@@ -75,7 +75,8 @@ pub(super) fn verified(
 /// The session as the model reads it, seen from a frame that the model does not know; `None` where it was
 /// no correction that set the frame free.
 fn with_a_new_frame(set_up: &SetUp, session: &Session) -> Option<Session> {
-    let free = set_up.corrections().contains(&Mend::FreeFrame) && session.samples.setups.is_none();
+    let free = set_up.corrections().contains(&SessionCorrection::FreeFrame)
+        && session.samples.setups.is_none();
     free.then(|| {
         let mut read = set_up.applied(session, false).into_owned();
         read.samples.setups = Some(Setups {

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use crate::diagnostic::Rejected;
 use crate::effects::Inputs;
-use crate::model::{Calibration, GapStep, format_v1};
+use crate::model::{Calibration, ResidualStep, format_v1};
 use crate::sessions::Session;
 
 use super::verification::VerifyError;
@@ -206,7 +206,7 @@ impl VerifiedCalibration {
 }
 
 /// That what was found beyond the identification makes it no worse, on its samples and cross-validated.
-fn no_worse_than_identified(history: &[GapStep]) -> Result<(), NotHandedOut> {
+fn no_worse_than_identified(history: &[ResidualStep]) -> Result<(), NotHandedOut> {
     let [_, identified, .., last] = history else {
         return Ok(());
     };

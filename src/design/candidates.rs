@@ -162,7 +162,7 @@ impl Conditions {
 
 /// What is offered beside a session: its reflectors and perhaps one more, under all conditions.
 #[derive(Debug, Clone)]
-pub(crate) struct Offer {
+pub(crate) struct CandidatePoses {
     /// The ways in which the session measures where that is not points alone: every candidate is measured
     /// in one of them.
     pub(crate) ways: Vec<Way>,
@@ -171,7 +171,7 @@ pub(crate) struct Offer {
     pub(crate) candidates: Vec<Candidate>,
 }
 
-impl Offer {
+impl CandidatePoses {
     pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
         let session = prepared.problem.session;
         let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));

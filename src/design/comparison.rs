@@ -27,7 +27,7 @@ use crate::model::Model;
 use crate::observations::Layer;
 use crate::sessions::Session;
 
-use super::candidates::Offer;
+use super::candidates::CandidatePoses;
 use super::exchange::Information;
 use super::inverse::inverse;
 
@@ -140,7 +140,7 @@ pub(crate) struct Field<'p> {
 }
 
 impl<'p> Field<'p> {
-    pub(crate) fn new(prepared: &'p Prepared, offer: &Offer) -> Self {
+    pub(crate) fn new(prepared: &'p Prepared, offer: &CandidatePoses) -> Self {
         let regression = &prepared.regression;
         Self {
             regression,

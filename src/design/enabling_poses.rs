@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::sessions::Samples;
 use crate::text::{Template, Text};
 
-use super::candidates::{Candidate, Conditions, Offer, with_another};
+use super::candidates::{Candidate, CandidatePoses, Conditions, with_another};
 use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
 use super::exchange::choose;
 use super::information::standing;
@@ -67,7 +67,7 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static Effect, joint: usize) ->
 }
 
 /// What is offered where these needs are to be met.
-fn offer_for(prepared: &Prepared, needs: &[Need]) -> Offer {
+fn offer_for(prepared: &Prepared, needs: &[Need]) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
@@ -84,7 +84,7 @@ fn offer_for(prepared: &Prepared, needs: &[Need]) -> Offer {
     if needs.contains(&Need::Temperatures) {
         conditions.above_20_c.push(WARMING_C);
     }
-    Offer::new(prepared, targets, &conditions)
+    CandidatePoses::new(prepared, targets, &conditions)
 }
 
 /// Size of an effect that is to be enabled, in units of the noise: small enough that each new
@@ -209,7 +209,7 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
 /// Each effect against the model and what is enabled with it, which has to be told apart as well.
 fn comparisons(
     prepared: &Prepared,
-    offer: &Offer,
+    offer: &CandidatePoses,
     model: &Model,
     wanted: &[&Untestable],
 ) -> Vec<Comparison> {

@@ -1,7 +1,7 @@
 //! How many poses show the geometry of a robot with several joints how well.
 
 use super::arm::Arm;
-use super::bench::Bench;
+use super::candidate_set::CandidateSet;
 use super::candidates::Candidate;
 use super::outlook::{ExpectedError, Prospect};
 use super::plan_options::{MOST, PlanError};
@@ -29,18 +29,18 @@ pub struct Geometry {
 
 /// How many poses are wanted.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Wanted {
+pub(crate) enum PlanGoal {
     Poses(usize),
     /// As many as bring the 95th percentile of the expected error below this, mm.
     Accuracy(f64),
 }
 
 /// Poses that show the geometry best, in no order, and what they do.
-pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometry), PlanError> {
+pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geometry), PlanError> {
     let bench = arm.spread().ok_or(PlanError::Unseen)?;
     let count = match wanted {
-        Wanted::Poses(count) => count,
-        Wanted::Accuracy(mm) => enough(&bench, mm)?,
+        PlanGoal::Poses(count) => count,
+        PlanGoal::Accuracy(mm) => enough(&bench, mm)?,
     };
     let end = arm.designed(&bench, count);
     let all: Vec<usize> = (0..end.candidates.len()).collect();
@@ -57,8 +57,8 @@ pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometr
         after: end.prospect(&all),
         curve: curve.collect(),
         enough: match wanted {
-            Wanted::Poses(_) => None,
-            Wanted::Accuracy(mm) => Some((mm, count)),
+            PlanGoal::Poses(_) => None,
+            PlanGoal::Accuracy(mm) => Some((mm, count)),
         },
     };
     Ok((end.candidates, geometry))
@@ -66,7 +66,7 @@ pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometr
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
 /// exchanged.
-fn enough(bench: &Bench, wanted: f64) -> Result<usize, PlanError> {
+fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let reached = |error: &ExpectedError| error.p95_mm <= wanted;
     if reached(&bench.prospect(&[]).error) {
         return Ok(0);
@@ -90,7 +90,7 @@ fn enough(bench: &Bench, wanted: f64) -> Result<usize, PlanError> {
 }
 
 /// What random poses of the same number do, in the mean of several sets.
-fn of_random(arm: &Arm, bench: &Bench, count: usize) -> Prospect {
+fn of_random(arm: &Arm, bench: &CandidateSet, count: usize) -> Prospect {
     let random = arm.at_random(bench, RANDOM_SETS * count);
     let all: Vec<usize> = (0..random.candidates.len()).collect();
     let sets: Vec<Prospect> = all

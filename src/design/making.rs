@@ -29,7 +29,7 @@ use super::candidates::ranges;
 use super::comparison::{Axes, predictions};
 use super::conditions::conditioned;
 use super::first_measurement::{self, Request};
-use super::geometry::{self, Geometry, Wanted};
+use super::geometry::{self, Geometry, PlanGoal};
 use super::imagined::{extended, unmeasured, with_noise};
 use super::named::Named;
 use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
@@ -177,8 +177,8 @@ fn add_geometry(
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
     let wanted = match options.accuracy_mm {
-        Some(mm) => Wanted::Accuracy(mm),
-        None => Wanted::Poses(room.unwrap_or(POSES_BESIDE)),
+        Some(mm) => PlanGoal::Accuracy(mm),
+        None => PlanGoal::Poses(room.unwrap_or(POSES_BESIDE)),
     };
     let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
     let samples = &session.samples;
@@ -205,7 +205,7 @@ fn add_geometry(
 /// Poses of several joints with their conditions.
 fn of_arm(
     arm: &Arm,
-    wanted: Wanted,
+    wanted: PlanGoal,
     varied: Varied,
     options: &PlanOptions,
 ) -> Result<(Vec<NextPose>, Geometry), PlanError> {
@@ -290,7 +290,7 @@ fn first_poses(
         };
         let wanted = options
             .accuracy_mm
-            .map_or(Wanted::Poses(count), Wanted::Accuracy);
+            .map_or(PlanGoal::Poses(count), PlanGoal::Accuracy);
         let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
         return Ok((poses, Some(geometry)));
     }

@@ -30,7 +30,7 @@ pub(crate) mod pair_separation;
 pub(crate) mod plan;
 
 mod arm;
-mod bench;
+mod candidate_set;
 mod candidates;
 mod comparison;
 mod conditions;

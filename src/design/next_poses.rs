@@ -15,7 +15,7 @@ use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
-use super::candidates::{Arrival, Conditions, Offer};
+use super::candidates::{Arrival, CandidatePoses, Conditions};
 use super::comparison::{Apart, Field, enough_for};
 use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
@@ -51,7 +51,7 @@ pub(crate) fn separate(
     conditions.uneven = rivals.iter().any(|r| !r.other_names());
     let competing = competing(prepared, fit, rivals);
     let (best, ()) = over_reflectors(prepared, |targets| {
-        let offer = Offer::new(prepared, targets, &conditions);
+        let offer = CandidatePoses::new(prepared, targets, &conditions);
         (attempt(prepared, offer, &competing, most), ())
     });
     let why = why(rivals);
@@ -91,27 +91,27 @@ pub(crate) fn propose(undecided: &Undecided) -> Proposal {
 /// Conditions that matter to these effects.
 pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
     let survey = &prepared.survey;
-    let told_by = |condition| {
+    let distinguished_by = |condition| {
         let mut abouts = terms.iter().map(|t| t.effect.about());
-        abouts.any(|about| about.told_by.contains(&condition))
+        abouts.any(|about| about.distinguished_by.contains(&condition))
     };
     let moves = terms.iter().any(|t| t.effect.about().over == Over::Speed);
     let mut conditions = Conditions::after(prepared);
     let speeds_known = survey.joints.iter().any(|j| j.speeds > 0);
-    if moves || speeds_known && told_by(Condition::Speed) {
+    if moves || speeds_known && distinguished_by(Condition::Speed) {
         conditions.speeds = vec![0.0, 1.0, 3.0];
     }
     if survey.loads > 0 && survey.largest_load_kg > 0.0 {
         conditions.loads_kg = vec![0.0, survey.largest_load_kg];
     }
     let warmth = prepared.problem.inputs.above_20_c.as_ref();
-    if let Some(warmth) = warmth.filter(|_| told_by(Condition::Temperature)) {
+    if let Some(warmth) = warmth.filter(|_| distinguished_by(Condition::Temperature)) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         conditions.above_20_c = vec![low, high];
         conditions.above_20_c.dedup();
     }
-    if told_by(Condition::Approach) {
+    if distinguished_by(Condition::Approach) {
         let short = [0.01, 0.05].map(Arrival::Short);
         conditions.arrivals.extend(short);
     }
@@ -164,7 +164,12 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
 }
 
 /// Poses one after the other until they decide often enough, or `most` are chosen.
-fn attempt(prepared: &Prepared, offer: Offer, all: &[Explanation], most: usize) -> Attempt {
+fn attempt(
+    prepared: &Prepared,
+    offer: CandidatePoses,
+    all: &[Explanation],
+    most: usize,
+) -> Attempt {
     let field = Field::new(prepared, &offer);
     let decision = Decision::new(&field, all, UNDECIDED);
     let comparisons = decision.comparisons(|truth, other| {

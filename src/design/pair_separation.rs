@@ -16,7 +16,7 @@ use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;
 
-use super::candidates::{Offer, ranges};
+use super::candidates::{CandidatePoses, ranges};
 use super::comparison::{Apart, Comparison, Field, Prediction, enough_for};
 use super::exchange::choose;
 use super::information::standing;
@@ -62,7 +62,7 @@ pub(crate) fn separate_two(
     let shown: Vec<&Term> = terms.iter().flatten().collect();
     let conditions = conditions(prepared, &shown);
     let (best, shares) = over_reflectors(prepared, |targets| {
-        let offer = Offer::new(prepared, targets, &conditions);
+        let offer = CandidatePoses::new(prepared, targets, &conditions);
         attempt(prepared, offer, &base, &terms, most)
     });
     let left_before = shares.left[0];
@@ -116,7 +116,7 @@ struct Shares {
 
 fn attempt(
     prepared: &Prepared,
-    offer: Offer,
+    offer: CandidatePoses,
     base: &Model,
     terms: &[Vec<Term>; 2],
     most: usize,

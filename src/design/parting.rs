@@ -8,7 +8,7 @@ use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{Offer, other_reflectors};
+use super::candidates::{CandidatePoses, other_reflectors};
 use super::comparison::{Apart, Comparison};
 use super::decision::{Decision, SURE};
 use super::exchange::Criterion;
@@ -89,7 +89,7 @@ impl Criterion for Parting {
 
 /// Poses for one set of reflectors.
 pub(crate) struct Attempt {
-    pub(crate) offer: Offer,
+    pub(crate) offer: CandidatePoses,
     /// The candidates that were chosen.
     pub(crate) order: Vec<usize>,
     /// Pairs of models that none of the candidates part.

@@ -35,9 +35,9 @@ pub use crate::answers::diagnosis::{
     Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
     NotTestable, Stopped, Unexplained, Unnamed, Verdict,
 };
-pub use crate::answers::limits::{Limit, Sight};
+pub use crate::answers::limits::{Detectability, Limit};
 pub use crate::answers::pose::NextPose;
-pub use crate::sessions::Mend;
+pub use crate::sessions::SessionCorrection;
 pub use candidates::table::Allowed;
 pub use error::DiagnoseError;
 pub use options::Options;

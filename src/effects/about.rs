@@ -361,7 +361,7 @@ pub struct About {
     /// What a session must have; the first that it lacks is told.
     pub needs: &'static [Need],
     /// Whether its sizes (an amplitude apart, which is one by its form) cannot be negative.
-    pub never_negative: bool,
+    pub non_negative: bool,
     /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
     /// usual ones. `None` where any size is usual.
     pub implausible_above: Option<f64>,
@@ -370,7 +370,7 @@ pub struct About {
     /// What it is confused with, and what tells them apart.
     pub confused_with: Template,
     /// Conditions that poses have to vary to tell it from what it is confused with.
-    pub told_by: &'static [Condition],
+    pub distinguished_by: &'static [Condition],
     /// The effect that it becomes where its setting goes to a limit: left out with that one, and
     /// never beside it on the same joint.
     pub becomes: Option<&'static str>,
@@ -401,11 +401,11 @@ impl About {
         cause: phrase!(""),
         over: Over::Angle,
         needs: &[],
-        never_negative: false,
+        non_negative: false,
         implausible_above: None,
         usual_size: phrase!(""),
         confused_with: phrase!(""),
-        told_by: &[],
+        distinguished_by: &[],
         becomes: None,
         of_other_joints: false,
         check: phrase!(""),

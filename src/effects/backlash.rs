@@ -16,7 +16,7 @@ const ABOUT: About = About {
     source: "ISO 230-2: reversal value B; the play operator after full take-up",
     cause: phrase!("play between gear teeth, in a coupling or a key"),
     over: Over::Side,
-    never_negative: true,
+    non_negative: true,
     implausible_above: Some(0.5),
     usual_size: phrase!("0.1′ to 3′"),
     confused_with: phrase!(
@@ -24,7 +24,7 @@ const ABOUT: About = About {
     ),
     check: phrase!("preload and wear of the reducer; rock the output by hand with the drive held"),
     needs: &[Need::BOTH_SIDES],
-    told_by: &[Condition::Speed],
+    distinguished_by: &[Condition::Speed],
     ..About::PLAIN
 };
 

@@ -29,7 +29,7 @@ const ABOUT: About = About {
     check: phrase!("tripod, clamps and the sun on the tripod's legs"),
     needs: &[Need::TIME],
     owner: Owner::Session,
-    told_by: &[Condition::Temperature],
+    distinguished_by: &[Condition::Temperature],
     ..About::PLAIN
 };
 

@@ -19,13 +19,13 @@ const ABOUT: About = About {
     source: "hysteresis loop of a reducer with friction, exponential build-up",
     cause: phrase!("friction in the reducer winds the drive up after each reversal"),
     over: Over::Travel,
-    never_negative: true,
+    non_negative: true,
     implausible_above: Some(0.33),
     usual_size: phrase!("0.5′ to 2′"),
     confused_with: phrase!("backlash: approaches of three different lengths part them"),
     check: phrase!("lubrication and preload of the reducer"),
     needs: &[Need::BOTH_SIDES],
-    told_by: &[Condition::Speed, Condition::Approach],
+    distinguished_by: &[Condition::Speed, Condition::Approach],
     becomes: Some("backlash"),
     ..About::PLAIN
 };

@@ -27,7 +27,7 @@ const ABOUT: About = About {
         "let the machine warm up before measuring, or enter the arm's expansion in the controller"
     ),
     needs: &[Need::REVOLUTE, Need::TEMPERATURE],
-    told_by: &[Condition::Temperature],
+    distinguished_by: &[Condition::Temperature],
     ..About::PLAIN
 };
 

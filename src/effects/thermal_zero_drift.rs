@@ -24,7 +24,7 @@ const ABOUT: About = About {
         "let the machine warm up before homing; look for a heat source beside the encoder"
     ),
     needs: &[Need::TEMPERATURE],
-    told_by: &[Condition::Temperature],
+    distinguished_by: &[Condition::Temperature],
     ..About::PLAIN
 };
 

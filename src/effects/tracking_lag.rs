@@ -25,7 +25,7 @@ const ABOUT: About = About {
     ),
     check: phrase!("synchronise the clocks, then the loop's velocity gain and feed-forward"),
     needs: &[Need::SPEEDS],
-    told_by: &[Condition::Speed],
+    distinguished_by: &[Condition::Speed],
     ..About::PLAIN
 };
 

@@ -74,8 +74,8 @@ fn implausible(one: &Estimate) -> Option<Block> {
 fn chance(found: &Found) -> String {
     say!(
         "p {sign} {p} (chance that noise alone looks like this)",
-        sign = if found.p_family.bound { '<' } else { '=' },
-        p = found.p_family.p
+        sign = if found.p_familywise.bound { '<' } else { '=' },
+        p = found.p_familywise.p
     )
 }
 

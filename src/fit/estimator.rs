@@ -109,7 +109,7 @@ fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
 /// is known of them stays that of the whole fit.
 fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     let negative = |t: &Term| {
-        t.effect.about().never_negative && t.coefficients.first().is_some_and(|c| *c < 0.0)
+        t.effect.about().non_negative && t.coefficients.first().is_some_and(|c| *c < 0.0)
     };
     let gone: Vec<Term> = solution
         .model

@@ -7,7 +7,7 @@ use crate::effects::{Held, PlaceKind, Role, Setting, TOOL_ORIENTATION, Term};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
-use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
+use crate::observations::{KINDS, Layer, Observable, RowBlock, gauge, start};
 use crate::sessions::Session;
 
 use super::frames::frames_from;
@@ -178,7 +178,7 @@ pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64>
         block.keep(&kept);
         for (lane, item) in block.items.iter().enumerate() {
             let looks = item.map(|item| KINDS[layer.items[item].kind].about().looks);
-            if open && looks != Some(Looks::AtAttitude) {
+            if open && looks != Some(Observable::AtAttitude) {
                 continue;
             }
             for axis in (0..3).filter(|axis| block.rows[*axis][lane]) {

@@ -94,8 +94,7 @@ pub(crate) fn estimates(
                 value,
                 ci95: match (parameter.name, ci95) {
                     (name, Some([low, high]))
-                        if name.starts_with("amplitude")
-                            || about.never_negative && k == settings =>
+                        if name.starts_with("amplitude") || about.non_negative && k == settings =>
                     {
                         Some([low.max(0.0), high])
                     }

@@ -51,7 +51,7 @@ use std::sync::Arc;
 
 use anyhow::anyhow;
 
-use crate::sessions::bundled;
+use crate::sessions::files::bundled;
 
 pub use crate::text::Language;
 pub use app::App;

@@ -14,11 +14,11 @@ use crate::importers::formats::tracker;
 use crate::importers::job::{Companion, Job};
 use crate::importers::matching::listed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case, Inspection, Reading};
+use crate::importers::settings::{About, Inspection, ReadContext, Reading};
 use crate::importers::{lists, text};
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::format_v1::head::default_targets;
+use crate::sessions::default_targets;
 
 /// What the file of the commands is called in messages.
 pub(crate) const COMMANDS: &str = "commands";
@@ -30,7 +30,7 @@ impl Job<'_> {
         companion: &Companion<'_>,
         what: &str,
         header: &str,
-        reader: fn(&mut Case<'_>) -> Option<Columns>,
+        reader: fn(&mut ReadContext<'_>) -> Option<Columns>,
     ) -> Result<Columns, Rejected> {
         let mut findings = Vec::new();
         let decoded = text::decode(companion.bytes, &companion.place(), &mut findings);
@@ -65,7 +65,7 @@ impl Job<'_> {
                 },
                 ..Reading::default()
             };
-            let mut case = Case {
+            let mut case = ReadContext {
                 text: &text,
                 bytes: companion.bytes,
                 reading: &reading,

@@ -22,7 +22,7 @@ use super::turns::Turn;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
 
@@ -180,7 +180,7 @@ pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), Te
     Some(Ok(([a, b, c], by_axis)))
 }
 
-impl Case<'_> {
+impl ReadContext<'_> {
     /// Angles of an orientation: how they are to be read is asked where the format can be told, and
     /// they are kept and ignored where it cannot.
     pub(crate) fn ask_about_angles(&mut self, roles: &mut [Role]) -> Option<Convention> {

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use super::columns::Columns;
 use super::formats::{IMPORTERS, Importer, KnownBy, Suits, Trial};
-use super::settings::{About, Case, Inspection, Reading};
+use super::settings::{About, Inspection, ReadContext, Reading};
 use super::text::Encoding;
 use super::{formats, lists, text};
 
@@ -71,7 +71,7 @@ pub(super) fn read(
     let known = binary.or(reading.kind);
     let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(importer);
-    let mut case = Case {
+    let mut case = ReadContext {
         text: &text,
         bytes,
         reading,
@@ -102,7 +102,7 @@ pub(super) fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> &'stati
         .collect();
     asked.sort_by_key(|(turn, ..)| *turn);
     let tried = |importer: &Importer| {
-        let mut case = Case {
+        let mut case = ReadContext {
             text,
             bytes: text.as_bytes(),
             reading,

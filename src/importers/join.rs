@@ -44,7 +44,7 @@ pub(crate) struct Timing {
 }
 
 /// What came of it.
-pub(crate) struct Timely {
+pub(crate) struct JoinedByTime {
     pub(crate) columns: Columns,
     pub(crate) clock: ClockOffset,
     pub(crate) findings: Vec<Diagnostic>,
@@ -72,7 +72,7 @@ pub(crate) fn by_time(
     targets: (&[Point3<f64>], &[usize]),
     timing: Timing,
     places: (&Place, &Place),
-) -> Result<Timely, Box<Diagnostic>> {
+) -> Result<JoinedByTime, Box<Diagnostic>> {
     let (measured_place, commands_place) = places;
     let refused = |place: &Place, found: Text, expected: Template| {
         Err(Box::new(Diagnostic::error(place.clone(), found, expected)))
@@ -155,7 +155,7 @@ pub(crate) fn by_time(
         }
         job.in_motion(measured, commands, &usable)
     };
-    Ok(Timely {
+    Ok(JoinedByTime {
         columns,
         clock,
         findings,

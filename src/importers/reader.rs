@@ -1,7 +1,7 @@
 //! One file being read: what is given, what was found out, and the cells of a table whose columns
 //! are known.
 
-use super::settings::Case;
+use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
@@ -24,7 +24,7 @@ const AUTO: &str = "auto";
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
 
-impl<'a> Case<'a> {
+impl<'a> ReadContext<'a> {
     pub(crate) fn ask(&mut self, about: About, says: impl Into<Text>, answers: &[&str]) {
         let place = self.place.clone();
         self.found

@@ -227,7 +227,7 @@ pub struct Inspection {
     pub findings: Vec<Diagnostic>,
 }
 
-pub(crate) struct Case<'a> {
+pub(crate) struct ReadContext<'a> {
     /// The file as text; empty where it is none.
     pub(crate) text: &'a str,
     /// The file as it is.
@@ -251,7 +251,7 @@ pub struct Importer {
     pub options: &'static [OwnOption],
     /// How its files are known from others.
     pub(crate) known_by: KnownBy,
-    pub(crate) read: fn(&mut Case<'_>) -> Option<Columns>,
+    pub(crate) read: fn(&mut ReadContext<'_>) -> Option<Columns>,
 }
 
 impl PartialEq for Importer {

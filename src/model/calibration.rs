@@ -40,7 +40,7 @@ impl RegionalCorrection {
 
 /// One step of the way from the nominal robot to the model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GapStep {
+pub struct ResidualStep {
     /// What was done.
     pub what: String,
     /// The gap after it, mm.
@@ -89,7 +89,7 @@ pub struct Calibration {
     /// is not known.
     pub set_aside: Option<Vec<usize>>,
     /// The gap, step by step; the first is the nominal robot's.
-    pub history: Vec<GapStep>,
+    pub history: Vec<ResidualStep>,
     /// Hash of the samples that it came from.
     pub samples_hash: String,
     /// Version of the program that made it.

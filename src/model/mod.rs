@@ -17,7 +17,7 @@ pub(crate) mod rigid_motion;
 mod set_up;
 pub(crate) mod shapes;
 
-pub use calibration::{Calibration, Conditions, GapStep, RegionalCorrection};
+pub use calibration::{Calibration, Conditions, RegionalCorrection, ResidualStep};
 pub use format_v1::{is_model, load_model, model_hash, read_model};
 pub use forward_map::{Model, Positions};
 pub use set_up::{RawJoint, SetUp};

@@ -17,14 +17,14 @@
 use std::borrow::Cow;
 
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
+use crate::sessions::{Corrected, Session, SessionCorrection, hash_of_samples};
 use crate::text::Text;
 
 /// Corrections between what controller and instrument write and what the robot's description means.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SetUp {
-    conventions: Vec<Mend>,
-    of_samples: Vec<Mend>,
+    conventions: Vec<SessionCorrection>,
+    of_samples: Vec<SessionCorrection>,
 }
 
 /// A joint whose raw value differs from the model's by its sign and by a constant.
@@ -54,24 +54,24 @@ impl RawJoint {
 }
 
 /// Whether a correction is about how a controller or an instrument counts, not about samples.
-fn is_a_convention(correction: &Mend) -> bool {
+fn is_a_convention(correction: &SessionCorrection) -> bool {
     matches!(
         correction,
-        Mend::ScaleJoint { .. }
-            | Mend::ScaleJoints { .. }
-            | Mend::ExchangeJoints { .. }
-            | Mend::CoupleJoint { .. }
-            | Mend::TakeReadBack
-            | Mend::TurnHome { .. }
-            | Mend::ScaleLengths(_)
-            | Mend::Reorder(_)
-            | Mend::FreeFrame
+        SessionCorrection::ScaleJoint { .. }
+            | SessionCorrection::ScaleJoints { .. }
+            | SessionCorrection::ExchangeJoints { .. }
+            | SessionCorrection::CoupleJoint { .. }
+            | SessionCorrection::TakeReadBack
+            | SessionCorrection::TurnHome { .. }
+            | SessionCorrection::ScaleLengths(_)
+            | SessionCorrection::Reorder(_)
+            | SessionCorrection::FreeFrame
     )
 }
 
 impl SetUp {
     /// Of corrections in the order in which they were made. Those of samples are made before the others.
-    pub fn new(corrections: impl IntoIterator<Item = Mend>) -> Self {
+    pub fn new(corrections: impl IntoIterator<Item = SessionCorrection>) -> Self {
         let (conventions, of_samples) = corrections.into_iter().partition(is_a_convention);
         Self {
             conventions,
@@ -91,12 +91,12 @@ impl SetUp {
 
     /// The corrections of what holds for every session of this controller and instrument, in the order in which they are
     /// made.
-    pub fn corrections(&self) -> &[Mend] {
+    pub fn corrections(&self) -> &[SessionCorrection] {
         &self.conventions
     }
 
     /// The corrections of the samples of the model's own session, made before the others.
-    pub fn of_samples(&self) -> &[Mend] {
+    pub fn of_samples(&self) -> &[SessionCorrection] {
         &self.of_samples
     }
 
@@ -122,7 +122,7 @@ impl SetUp {
         }
         let mut read = session.clone();
         for correction in of_samples.iter().chain(&self.conventions) {
-            if *correction == Mend::FreeFrame && read.samples.setups.is_some() {
+            if *correction == SessionCorrection::FreeFrame && read.samples.setups.is_some() {
                 continue;
             }
             correction.apply_keeping_rows(&mut read);
@@ -140,10 +140,13 @@ impl SetUp {
 
     /// Whether it changes any joint value.
     pub fn moves_joints(&self) -> bool {
-        let about_joints = |c: &Mend| {
+        let about_joints = |c: &SessionCorrection| {
             !matches!(
                 c,
-                Mend::TakeReadBack | Mend::ScaleLengths(_) | Mend::Reorder(_) | Mend::FreeFrame
+                SessionCorrection::TakeReadBack
+                    | SessionCorrection::ScaleLengths(_)
+                    | SessionCorrection::Reorder(_)
+                    | SessionCorrection::FreeFrame
             )
         };
         self.conventions.iter().any(about_joints)
@@ -188,7 +191,7 @@ impl SetUp {
         };
         for correction in &self.conventions {
             match correction {
-                Mend::ScaleJoint { joint: of, factor } if *of == joint => {
+                SessionCorrection::ScaleJoint { joint: of, factor } if *of == joint => {
                     if factor.abs() != 1.0 {
                         return Err(format!(
                             "the values of joint {} were in another unit",
@@ -198,18 +201,22 @@ impl SetUp {
                     own.sign *= factor;
                     own.at_zero *= factor;
                 }
-                Mend::ScaleJoints { .. } => {
+                SessionCorrection::ScaleJoints { .. } => {
                     return Err("the values of the joints were in another unit".to_owned());
                 }
-                Mend::TurnHome { joint: of, by_rad } if *of == joint => own.at_zero += by_rad,
-                Mend::ExchangeJoints { first, second } if [*first, *second].contains(&joint) => {
+                SessionCorrection::TurnHome { joint: of, by_rad } if *of == joint => {
+                    own.at_zero += by_rad;
+                }
+                SessionCorrection::ExchangeJoints { first, second }
+                    if [*first, *second].contains(&joint) =>
+                {
                     return Err(format!(
                         "joints {} and {} were exchanged",
                         first + 1,
                         second + 1
                     ));
                 }
-                Mend::CoupleJoint {
+                SessionCorrection::CoupleJoint {
                     joint: of, from, ..
                 } if [*of, *from].contains(&joint) => {
                     return Err(format!("joints {} and {} are coupled", from + 1, of + 1));
@@ -222,14 +229,16 @@ impl SetUp {
 }
 
 /// One correction of the signs of joint motion, which is its own inverse.
-fn turned(correction: &Mend, signs: &mut [f64]) {
+fn turned(correction: &SessionCorrection, signs: &mut [f64]) {
     match correction {
-        Mend::ScaleJoint { joint, factor } if *factor < 0.0 => {
+        SessionCorrection::ScaleJoint { joint, factor } if *factor < 0.0 => {
             if let Some(sign) = signs.get_mut(*joint).filter(|sign| **sign != 0.0) {
                 *sign = -*sign;
             }
         }
-        Mend::ExchangeJoints { first, second } if (*first).max(*second) < signs.len() => {
+        SessionCorrection::ExchangeJoints { first, second }
+            if (*first).max(*second) < signs.len() =>
+        {
             signs.swap(*first, *second);
         }
         _ => {}
@@ -237,7 +246,7 @@ fn turned(correction: &Mend, signs: &mut [f64]) {
 }
 
 /// One correction of joint values, or its inverse.
-fn changed(correction: &Mend, robot: &Robot, q: &mut [f64], back: bool) {
+fn changed(correction: &SessionCorrection, robot: &Robot, q: &mut [f64], back: bool) {
     let scaled = |value: &mut f64, factor: f64| {
         if back {
             *value /= factor;
@@ -246,22 +255,22 @@ fn changed(correction: &Mend, robot: &Robot, q: &mut [f64], back: bool) {
         }
     };
     match correction {
-        Mend::ScaleJoint { joint, factor } => {
+        SessionCorrection::ScaleJoint { joint, factor } => {
             if let Some(value) = q.get_mut(*joint) {
                 scaled(value, *factor);
             }
         }
-        Mend::ScaleJoints { factor } => {
+        SessionCorrection::ScaleJoints { factor } => {
             for (value, joint) in q.iter_mut().zip(&robot.joints) {
                 if joint.kind == JointKind::Revolute {
                     scaled(value, *factor);
                 }
             }
         }
-        Mend::ExchangeJoints { first, second } if (*first).max(*second) < q.len() => {
+        SessionCorrection::ExchangeJoints { first, second } if (*first).max(*second) < q.len() => {
             q.swap(*first, *second);
         }
-        Mend::CoupleJoint {
+        SessionCorrection::CoupleJoint {
             joint,
             from,
             factor,
@@ -269,7 +278,7 @@ fn changed(correction: &Mend, robot: &Robot, q: &mut [f64], back: bool) {
             let by = factor * q[*from];
             q[*joint] += if back { -by } else { by };
         }
-        Mend::TurnHome { joint, by_rad } => {
+        SessionCorrection::TurnHome { joint, by_rad } => {
             if let Some(value) = q.get_mut(*joint) {
                 *value += if back { -by_rad } else { *by_rad };
             }
@@ -294,27 +303,27 @@ mod tests {
     fn what_goes_out_is_the_inverse_of_what_comes_in() {
         let robot = three_joints();
         let set_up = SetUp::new([
-            Mend::ScaleJoint {
+            SessionCorrection::ScaleJoint {
                 joint: 2,
                 factor: -1.0,
             },
-            Mend::TurnHome {
+            SessionCorrection::TurnHome {
                 joint: 2,
                 by_rad: 0.5,
             },
-            Mend::CoupleJoint {
+            SessionCorrection::CoupleJoint {
                 joint: 2,
                 from: 1,
                 factor: -1.0,
             },
-            Mend::ExchangeJoints {
+            SessionCorrection::ExchangeJoints {
                 first: 0,
                 second: 1,
             },
-            Mend::Remove(vec![1, 2]),
+            SessionCorrection::Remove(vec![1, 2]),
         ]);
         assert_eq!(set_up.corrections().len(), 4);
-        assert_eq!(set_up.of_samples(), [Mend::Remove(vec![1, 2])]);
+        assert_eq!(set_up.of_samples(), [SessionCorrection::Remove(vec![1, 2])]);
         let raw = [0.3, -0.7, 1.1];
         let mut q = raw;
         set_up.to_model(&robot, &mut q);
@@ -329,11 +338,11 @@ mod tests {
     #[test]
     fn a_joint_that_counts_the_other_way_from_another_home() {
         let set_up = SetUp::new([
-            Mend::ScaleJoint {
+            SessionCorrection::ScaleJoint {
                 joint: 0,
                 factor: -1.0,
             },
-            Mend::TurnHome {
+            SessionCorrection::TurnHome {
                 joint: 0,
                 by_rad: 0.25,
             },

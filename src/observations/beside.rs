@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::effects::JointValues;
 use crate::effects::place::MOST;
 use crate::model::Model;
-use crate::sessions::{Group, Mend, Session};
+use crate::sessions::{Group, Session, SessionCorrection};
 
 use super::{Layer, Residual};
 
@@ -55,7 +55,7 @@ pub(crate) fn beside(session: &Session, values: JointValues, model: &Model) -> V
             let mut by_mm = [0.0; 3];
             by_mm[along] = 1.0;
             for target in 0..moved.targets.len() {
-                Mend::MoveTarget { target, by_mm }.apply(&mut moved);
+                SessionCorrection::MoveTarget { target, by_mm }.apply(&mut moved);
             }
             let there = Layer::new(&moved, values).seen(model);
             there.into_iter().map(|seen| seen.0).collect()

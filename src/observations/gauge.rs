@@ -22,7 +22,7 @@ use crate::kinematics::JointKind;
 use crate::lanes::cross;
 use crate::model::Model;
 
-use super::{KINDS, Layer, Looks};
+use super::{KINDS, Layer, Observable};
 use crate::effects::places::stated;
 use crate::effects::{Place, PlaceKind};
 
@@ -49,7 +49,7 @@ pub(crate) fn open(layer: &Layer) -> Open {
         let kind = KINDS[item.kind];
         let about = kind.about();
         let place = kind.place(session, item.sample);
-        let attitude_only = about.looks == Looks::AtAttitude;
+        let attitude_only = about.looks == Observable::AtAttitude;
         any_point |= !attitude_only;
         let known = place.map(|place| stated(references, place));
         let unknown = match (place.map(|p| p.kind), known) {

@@ -10,7 +10,7 @@ pub const ANGLES_AT_MM: f64 = 1000.0;
 
 /// What of the prediction a kind looks at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Looks {
+pub enum Observable {
     /// Where the target is.
     AtPoint,
     /// How the tool is turned.
@@ -42,7 +42,7 @@ pub struct AboutKind {
     /// Its name in answers.
     pub name: &'static str,
     /// What it looks at.
-    pub looks: Looks,
+    pub looks: Observable,
     /// The unit of its residuals.
     pub unit: Unit,
     /// Noise that is assumed at first where the session states none, inner units.

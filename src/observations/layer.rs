@@ -13,7 +13,7 @@ use crate::sessions::Session;
 
 use super::block::RowBlock;
 use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
-use super::{KINDS, Kind, Looks, Residual, Seen, Unit};
+use super::{KINDS, Kind, Observable, Residual, Seen, Unit};
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
 
@@ -124,8 +124,8 @@ impl<'a> Layer<'a> {
             .iter()
             .map(|kind| kind.sigma(instrument).unwrap_or(kind.about().usual_sigma))
             .collect();
-        let points = stream(session, inputs, &items, Looks::AtPoint);
-        let attitudes = stream(session, inputs, &items, Looks::AtAttitude);
+        let points = stream(session, inputs, &items, Observable::AtPoint);
+        let attitudes = stream(session, inputs, &items, Observable::AtAttitude);
         Self {
             session,
             unit_mm: sigma[0],
@@ -265,7 +265,7 @@ impl<'a> Layer<'a> {
             samples.dedup();
             samples.len()
         };
-        let at_point = |i: usize| about(i).looks == Looks::AtPoint;
+        let at_point = |i: usize| about(i).looks == Observable::AtPoint;
         let is_length = |i: usize| at_point(i) && about(i).unit == Unit::Millimetre;
         let is_direction = |i: usize| at_point(i) && about(i).unit == Unit::Radian;
         let (lengths, directions) = (count(&is_length), count(&is_direction));
@@ -320,8 +320,8 @@ impl<'a> Layer<'a> {
             rows.along[axis][lane] = if whole { zero_beyond } else { f64::NAN };
         }
         let by_moves = match own.about().looks {
-            Looks::AtPoint => &weighed.by_point,
-            Looks::AtAttitude => &weighed.by_turn,
+            Observable::AtPoint => &weighed.by_point,
+            Observable::AtAttitude => &weighed.by_turn,
         };
         for row in 0..weighed.rows {
             rows.rows[row][lane] = true;

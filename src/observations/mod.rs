@@ -43,7 +43,7 @@ mod residual;
 
 pub use block::RowBlock;
 pub use figures::{Deviations, Errors, KindFigures};
-pub use kind::{ANGLES_AT_MM, AboutKind, Kind, Looks, Unit};
+pub use kind::{ANGLES_AT_MM, AboutKind, Kind, Observable, Unit};
 pub(crate) use kind::{named, put_name};
 pub use kinds::KINDS;
 pub use layer::Layer;

@@ -14,7 +14,7 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::kinds::orientation::measured;
-use super::{KINDS, Layer, Looks, Residual, Seen};
+use super::{KINDS, Layer, Observable, Residual, Seen};
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
 
@@ -68,7 +68,7 @@ pub(crate) fn unknown_places(layer: &Layer, model: &Model) -> Vec<Term> {
 
 fn attitude_only(layer: &Layer, items: &[usize]) -> bool {
     let looks = |i: &usize| KINDS[layer.items[*i].kind].about().looks;
-    items.iter().all(|i| looks(i) == Looks::AtAttitude)
+    items.iter().all(|i| looks(i) == Observable::AtAttitude)
 }
 
 /// Where a place is, as its observations have it; what is `known` of it stays.
@@ -248,7 +248,7 @@ fn line(layer: &Layer, item: usize, seen: &[Prediction], from: Vector3<f64>) -> 
     let (point, attitude) = seen[item];
     let pointing = layer.session.instrument.references.pointing.as_ref();
     let looks = KINDS[layer.items[item].kind].about().looks;
-    if let (Looks::AtAttitude, Some(pointing)) = (looks, pointing) {
+    if let (Observable::AtAttitude, Some(pointing)) = (looks, pointing) {
         return Matrix3::from_fn(|r, c| attitude[r][c]) * pointing.axis.into_inner();
     }
     let arm = Vector3::from(point) - from;

@@ -14,7 +14,7 @@ use crate::lanes::{Lanes3, cross, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
 
-use super::{KINDS, Looks};
+use super::{KINDS, Observable};
 
 /// One observation of one sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +60,7 @@ pub(crate) fn predictions(
     model: &Model,
 ) -> Vec<([f64; 3], [[f64; 3]; 3])> {
     let inputs = Inputs::new(session, values);
-    let of = |looks: Looks| {
+    let of = |looks: Observable| {
         let kind = KINDS.iter().position(|kind| kind.about().looks == looks);
         let kind = kind.unwrap_or(0);
         let samples = 0..session.samples.len();
@@ -74,12 +74,12 @@ pub(crate) fn predictions(
         stream(session, &inputs, &items, looks)
     };
     let mut seen = Vec::with_capacity(session.samples.len());
-    model.visit(&of(Looks::AtPoint).inputs, false, |_, block| {
+    model.visit(&of(Observable::AtPoint).inputs, false, |_, block| {
         for lane in 0..block.len {
             seen.push(([0, 1, 2].map(|axis| block.point[axis][lane]), UPRIGHT));
         }
     });
-    model.visit(&of(Looks::AtAttitude).inputs, false, |start, block| {
+    model.visit(&of(Observable::AtAttitude).inputs, false, |start, block| {
         for own in 0..block.len / POINTS {
             seen[start / POINTS + own].1 = attitude(block, own * POINTS).0;
         }
@@ -91,12 +91,17 @@ pub(crate) fn predictions(
 pub(super) const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The inputs of the items that look at one thing.
-pub(super) fn stream(session: &Session, inputs: &Inputs, items: &[Item], looks: Looks) -> Stream {
+pub(super) fn stream(
+    session: &Session,
+    inputs: &Inputs,
+    items: &[Item],
+    looks: Observable,
+) -> Stream {
     let own: Vec<usize> = (0..items.len())
         .filter(|i| KINDS[items[*i].kind].about().looks == looks)
         .collect();
     let samples = own.iter().map(|i| items[*i].sample);
-    if looks == Looks::AtPoint {
+    if looks == Observable::AtPoint {
         let samples: Vec<usize> = samples.collect();
         return Stream {
             items: own,

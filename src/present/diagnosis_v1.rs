@@ -1,7 +1,7 @@
 //! `truepose-diagnosis/1`: the answer as JSON. Samples count from 1, angles are in degrees.
 
 use crate::diagnosis::{
-    Correction, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Sight, Unexplained,
+    Correction, Detectability, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Unexplained,
 };
 use crate::document::degrees;
 use crate::fit::noise::Noise;
@@ -86,8 +86,8 @@ fn found(f: &Found) -> Json {
         "effect": f.effect,
         "joint": given(f.joint),
         "parameters": parameters.chain(figures).collect::<Json>(),
-        "p_family": f.p_family.p,
-        "p_family_is_a_bound": f.p_family.bound,
+        "p_family": f.p_familywise.p,
+        "p_family_is_a_bound": f.p_familywise.bound,
         "share": f.share,
         "gap_before_mm": f.gap_mm[0],
         "gap_after_mm": f.gap_mm[1],
@@ -151,7 +151,7 @@ fn correction(c: &Correction, session: &Session) -> Option<Json> {
 
 /// A parameter that these poses do not show at any size has no limit.
 fn not_found(limit: &Limit) -> Json {
-    let is_shown = |size: f64| Sight::of(size) != Sight::AtNoSize;
+    let is_shown = |size: f64| Detectability::of(size) != Detectability::AtNoSize;
     let (mut shown, hidden): (Vec<_>, Vec<_>) = limit
         .sizes
         .iter()

@@ -4,7 +4,7 @@
 //! What never applies to such a robot is not said. A limit beyond the sizes that any machine has is no
 //! limit: the effect is not observable with these poses.
 
-use crate::diagnosis::{Diagnosis, Limit, Sight};
+use crate::diagnosis::{Detectability, Diagnosis, Limit};
 use crate::effects::find;
 use crate::kinematics::Robot;
 use crate::text::{Text, by_titles, current};
@@ -63,8 +63,8 @@ pub(crate) fn applies(robot: &Robot, effect: &str, joint: Option<usize>) -> bool
 }
 
 /// What a limit says: a size that no machine has is one that these poses do not show.
-pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Sight {
-    let seen = Sight::of(size);
+pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Detectability {
+    let seen = Detectability::of(size);
     let about = find(effect).map(super::super::effects::Effect::about);
     // A size stands for the parameters of its own form: a sliding joint has others, and a ratio of a
     // mode none.
@@ -77,7 +77,7 @@ pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Sight {
         about.implausible_above.filter(|_| own)
     });
     match (seen, limit) {
-        (Sight::Above(size), Some(limit)) if size > limit => Sight::AtNoSize,
+        (Detectability::Above(size), Some(limit)) if size > limit => Detectability::AtNoSize,
         _ => seen,
     }
 }
@@ -165,9 +165,9 @@ fn limits_in_words(effect: &str, limits: &[&Limit]) -> String {
         for (name, size) in &limit.sizes {
             let (words, unit) = parameter(name);
             match sight(effect, name, *size) {
-                Sight::AtAnySize => without_noise = true,
-                Sight::AtNoSize => hidden.push((words, limit.joint)),
-                Sight::Above(size) => match seen.iter_mut().find(|s| s.unit == unit) {
+                Detectability::AtAnySize => without_noise = true,
+                Detectability::AtNoSize => hidden.push((words, limit.joint)),
+                Detectability::Above(size) => match seen.iter_mut().find(|s| s.unit == unit) {
                     Some(sizes) => {
                         sizes.from = sizes.from.min(size);
                         sizes.to = sizes.to.max(size);
@@ -240,21 +240,21 @@ impl Sizes {
 /// From which size (95 %) an effect would have been seen, parameter by parameter.
 pub(crate) fn detection_limit(limit: &Limit) -> String {
     let seen = |(full, size): &(&str, f64)| sight(limit.effect, full, *size);
-    let all = |one: Sight| limit.sizes.iter().all(|size| seen(size) == one);
-    if all(Sight::AtAnySize) {
+    let all = |one: Detectability| limit.sizes.iter().all(|size| seen(size) == one);
+    if all(Detectability::AtAnySize) {
         return say!("any size, there is no noise").to_owned();
     }
-    if all(Sight::AtNoSize) {
+    if all(Detectability::AtNoSize) {
         return say!("not observable with these poses").to_owned();
     }
     let sizes = limit.sizes.iter().map(|(full, size)| {
         let (name, unit) = parameter(full);
         match sight(limit.effect, full, *size) {
-            Sight::Above(size) => {
+            Detectability::Above(size) => {
                 format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
             }
-            Sight::AtAnySize => say!("{name}: any size, there is no noise", name = name),
-            Sight::AtNoSize => say!("{name}: not observable with these poses", name = name),
+            Detectability::AtAnySize => say!("{name}: any size, there is no noise", name = name),
+            Detectability::AtNoSize => say!("{name}: not observable with these poses", name = name),
         }
     });
     sizes.collect::<Vec<_>>().join(", ")
@@ -279,9 +279,12 @@ mod tests {
     #[test]
     fn a_size_that_no_machine_has_is_not_observable() {
         let limit = |effect, size| sight(effect, "width_deg", size);
-        assert_eq!(limit("backlash", 0.02), Sight::Above(0.02));
-        assert_eq!(limit("backlash", 167.0), Sight::AtNoSize);
-        assert_eq!(sight("backlash", "order", 167.0), Sight::Above(167.0));
+        assert_eq!(limit("backlash", 0.02), Detectability::Above(0.02));
+        assert_eq!(limit("backlash", 167.0), Detectability::AtNoSize);
+        assert_eq!(
+            sight("backlash", "order", 167.0),
+            Detectability::Above(167.0)
+        );
     }
 
     #[test]

@@ -60,7 +60,7 @@ impl Report {
 }
 
 fn headline(c: &Calibration) -> Vec<Figure> {
-    let step = |name: &str, step: Option<&crate::model::GapStep>| {
+    let step = |name: &str, step: Option<&crate::model::ResidualStep>| {
         step.map(|s| Figure {
             name: name.to_owned(),
             value: mm(s.gap_mm),

@@ -10,7 +10,8 @@ use crate::compensation::decision::Rule;
 use crate::diagnosis::Options;
 use crate::pipeline;
 use crate::present::drawing::{Drawing, Item};
-use crate::sessions::{Session, load};
+use crate::sessions::Session;
+use crate::sessions::load;
 use crate::text::{Language, choose};
 
 /// Units, axes, and the symbols and names of standards.

@@ -3,7 +3,7 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 
 use super::problem::said;
 
@@ -46,7 +46,7 @@ fn load(session: &Session) -> Option<DataProblem> {
             load = format!("{:.3}", most / 1000.0)
         ),
         proposal: text!("the loads are read as grams; divide the column load_kg by 1000"),
-        mend: Some(Mend::ScaleLoad(0.001)),
+        mend: Some(SessionCorrection::ScaleLoad(0.001)),
         samples: Vec::new(),
     })
 }
@@ -67,7 +67,7 @@ fn temperature(session: &Session) -> Option<DataProblem> {
                 most = format!("{:.1}", most - ZERO_KELVIN)
             ),
             proposal: text!("the temperatures are read as kelvin; subtract 273.15"),
-            mend: Some(Mend::ConvertTemperature {
+            mend: Some(SessionCorrection::ConvertTemperature {
                 factor: 1.0,
                 offset: -ZERO_KELVIN,
             }),

@@ -14,7 +14,7 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::resolution::resolution_mm;
-use crate::sessions::{Mend, Samples, Session, Sigma};
+use crate::sessions::{Samples, Session, SessionCorrection, Sigma};
 
 use super::problem::listed;
 
@@ -74,7 +74,7 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
         proposal: text!(
             "copies are left out: they are no returns to a pose and tell nothing of the noise; remove them from the file"
         ),
-        mend: Some(Mend::Remove(copies.clone())),
+        mend: Some(SessionCorrection::Remove(copies.clone())),
         samples: copies,
     }]
 }

@@ -1,12 +1,12 @@
 //! Coordinates that were rounded: their digit, where it matters beside the noise.
 //!
 //! Rounding to a digit d adds d²/12 to the variance of a coordinate, whatever the instrument is capable
-//! of; what is stated for the instrument is widened by that ([`Mend::WidenNoise`]).
+//! of; what is stated for the instrument is widened by that ([`SessionCorrection::WidenNoise`]).
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::problem::digits_mm;
-use crate::sessions::{Mend, Session, Sigma};
+use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
 
 use super::problem::said;
@@ -79,7 +79,7 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
         text!("the digit counts as noise, and nothing below it can be told; record more digits"),
     );
     if stated.is_some() {
-        problem.mend = Some(Mend::WidenNoise(added_mm));
+        problem.mend = Some(SessionCorrection::WidenNoise(added_mm));
     }
     vec![problem]
 }

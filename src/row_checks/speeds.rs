@@ -7,7 +7,7 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::measuring_order::measuring_order;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -76,7 +76,7 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
             "the sign of speed{joint} is reversed; correct the column",
             joint = number
         ),
-        mend: Some(Mend::ScaleSpeed {
+        mend: Some(SessionCorrection::ScaleSpeed {
             joint,
             factor: -1.0,
         }),
@@ -162,7 +162,7 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
             joint = number,
             factor = format!("{factor:.6}")
         ),
-        mend: Some(Mend::ScaleSpeed { joint, factor }),
+        mend: Some(SessionCorrection::ScaleSpeed { joint, factor }),
         samples: Vec::new(),
     })
 }

@@ -13,8 +13,9 @@ use nalgebra::{Point3, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::Robot;
 use crate::sessions::consistency::{self, error};
-use crate::sessions::domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target};
-use crate::sessions::format_v1::head::default_targets;
+use crate::sessions::domain::{
+    Instrument, Region, Samples, Session, Setups, Sigma, Target, default_targets,
+};
 use crate::sessions::validation;
 
 impl Session {

@@ -13,8 +13,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::{SMALLEST_SIGMA, short};
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::domain::{Samples, Session, Sigma};
-use crate::sessions::format_v1::head::default_targets;
+use crate::sessions::domain::{Samples, Session, Sigma, default_targets};
 use crate::sessions::validation;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, rad_from_deg};
 

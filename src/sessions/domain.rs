@@ -3,14 +3,12 @@
 //! These are the types that the program thinks in, in inner units (mm, rad, s, kg, °C); files on
 //! disk have types of their own in `format_v1`.
 
-use std::path::PathBuf;
-
-use nalgebra::Point3;
-
 use crate::kinematics::Robot;
+use crate::sessions::correction::Corrected;
 use crate::sessions::lines::Lines;
-use crate::sessions::mend::Corrected;
 use crate::sessions::references::{ObservedColumns, References};
+use nalgebra::Point3;
+use std::path::PathBuf;
 
 /// A reflector that the instrument sees, fixed in the tool frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -305,4 +303,15 @@ pub struct Session {
     pub samples: Samples,
     /// The file it was read from, if any.
     pub path: Option<PathBuf>,
+}
+
+/// The one target of a session that names none: the tool's origin.
+pub(crate) const DEFAULT_TARGET: &str = "tool";
+
+/// A session without `targets` has one, at the tool's origin.
+pub(crate) fn default_targets() -> Vec<Target> {
+    vec![Target {
+        name: DEFAULT_TARGET.to_owned(),
+        position_mm: Point3::origin(),
+    }]
 }

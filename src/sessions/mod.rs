@@ -5,65 +5,53 @@
 //! [`save`] writes it back, whole or not at all, so that loading gives the same session to the last
 //! bit.
 //!
-//! The way in: bytes → `document` (a tree that knows places) → `format_v1` (units, ranges, the
-//! robot) → `csv` or inline columns → `columns` (what headings mean) → `assemble` (samples in
-//! inner units) → `validation` (what spans fields). The types that the program thinks in are in
-//! `domain`; they know nothing of files.
+//! What was measured is here: `domain` has the types that the program thinks in, `built` and `consistency` make and
+//! check them, `group`, `regions` and `cells` look at parts of them. How it lies on the disk is in `files`, of which
+//! nothing here knows.
 
-mod apply_mend;
-pub(crate) mod assemble;
 mod built;
-pub(crate) mod bundled;
 pub(crate) mod cells;
 pub(crate) mod columns;
 mod consistency;
-mod csv;
+mod correct;
+mod correction;
 pub(crate) mod division;
 mod domain;
-mod file_hash;
 pub(crate) mod files;
-pub(crate) mod format_v1;
 mod group;
 mod group_samples;
-mod growing;
-mod hash;
 mod lines;
-mod load;
 pub(crate) mod measuring_order;
-mod mend;
 mod observed;
 mod references;
 pub(crate) mod regions;
 pub(crate) mod resolution;
 mod rows;
-mod save;
-mod saved_columns;
 pub(crate) mod table;
 pub(crate) mod validation;
-#[cfg(test)]
-mod watched;
 
 pub use crate::atomic::WriteError;
 pub use built::SessionBuilder;
+pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
+pub(crate) use domain::default_targets;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };
-pub use files::read_document as read_whole;
-pub use group::Group;
-pub use growing::{Growing, Growth};
-pub use hash::hash_of_samples;
-pub use lines::Lines;
-pub use load::{
+pub use files::growing::{Growing, Growth};
+pub use files::hash::hash_of_samples;
+pub use files::load::{
     Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
 };
-pub use mend::{Corrected, Mend};
-pub use references::{
-    Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
-};
+pub use files::open::read_document as read_whole;
 #[cfg(feature = "gui")]
-pub(crate) use save::save_document;
-pub use save::{
+pub(crate) use files::save::save_document;
+pub use files::save::{
     Replacing, robot_document, samples_path, save, save_watched, save_with_samples, write_csv,
     write_inline,
+};
+pub use group::Group;
+pub use lines::Lines;
+pub use references::{
+    Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };

@@ -1,6 +1,6 @@
 //! A table of samples as it was read, column by column, before anyone asks what it means.
 //!
-//! Both ways to give samples (a CSV file, arrays inside the JSON) end here; [`super::assemble`]
+//! Both ways to give samples (a CSV file, arrays inside the JSON) end here; [`super::files::assemble`]
 //! makes [`Samples`](super::Samples) of it.
 
 use std::collections::BTreeMap;

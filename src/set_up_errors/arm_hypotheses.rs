@@ -1,8 +1,8 @@
 //! What may have gone wrong in setting up a robot with several joints, simplest first.
 
 use crate::kinematics::JointKind;
-use crate::sessions::Mend;
 use crate::sessions::Session;
+use crate::sessions::SessionCorrection;
 use crate::text::Text;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -12,7 +12,7 @@ use super::hypotheses::other_way_round;
 pub(super) struct Change {
     pub(super) what: Text,
     pub(super) proposal: Text,
-    pub(super) mends: Vec<Mend>,
+    pub(super) mends: Vec<SessionCorrection>,
 }
 
 /// Axes whose directions agree so well are parallel: cos 8°.
@@ -30,7 +30,7 @@ pub(super) fn changes(session: &Session) -> Vec<Change> {
     all
 }
 
-fn one(what: Text, proposal: Text, mend: Mend) -> Change {
+fn one(what: Text, proposal: Text, mend: SessionCorrection) -> Change {
     Change {
         what,
         proposal,
@@ -57,7 +57,7 @@ fn exchanged(session: &Session) -> Vec<Change> {
             all.push(one(
                 text!("joints {a} and {b} are exchanged", a = a, b = b),
                 text!("exchange the columns of joints {a} and {b}", a = a, b = b),
-                Mend::ExchangeJoints { first, second },
+                SessionCorrection::ExchangeJoints { first, second },
             ));
         }
     }
@@ -66,7 +66,7 @@ fn exchanged(session: &Session) -> Vec<Change> {
         all.push(one(
             text!("the measured points follow the joint values that were read back, not the commanded ones"),
             text!("start from the values read back (--joint-values read), and check where the commands come from"),
-            Mend::TakeReadBack,
+            SessionCorrection::TakeReadBack,
         ));
     }
     all
@@ -99,7 +99,7 @@ fn coupled(session: &Session) -> Vec<Change> {
             all.push(one(
                 what,
                 in_the_value(factor, before, number),
-                Mend::CoupleJoint {
+                SessionCorrection::CoupleJoint {
                     joint,
                     from: joint - 1,
                     factor,
@@ -131,7 +131,7 @@ fn driven(session: &Session) -> Vec<Change> {
                         b = number
                     ),
                     in_the_value(factor, before, number),
-                    Mend::CoupleJoint {
+                    SessionCorrection::CoupleJoint {
                         joint,
                         from,
                         factor,
@@ -146,7 +146,7 @@ fn driven(session: &Session) -> Vec<Change> {
 fn homes(session: &Session) -> Vec<Change> {
     let joints = &session.robot.joints;
     let turning = |j: usize| joints[j].kind == JointKind::Revolute;
-    let turned = |joint: usize, degrees: f64| Mend::TurnHome {
+    let turned = |joint: usize, degrees: f64| SessionCorrection::TurnHome {
         joint,
         by_rad: rad_from_deg(degrees),
     };
@@ -207,7 +207,7 @@ fn units(session: &Session) -> Vec<Change> {
             all.push(one(
                 text!("the values of all joints {what}", what = what),
                 text!("correct the unit in the headings of the joints"),
-                Mend::ScaleJoints { factor },
+                SessionCorrection::ScaleJoints { factor },
             ));
         }
         for joint in &turning {
@@ -222,7 +222,7 @@ fn units(session: &Session) -> Vec<Change> {
                     "correct the unit in the heading of {column}",
                     column = format!("q{number}")
                 ),
-                Mend::ScaleJoint {
+                SessionCorrection::ScaleJoint {
                     joint: *joint,
                     factor,
                 },
@@ -263,7 +263,7 @@ fn measured(session: &Session) -> Vec<Change> {
         all.push(one(
             text!("the measured coordinates are {what}", what = what),
             text!("correct the unit in the headings of x, y and z"),
-            Mend::ScaleLengths(factor),
+            SessionCorrection::ScaleLengths(factor),
         ));
     }
     // Two pairs exchanged are a turn of the frame: what is left is one exchange, or a sign.
@@ -279,7 +279,7 @@ fn measured(session: &Session) -> Vec<Change> {
     all.push(one(
         what,
         text!("exchange the headings of the measured columns, or reverse one of them"),
-        Mend::Reorder([1, 0, 2]),
+        SessionCorrection::Reorder([1, 0, 2]),
     ));
     all
 }

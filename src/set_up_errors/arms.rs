@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use crate::effects::{JointValues, Setting, Term};
 use crate::kinematics::JointKind;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 use crate::text::length;
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -48,7 +48,7 @@ pub(super) fn corrected(
     if part.samples.len() < FEWEST_SAMPLES.max(session.robot.joints.len() + 4) {
         return None;
     }
-    let mut mends: Vec<Mend> = Vec::new();
+    let mut mends: Vec<SessionCorrection> = Vec::new();
     for problem in mistakes(&part, values) {
         if let Some(mend) = &problem.mend {
             mend.apply(&mut part);
@@ -58,7 +58,7 @@ pub(super) fn corrected(
     }
     if let Some(problem) = never_aligned(&part, values) {
         problems.push(problem);
-        mends.push(Mend::FreeFrame);
+        mends.push(SessionCorrection::FreeFrame);
     }
     (!mends.is_empty()).then(|| {
         let mut better = session.clone();
@@ -150,7 +150,11 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
 
 /// The change that leaves least, if that is little enough, with those that say the same; and what it
 /// leaves, mm, behind the changes.
-fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, Vec<Mend>, f64)> {
+fn named(
+    tried: &[Tried],
+    before: f64,
+    most: f64,
+) -> Option<(DataProblem, Vec<SessionCorrection>, f64)> {
     let least = tried
         .iter()
         .map(|t| t.left_mm)
@@ -257,7 +261,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
             turn = format!("{degrees:.2}°"),
             shift = format!("{:.2}, {:.2}, {:.2} mm", shift.x, shift.y, shift.z)
         ),
-        mend: Some(Mend::FreeFrame),
+        mend: Some(SessionCorrection::FreeFrame),
         samples: Vec::new(),
     })
 }

@@ -14,7 +14,7 @@ use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::units::rad_from_deg;
 
 use super::thresholds::LARGEST_OFFSET_DEG;
@@ -125,7 +125,12 @@ fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
 }
 
 /// Whether a change predicts samples that its trial has not seen, to within what it may leave.
-pub(super) fn predicts(part: &Session, values: JointValues, mends: &[Mend], most_mm: f64) -> bool {
+pub(super) fn predicts(
+    part: &Session,
+    values: JointValues,
+    mends: &[SessionCorrection],
+    most_mm: f64,
+) -> bool {
     let mut changed = part.clone();
     for mend in mends {
         mend.apply(&mut changed);

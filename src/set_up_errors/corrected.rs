@@ -1,6 +1,6 @@
 //! What was corrected in memory goes with the samples: a model that is fitted to them carries it.
 
-use crate::sessions::{Corrected, Mend, Session, hash_of_samples};
+use crate::sessions::{Corrected, Session, SessionCorrection, hash_of_samples};
 use std::borrow::Cow;
 
 use super::DataProblem;
@@ -11,7 +11,7 @@ impl<'a> Mended<'a> {
         raw: &Session,
         mut session: Cow<'a, Session>,
         problems: Vec<DataProblem>,
-        made: Vec<Mend>,
+        made: Vec<SessionCorrection>,
     ) -> Self {
         if let Cow::Owned(better) = &mut session
             && raw.samples.corrected.is_none()
@@ -27,7 +27,7 @@ impl<'a> Mended<'a> {
 }
 
 /// The corrections of these problems, which were made.
-pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = Mend> + '_ {
+pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = SessionCorrection> + '_ {
     problems.iter().filter_map(|problem| problem.mend.clone())
 }
 

@@ -9,19 +9,19 @@ use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::model::rigid_motion::best_rigid_motion;
-use crate::sessions::Mend;
 use crate::sessions::Session;
+use crate::sessions::SessionCorrection;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
 pub(super) struct Hypothesis {
     pub(super) what: Text,
     pub(super) proposal: Text,
-    pub(super) mend: Mend,
+    pub(super) mend: SessionCorrection,
 }
 
 /// A joint whose sign is wrong: what, what to do, and the change.
-pub(super) fn other_way_round(joint: usize) -> (Text, Text, Mend) {
+pub(super) fn other_way_round(joint: usize) -> (Text, Text, SessionCorrection) {
     let (number, factor) = (joint + 1, -1.0);
     (
         text!("joint {joint} counts the other way round", joint = number),
@@ -29,7 +29,7 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, Mend) {
             "reverse the sign of joint {joint} in the robot's description or in the samples",
             joint = number
         ),
-        Mend::ScaleJoint { joint, factor },
+        SessionCorrection::ScaleJoint { joint, factor },
     )
 }
 
@@ -39,7 +39,7 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, Mend) {
 )]
 pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();
-    let mut push = |what: Text, proposal: Text, mend: Mend| {
+    let mut push = |what: Text, proposal: Text, mend: SessionCorrection| {
         all.push(Hypothesis {
             what,
             proposal,
@@ -73,7 +73,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                     "correct the unit in the heading of {column}",
                     column = format!("q{number}")
                 ),
-                Mend::ScaleJoint { joint, factor },
+                SessionCorrection::ScaleJoint { joint, factor },
             );
         }
         for turn in [90.0, -90.0, 180.0] {
@@ -88,7 +88,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                     turn = format!("{turn}°"),
                     joint = number
                 ),
-                Mend::TurnHome {
+                SessionCorrection::TurnHome {
                     joint,
                     by_rad: rad_from_deg(turn),
                 },
@@ -108,7 +108,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         push(
             text!("the measured coordinates are {what}", what = what),
             text!("correct the unit in the headings of x, y and z"),
-            Mend::ScaleLengths(factor),
+            SessionCorrection::ScaleLengths(factor),
         );
     }
     if session.samples.z_mm.is_some() {
@@ -122,7 +122,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(
                 text!("the measured axes {what} are swapped", what = what),
                 text!("exchange the headings of the measured columns"),
-                Mend::Reorder(order),
+                SessionCorrection::Reorder(order),
             );
         }
     } else {
@@ -132,7 +132,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                 what = phrase!("x and y")
             ),
             text!("exchange the headings of the measured columns"),
-            Mend::Reorder([1, 0, 2]),
+            SessionCorrection::Reorder([1, 0, 2]),
         );
     }
     if let Some(frame) = misaligned_frame(session) {
@@ -145,7 +145,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                 turn = format!("{turn:.2}°"),
                 shift = format!("{:.2}, {:.2}, {:.2} mm", t.x, t.y, t.z)
             ),
-            Mend::FreeFrame,
+            SessionCorrection::FreeFrame,
         );
     }
     all

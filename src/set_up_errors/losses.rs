@@ -9,8 +9,8 @@ use crate::effects::{Term, joint_zero};
 use crate::fit::problem::{Problem, unusable};
 use crate::fit::{base_model, fit_without_outliers};
 use crate::model::Model;
-use crate::sessions::Mend;
 use crate::sessions::Session;
+use crate::sessions::SessionCorrection;
 use crate::text::Text;
 
 use super::DataProblem;
@@ -31,7 +31,7 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
         ),
         evidence: text!("it wrote 0, 0, 0"),
         proposal: text!("these samples are left out; measure them again"),
-        mend: Some(Mend::Remove(lost.clone())),
+        mend: Some(SessionCorrection::Remove(lost.clone())),
         samples: lost,
     });
 }
@@ -89,7 +89,7 @@ pub(super) fn mislocked(
                 proposal: text!(
                     "these samples are left out; correct their target or measure them again"
                 ),
-                mend: Some(Mend::Remove(close.clone())),
+                mend: Some(SessionCorrection::Remove(close.clone())),
                 samples: close,
             });
         }
@@ -111,7 +111,7 @@ pub(super) fn mislocked(
             ),
             evidence: text!("the measured point stays while the robot moves"),
             proposal: text!("these samples are left out; measure them again"),
-            mend: Some(Mend::Remove(stuck.clone())),
+            mend: Some(SessionCorrection::Remove(stuck.clone())),
             samples: stuck,
         });
     }

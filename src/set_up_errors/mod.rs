@@ -27,7 +27,7 @@ use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::row_checks;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 use crate::units::rad_from_deg;
 pub use corrected::Mended;
@@ -76,7 +76,7 @@ pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
 pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> Mended<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
-    let mut made: Vec<Mend> = made_for(&problems).collect();
+    let mut made: Vec<SessionCorrection> = made_for(&problems).collect();
     // What is only said from here on was not made.
     let mut known = problems.len();
     let whole_points = has_enough_points(raw, joint_values);

@@ -6,7 +6,7 @@
 
 use crate::document::{Member, Value, object, text_of};
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::format_v1::robot::ROBOT;
+use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::simulation::scenario::NoiseKind;
 
 /// Reflectors in the tool frame, mm: none on the last axis, where it would not show a turn about it.

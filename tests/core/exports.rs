@@ -328,7 +328,7 @@ fn without_a_tolerance_the_models_own_gap_stands_in() {
         )],
     );
     calibration.tolerance_mm = None;
-    calibration.history = vec![truepose::model::GapStep {
+    calibration.history = vec![truepose::model::ResidualStep {
         what: "model".to_owned(),
         gap_mm: 0.5,
         held_out_mm: None,

@@ -500,7 +500,7 @@ fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_ou
     );
     let mut worse = good.clone();
     let last = worse.history.last().unwrap().clone();
-    worse.history.push(truepose::model::GapStep {
+    worse.history.push(truepose::model::ResidualStep {
         gap_mm: 1.5 * last.gap_mm,
         ..last
     });

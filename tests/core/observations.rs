@@ -830,7 +830,7 @@ fn figures_in_mm_are_of_lengths_or_of_directions_and_never_of_both() {
 
 #[test]
 fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
-    use truepose::sessions::{Group, Mend};
+    use truepose::sessions::{Group, SessionCorrection};
     let half_of = |session: &Session, group: Group, index: usize| -> Vec<usize> {
         let rows = 0..session.samples.len();
         let own: Vec<usize> = rows
@@ -865,8 +865,8 @@ fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
         assert!(said[0].starts_with(&name), "{said:?}");
         let mend = mended.problems[0].mend.clone().unwrap();
         match (from, &mend) {
-            (None, Mend::Free { .. }) => {}
-            (Some(first), Mend::Split { from, .. }) => {
+            (None, SessionCorrection::Free { .. }) => {}
+            (Some(first), SessionCorrection::Split { from, .. }) => {
                 assert!(from.abs_diff(first) <= 3, "{mend:?}");
             }
             _ => panic!("{mend:?}"),

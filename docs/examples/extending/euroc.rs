@@ -5,7 +5,7 @@ use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{Case, Known};
+use crate::importers::settings::{ReadContext, Known};
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -22,7 +22,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a trajectory.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width < 8 {
         let found = format!("{} columns", grid.width);

@@ -9,14 +9,14 @@ use super::touch::Touch;
 use crate::effects::Place;
 use crate::effects::places::unit_normal;
 use crate::lanes::dot;
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Height;
 
 static ABOUT: AboutKind = AboutKind {
     name: "height",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,
     shows_length: true,

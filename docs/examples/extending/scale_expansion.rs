@@ -23,7 +23,7 @@ const ABOUT: About = About {
     confused_with: "a scale error: another temperature separates them",
     check: phrase!("the material of the scale, and the controller's temperature compensation"),
     needs: &[Need::PRISMATIC, Need::TEMPERATURE],
-    told_by: &[Condition::Temperature],
+    distinguished_by: &[Condition::Temperature],
     ..About::PLAIN
 };
 

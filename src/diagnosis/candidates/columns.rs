@@ -228,7 +228,7 @@ impl Columns {
     ) -> DMatrix<f64> {
         let mut own = self.raw(first, count);
         filter.whiten(own.as_mut_slice());
-        lengthened(own, more)
+        pad_rows(own, more)
     }
 
     /// Products of whitened columns with vectors of all rows, a row of products for each; zero for the others.
@@ -359,7 +359,7 @@ impl Group {
 }
 
 /// A matrix with so many rows of zeros more.
-pub(crate) fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
+pub(crate) fn pad_rows(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
     if more == 0 {
         return columns;
     }
@@ -434,7 +434,7 @@ mod tests {
             assert!((columns.raw(at, expected.ncols()) - expected).norm() < 1e-12);
             let mut white = expected.clone();
             filter.whiten(white.as_mut_slice());
-            let white = lengthened(white, 2);
+            let white = pad_rows(white, 2);
             assert!((columns.white(&filter, at, white.ncols(), 2) - &white).norm() < 1e-12);
             let products = z.tr_mul(&white);
             let own = all.columns(at, white.ncols());

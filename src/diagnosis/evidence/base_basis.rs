@@ -22,7 +22,7 @@ use crate::side_by_side::Threads;
 /// sum of squares by its square.
 const NEAR: f64 = 5e-3;
 
-pub(crate) struct OfBase {
+pub(crate) struct BaseBasis {
     /// Whitened, at the base's coefficients.
     columns: DMatrix<f64>,
     basis: Arc<Basis>,
@@ -30,7 +30,7 @@ pub(crate) struct OfBase {
     along: [OnceCell<DMatrix<f64>>; 2],
 }
 
-impl OfBase {
+impl BaseBasis {
     pub(crate) fn new(columns: DMatrix<f64>) -> Self {
         Self {
             basis: Arc::new(Basis::new(&columns)),
@@ -166,7 +166,7 @@ mod tests {
         assert!((left - fit.rss).abs() < 1e-4, "{left} {}", fit.rss);
 
         // Columns of a robot that stands elsewhere are others.
-        let of_base = OfBase::new(
+        let base_basis = BaseBasis::new(
             regression
                 .whitened(&base.model, &raw, &regression.raw(&base.model).1)
                 .1,
@@ -178,6 +178,6 @@ mod tests {
         let moved = base.model.stepped(&elsewhere);
         let (raw, columns) = regression.raw(&moved);
         let (_, columns) = regression.whitened(&moved, &raw, &columns);
-        assert!(of_base.extended(&base.model, &moved, &columns).is_none());
+        assert!(base_basis.extended(&base.model, &moved, &columns).is_none());
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use std::rc::Rc;
 
 use super::fit::Fit;
-use super::likelihood::{PRICE_OF_A_NAME, price_of};
+use super::likelihood::{EFFECT_PRIOR_PENALTY, price_of};
 use super::regression::Regression;
 use super::score::Score;
 use super::surroundings::{Surroundings, Without};
@@ -49,7 +49,7 @@ impl Regression<'_> {
             if terms.iter().any(|t| t.same_column(own)) {
                 columns.extend(first..first + size);
                 coefficients.extend_from_slice(&own.coefficients);
-                price += PRICE_OF_A_NAME + self.price_of_term(own);
+                price += EFFECT_PRIOR_PENALTY + self.price_of_term(own);
             }
             first += size;
         }

@@ -109,8 +109,8 @@ impl Regression<'_> {
             || Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))),
             |place| place.basis,
         );
-        let ln_evidence =
-            self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
+        let ln_evidence = self.ln_evidence(&model, &shapes, rss, basis.rank())
+            + self.subset_selection_credit(&model, &basis, rss);
         let fit = Fit {
             model,
             shapes,
@@ -141,7 +141,7 @@ impl Regression<'_> {
             first += shape.white.ncols();
         }
         let extended = with_the_bases_own
-            .then(|| self.of_base().extended(&self.base, model, &all))
+            .then(|| self.base_basis().extended(&self.base, model, &all))
             .flatten();
         let basis = Arc::new(extended.unwrap_or_else(|| Basis::new(&all)));
         all.resize_horizontally_mut(own, 0.0);

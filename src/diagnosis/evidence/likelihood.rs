@@ -18,11 +18,11 @@ use crate::diagnosis::candidates::Placed;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.
-pub(crate) const PRICE_OF_A_NAME: f64 = 3.0;
+pub(crate) const EFFECT_PRIOR_PENALTY: f64 = 3.0;
 /// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty
 /// times …
 /// Calibrated (`hidden_effects unknown`, `strange`): beside two names a shape is simpler.
-const PRICE_OF_A_SHAPE: f64 = 3.5 + PRICE_OF_A_NAME;
+const PRICE_OF_A_SHAPE: f64 = 3.5 + EFFECT_PRIOR_PENALTY;
 /// … and this much more for each setting that is fitted finely.
 /// Derived: half the logarithm of the number of resolved settings between two points of a scan
 /// (some twenty).
@@ -49,9 +49,13 @@ impl Regression<'_> {
         rank: usize,
     ) -> f64 {
         let m = self.m();
-        let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
+        let base_basis = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
         let names = model.terms().iter().map(|t| {
-            let name = if of_base(t) { 0.0 } else { PRICE_OF_A_NAME };
+            let name = if base_basis(t) {
+                0.0
+            } else {
+                EFFECT_PRIOR_PENALTY
+            };
             name + self.price_of_term(t)
         });
         let anonymous = shapes
@@ -68,9 +72,9 @@ impl Regression<'_> {
     /// By how much too much the terms that were added pay: a vector of which one component is there
     /// carries the information of one column and not of three. Each pays for its best subset of
     /// components, and for the choice of it. What cannot be negative and is pays everything.
-    pub(super) fn spared(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
+    pub(super) fn subset_selection_credit(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
         let mut first = 0;
-        let mut spared = 0.0;
+        let mut subset_selection_credit = 0.0;
         let mut covariance: Option<DMatrix<f64>> = None;
         for term in model.terms() {
             let own = first..first + term.coefficients.len();
@@ -78,11 +82,11 @@ impl Regression<'_> {
             if self.base.terms().iter().any(|b| b.same_column(term)) {
                 continue;
             }
-            if term.effect.about().never_negative && term.coefficients[0] < 0.0 {
+            if term.effect.about().non_negative && term.coefficients[0] < 0.0 {
                 return f64::NEG_INFINITY;
             }
             let vector = matches!(term.effect.about().form, Form::Plain(q) if q.len() > 1);
-            if vector && term.effect.about().never_negative {
+            if vector && term.effect.about().non_negative {
                 // What the effect is named for has to be there: the others alone are something else.
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());
                 let variance = all[(own.start, own.start)] * self.rounded(rss) / self.m();
@@ -114,9 +118,9 @@ impl Regression<'_> {
                     )
                 })
                 .fold(0.0, f64::max);
-            spared += best;
+            subset_selection_credit += best;
         }
-        spared
+        subset_selection_credit
     }
 
     /// A sum of squares cannot say more than the rounding of the numbers in a file.

@@ -38,7 +38,7 @@ mod work;
 pub(crate) use familywise::FamilyP;
 pub(crate) use fit::Fit;
 pub(crate) use held_out::Folds;
-pub(crate) use likelihood::PRICE_OF_A_NAME;
+pub(crate) use likelihood::EFFECT_PRIOR_PENALTY;
 pub(crate) use projected::units_beside;
 pub(crate) use regression::Regression;
 pub(crate) use score::{Score, by_odds, weight_of};

@@ -6,13 +6,13 @@ use nalgebra::{DMatrix, DVector};
 
 use super::regression::Regression;
 use crate::diagnosis::candidates::Placed;
-use crate::diagnosis::candidates::columns::lengthened;
+use crate::diagnosis::candidates::columns::pad_rows;
 
 impl Regression<'_> {
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let mut raw = self.table.space.columns(&shape);
-        let mut white = lengthened(self.noise.whitened(&self.rows, &raw), self.beside);
+        let mut white = pad_rows(self.noise.whitened(&self.rows, &raw), self.beside);
         let several = self.base.robot.joints.len() > 1;
         if several && matches!(shape.profile, Profile::Curve { .. }) {
             self.take_out_the_geometry(&mut raw, &mut white);

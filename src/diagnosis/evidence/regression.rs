@@ -11,7 +11,7 @@ use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
-use super::base_basis::OfBase;
+use super::base_basis::BaseBasis;
 use super::fit::Fit;
 use super::known_fits::KnownFits;
 use super::memo::Memo;
@@ -22,7 +22,7 @@ use super::score::Score;
 use super::significance::Tests;
 use super::surroundings::Surroundings;
 use super::work::Work;
-use crate::diagnosis::candidates::columns::lengthened;
+use crate::diagnosis::candidates::columns::pad_rows;
 use crate::diagnosis::candidates::table::{Table, What};
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
@@ -35,7 +35,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) table: Rc<Table>,
     pub(crate) filter: Filter,
     pub(super) grams: OnceCell<Grams>,
-    of_base: OnceCell<OfBase>,
+    base_basis: OnceCell<BaseBasis>,
     pub(crate) tests: Rc<Tests>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
@@ -112,7 +112,7 @@ impl<'a> Regression<'a> {
             table,
             filter,
             grams: OnceCell::new(),
-            of_base: OnceCell::new(),
+            base_basis: OnceCell::new(),
             tests: Rc::default(),
             base,
             priors,
@@ -176,7 +176,7 @@ impl<'a> Regression<'a> {
         columns: &DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
         let m = self.rows.len();
-        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), self.beside);
+        let mut jacobian = pad_rows(self.noise.whitened(&self.rows, columns), self.beside);
         let mut first = 0;
         for term in model.terms() {
             for (row, prior) in self.priors.iter().enumerate() {
@@ -224,10 +224,10 @@ impl<'a> Regression<'a> {
         *self.familywise.borrow_mut() = Familywise::default();
     }
 
-    pub(crate) fn of_base(&self) -> &OfBase {
-        self.of_base.get_or_init(|| {
+    pub(crate) fn base_basis(&self) -> &BaseBasis {
+        self.base_basis.get_or_init(|| {
             let (raw, columns) = self.raw(&self.base);
-            OfBase::new(self.whitened(&self.base, &raw, &columns).1)
+            BaseBasis::new(self.whitened(&self.base, &raw, &columns).1)
         })
     }
 
@@ -258,8 +258,12 @@ impl<'a> Regression<'a> {
 
     /// Terms that the search added, in the order of the model.
     pub(crate) fn added<'f>(&self, fit: &'f Fit) -> Vec<&'f Term> {
-        let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
-        fit.model.terms().iter().filter(|t| !of_base(t)).collect()
+        let base_basis = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
+        fit.model
+            .terms()
+            .iter()
+            .filter(|t| !base_basis(t))
+            .collect()
     }
 
     /// Estimated standard deviation of a whitened row.

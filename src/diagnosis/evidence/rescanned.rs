@@ -2,7 +2,7 @@
 //!
 //! The step of a fit without some rows is taken from where the fit ended, with the columns that it has there; its
 //! shapes are solved for afresh, so that what is to be explained is what the model alone leaves. Where the base's own
-//! columns are near enough they tell whether any setting is another ([`OfBase`](super::base_basis::OfBase)); a setting is
+//! columns are near enough they tell whether any setting is another ([`BaseBasis`](super::base_basis::BaseBasis)); a setting is
 //! exchanged beside the fit's own.
 
 use crate::effects::{Setting, Term};
@@ -133,8 +133,8 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let bases = (1 + terms.len()) * 4 * more + 4 * settings;
         let products = OF_THE_COLUMNS + bases as f64;
         regression.work.did((height * width) as f64 * products);
-        let of_base = regression.of_base();
-        let basis = of_base.extended(&regression.base, &fit.model, &whole.white);
+        let base_basis = regression.base_basis();
+        let basis = base_basis.extended(&regression.base, &fit.model, &whole.white);
         let basis = basis.unwrap_or_else(|| Basis::new(&whole.white));
         Self {
             told: Told::new(basis, &terms),

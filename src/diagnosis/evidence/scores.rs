@@ -9,12 +9,12 @@ use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
 use super::fit::Fit;
-use super::likelihood::{PRICE_OF_A_NAME, choices, price_of, subsets};
+use super::likelihood::{EFFECT_PRIOR_PENALTY, choices, price_of, subsets};
 use super::projected::{Grams, Projected};
 use super::regression::Regression;
 use super::score::{Score, weight_of};
 use super::significance::Significance;
-use crate::diagnosis::candidates::columns::{Among, lengthened};
+use crate::diagnosis::candidates::columns::{Among, pad_rows};
 use crate::diagnosis::candidates::table::{Candidate, What};
 
 /// By how much a candidate lowers the sum of squares.
@@ -94,7 +94,7 @@ impl Regression<'_> {
                 ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
-                        What::Named(_) => PRICE_OF_A_NAME,
+                        What::Named(_) => EFFECT_PRIOR_PENALTY,
                         What::Anonymous(shape) => price_of(shape),
                     },
             });
@@ -108,9 +108,12 @@ impl Regression<'_> {
         let make = || Grams::new(columns, filter, &self.table.candidates);
         let table = (columns, filter, self.grams.get_or_init(make));
         let along = self
-            .of_base()
+            .base_basis()
             .along((columns, filter), basis, among, self.threads);
-        let more = basis.rank().saturating_sub(self.of_base().basis().rank()) + 8;
+        let more = basis
+            .rank()
+            .saturating_sub(self.base_basis().basis().rank())
+            + 8;
         self.work
             .did((columns.count() * self.rows.samples.len() * more) as f64);
         Projected::new(table, basis, along, among)
@@ -151,7 +154,7 @@ impl Regression<'_> {
 
     /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
     pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
-        lengthened(self.noise.whitened(&self.rows, raw), self.beside)
+        pad_rows(self.noise.whitened(&self.rows, raw), self.beside)
     }
 
     /// Whitened columns of some candidates, with the rows of the priors.
@@ -165,7 +168,7 @@ impl Regression<'_> {
             at += candidate.size;
         }
         self.filter.whiten(raw.as_mut_slice());
-        lengthened(raw, self.beside)
+        pad_rows(raw, self.beside)
     }
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
@@ -181,7 +184,7 @@ impl Regression<'_> {
         }
         let pull = &pulls[candidate.first..candidate.first + k];
         let about = candidate.what.term().map(|t| t.effect.about());
-        if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
+        if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.non_negative) {
             return None;
         }
         let all = small_gain(&factor, k, &mut pull.to_vec());

@@ -12,8 +12,8 @@ use crate::effects::{Setting, Term};
 use crate::diagnosis::candidates::columns::Among;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::Candidate;
+use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::PRICE_OF_A_NAME;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::rival::{Rival, UNDECIDED, name};
 use crate::diagnosis::evidence::units_beside;
@@ -265,7 +265,7 @@ fn best_pairs(
     let hopeless = |bound: f64, price: f64| worth(4.0 * bound, 2, price) < enough;
     // Nothing is made of candidates of which none may be the better one of a pair.
     let best = scores.iter().map(|s| s.gain).fold(0.0, f64::max);
-    if hopeless(2.0 * MORE * best, 2.0 * PRICE_OF_A_NAME) {
+    if hopeless(2.0 * MORE * best, 2.0 * EFFECT_PRIOR_PENALTY) {
         return Vec::new();
     }
     let list: Vec<usize> = scores.iter().map(|s| s.candidate).collect();
@@ -286,7 +286,7 @@ fn best_pairs(
             };
             let k = unit.ncols();
             let h = unit.tr_mul(&rest.residual);
-            let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * PRICE_OF_A_NAME);
+            let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * EFFECT_PRIOR_PENALTY);
             all.extend(unit.as_slice());
             if may_be_better {
                 better.extend(unit.as_slice());
@@ -314,7 +314,8 @@ fn best_pairs(
                 &regression.table.candidates[a.candidate],
                 &regression.table.candidates[b.candidate],
             );
-            let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln() + 2.0 * PRICE_OF_A_NAME;
+            let price =
+                ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln() + 2.0 * EFFECT_PRIOR_PENALTY;
             if hopeless(a.h.norm_squared() + b.h.norm_squared(), price) {
                 continue;
             }

@@ -35,7 +35,7 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
     if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
         let shapes = found.fit.shapes.clone();
-        found.names_only = alone;
+        found.named_effects_only = alone;
         found.fit = regression.fit(&regression.base, &shapes);
         return;
     }
@@ -46,7 +46,7 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let floor = floor(prepared, &found.fit);
     let more = left_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
     if floor.from != FloorFrom::Estimated && more {
-        found.names_only = std::mem::replace(&mut found.fit, base);
+        found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
     }
 }

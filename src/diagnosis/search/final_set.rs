@@ -90,7 +90,7 @@ pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
 
 /// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
 /// to it, and one with which the error on unseen samples does not fall is taken out.
-pub(crate) fn as_said(
+pub(crate) fn test_as_reported(
     prepared: &Prepared,
     found: &mut Found,
     watch: Watch,
@@ -170,12 +170,12 @@ fn denied_by_stretches(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
 pub(crate) fn said(prepared: &Prepared, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
     let mut found = Found {
-        names_only: fit.clone(),
+        named_effects_only: fit.clone(),
         fit: tested(prepared, fit, watch).ok()?,
         base_misfit: false,
         other_ends: Vec::new(),
     };
-    as_said(prepared, &mut found, watch).ok()?;
+    test_as_reported(prepared, &mut found, watch).ok()?;
     Some(found.fit)
 }
 
@@ -210,12 +210,12 @@ mod tests {
             fit = regression.with(&fit, what);
         }
         let mut found = Found {
-            names_only: fit.clone(),
+            named_effects_only: fit.clone(),
             fit,
             base_misfit: false,
             other_ends: Vec::new(),
         };
-        as_said(&prepared, &mut found, &|_| true).unwrap();
+        test_as_reported(&prepared, &mut found, &|_| true).unwrap();
         let added = regression.added(&found.fit);
         added.iter().map(|t| t.effect.about().id).collect()
     }

@@ -70,14 +70,14 @@ impl Search<'_, '_> {
             found: Vec::new(),
             percent: 0,
         })?;
-        let mut names_only = self.forward(base.clone(), Allow::Names)?;
-        names_only = self.pairs(names_only)?;
+        let mut named_effects_only = self.forward(base.clone(), Allow::Names)?;
+        named_effects_only = self.pairs(named_effects_only)?;
         // Names first, then what they leave; and everything at once from the start.
-        let extended = self.forward(names_only.clone(), Allow::Everything)?;
+        let extended = self.forward(named_effects_only.clone(), Allow::Everything)?;
         let work = &self.regression.work;
         let complete = work.ended().is_none();
         let free = self.forward(base, Allow::Everything)?;
-        let mut fit = names_only.clone();
+        let mut fit = named_effects_only.clone();
         for other in [extended, free] {
             let other = self.pairs(other)?;
             if other.ln_evidence > fit.ln_evidence + 1e-6 {
@@ -90,7 +90,7 @@ impl Search<'_, '_> {
         }
         Ok(Found {
             fit,
-            names_only,
+            named_effects_only,
             base_misfit: false,
             other_ends: Vec::new(),
         })
@@ -99,15 +99,19 @@ impl Search<'_, '_> {
     /// Goes on from where a search under nearly the same noise has ended.
     pub(crate) fn go_on(&self, from: &Found) -> Result<Found, Cancelled> {
         let fit = self.on_from(&from.fit, Allow::Everything)?;
-        let names_only = if fit.shapes.is_empty() {
+        let named_effects_only = if fit.shapes.is_empty() {
             fit.clone()
         } else {
-            self.on_from(&from.names_only, Allow::Names)?
+            self.on_from(&from.named_effects_only, Allow::Names)?
         };
-        let likelier = names_only.ln_evidence > fit.ln_evidence;
+        let likelier = named_effects_only.ln_evidence > fit.ln_evidence;
         Ok(Found {
-            fit: if likelier { names_only.clone() } else { fit },
-            names_only,
+            fit: if likelier {
+                named_effects_only.clone()
+            } else {
+                fit
+            },
+            named_effects_only,
             base_misfit: false,
             other_ends: Vec::new(),
         })
@@ -163,7 +167,7 @@ impl Search<'_, '_> {
     /// The likeliest candidate that is significant, holds on unseen samples and matters.
     fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
         let mut scores = self.regression.scan(fit, allow.among());
-        self.may_join(fit, allow, &mut scores);
+        self.retain_compatible(fit, allow, &mut scores);
         by_odds(&mut scores);
         let unseen = self.unseen(fit);
         let mattering = scores.iter().filter(|s| self.matters(s.gain, fit));
@@ -244,7 +248,7 @@ impl Search<'_, '_> {
     }
 
     /// The candidates that may stand beside what a fit has.
-    fn may_join(&self, fit: &Fit, allow: Allow, scores: &mut Vec<Score>) {
+    fn retain_compatible(&self, fit: &Fit, allow: Allow, scores: &mut Vec<Score>) {
         let there = self.regression.added(fit);
         let candidates = &self.regression.table.candidates;
         scores.retain(|score| match &candidates[score.candidate].what {
@@ -350,7 +354,7 @@ impl Search<'_, '_> {
         than: f64,
     ) -> Option<Fit> {
         scores.retain(|s| rest.ln_evidence + s.ln_odds > than - NEAR - FIRST_ORDER);
-        self.may_join(rest, allow, &mut scores);
+        self.retain_compatible(rest, allow, &mut scores);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
         for (_, next) in self.possible(rest, scores.iter()).take(3) {
@@ -436,7 +440,7 @@ const NEEDED: f64 = 1.0;
 const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
 /// … and more so where both follow the value of the same joint: what is unknown there may have any
 /// form, and most of it looks like some name.
-const NEEDED_BESIDE_ITS_LIKE: f64 = 15.0;
+const MIN_LOG_ODDS_SAME_VARIABLE: f64 = 15.0;
 
 /// Log-odds by which a name has to be needed in a fit.
 pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
@@ -446,7 +450,7 @@ pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
             && matches!(s.shape.variable, Variable::Joint(j) if j == term.joint || !about.per_joint)
     };
     if fit.shapes.iter().any(alike) {
-        NEEDED_BESIDE_ITS_LIKE
+        MIN_LOG_ODDS_SAME_VARIABLE
     } else if fit.shapes.is_empty() {
         NEEDED
     } else {
@@ -478,7 +482,7 @@ impl<'a> Prepared<'a> {
     pub(crate) fn search_on(&self, from: &Found, watch: Watch) -> Result<Found, DiagnoseError> {
         let from = Found {
             fit: self.refitted(&from.fit),
-            names_only: self.refitted(&from.names_only),
+            named_effects_only: self.refitted(&from.named_effects_only),
             base_misfit: false,
             other_ends: Vec::new(),
         };
@@ -549,7 +553,7 @@ mod tests {
         };
         let base = regression.fit(&regression.base, &[]);
         let mut scores = regression.scan(&base, Allow::Names.among());
-        search.may_join(&base, Allow::Names, &mut scores);
+        search.retain_compatible(&base, Allow::Names, &mut scores);
         by_odds(&mut scores);
         let first = search.regression.refined(&base, scores[0].candidate);
         let first = regression.with(&base, &first);

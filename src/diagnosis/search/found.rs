@@ -7,7 +7,7 @@ pub(crate) struct Found {
     /// The model with everything that is accepted.
     pub(crate) fit: Fit,
     /// The best model of names alone.
-    pub(crate) names_only: Fit,
+    pub(crate) named_effects_only: Fit,
     /// Whether the names were withdrawn, as the geometry of several joints does not fit.
     pub(crate) base_misfit: bool,
     /// Ends of other searches, under another noise, that the samples do not rule out.

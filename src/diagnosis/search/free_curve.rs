@@ -10,14 +10,14 @@ use crate::effects::{Over, Term};
 use super::found::Found;
 use super::prepare::Prepared;
 use super::smooth;
+use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::PRICE_OF_A_NAME;
 use crate::diagnosis::evidence::Regression;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
 /// size, roughness). Names are as many as they are; no further preference is needed.
-const PRICE: f64 = PRICE_OF_A_NAME + 3.0;
+const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
 /// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
 const FEWEST_COLUMNS: usize = 3;
 /// Pieces of the curve that takes the names' place in the fit, at most.
@@ -92,7 +92,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
     }
     best.map(|fit| Found {
         fit,
-        names_only: regression.fit(&found.names_only.model, &[]),
+        named_effects_only: regression.fit(&found.named_effects_only.model, &[]),
         other_ends: Vec::new(),
         base_misfit: false,
     })

@@ -15,7 +15,7 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let several = !regression.added(&found.fit).is_empty() || !found.fit.shapes.is_empty();
     if several && is_gross(left_mm(prepared, &found.fit), size_mm(prepared)) {
         let base = regression.fit(&regression.base, &[]);
-        found.names_only = std::mem::replace(&mut found.fit, base);
+        found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
         found.other_ends.clear();
     }

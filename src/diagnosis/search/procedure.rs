@@ -139,7 +139,7 @@ fn test_at_the_end(
     if final_set::exchanged(prepared, found) {
         final_set::test(prepared, found, watch)?;
     }
-    final_set::as_said(prepared, found, watch)?;
+    final_set::test_as_reported(prepared, found, watch)?;
     Ok(())
 }
 

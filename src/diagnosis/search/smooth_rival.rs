@@ -25,14 +25,14 @@ use crate::linear::{along, own_products, reject_all};
 use super::found::Found;
 use super::free_curve::{follows_only, with_curve};
 use super::prepare::Prepared;
+use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::PRICE_OF_A_NAME;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers.
-const PRICE: f64 = PRICE_OF_A_NAME + 3.0;
+const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
 /// Names of a catalogue are preferred: a curve takes their place from these odds on, as a logarithm. Three true
 /// names near the limit of detection reach 7 (`small` of `tests/reference/wild_confidence.py`).
 const CLEARLY: f64 = 8.0;

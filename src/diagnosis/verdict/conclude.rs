@@ -9,10 +9,10 @@ use crate::fit::expected::expected_error;
 use crate::fit::gap::{Spread, deviations, lengths_mm, suspects};
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
-use crate::model::{GapStep, SetUp};
+use crate::model::{ResidualStep, SetUp};
 use crate::observations::KINDS;
 use crate::observations::figures::{KindFigures, apart_beside};
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
 use super::named_effects::found;
@@ -168,7 +168,7 @@ pub(crate) fn answer(
     let own = &handed_out.values;
     unexplained.correction = smooth::asked(prepared, &unexplained, &own.model.settled());
     let mut history = history(session, &names_gap, &names_held_out, &steps);
-    history.extend(unnamed.as_ref().map(|_| GapStep {
+    history.extend(unnamed.as_ref().map(|_| ResidualStep {
         what: "with what predicts without a name".to_owned(),
         gap_mm: gap.end_mm,
         held_out_mm: held_out.gaps.map(|g| g.end_mm),
@@ -294,18 +294,18 @@ fn values<'a>(
     corrected_for_selection(prepared, with_shapes, values)
 }
 
-fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
-    let mut history = vec![GapStep {
+fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<ResidualStep> {
+    let mut history = vec![ResidualStep {
         what: "nominal robot".to_owned(),
         gap_mm: gap.start_mm,
         held_out_mm: held_out.gaps.map(|g| g.start_mm),
     }];
-    history.push(GapStep {
+    history.push(ResidualStep {
         what: base_in_words(&session.robot).to_owned(),
         gap_mm: gap.identified_mm,
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
     });
-    history.extend(steps.iter().map(|step| GapStep {
+    history.extend(steps.iter().map(|step| ResidualStep {
         what: format!("with {}", step.term.name_on(&session.robot)),
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
@@ -365,7 +365,7 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
 fn set_up(session: &Session, joint_values: JointValues) -> SetUp {
     let made = session.samples.corrected.iter();
     let made = made.flat_map(|corrected| corrected.by.clone());
-    let read = (joint_values == JointValues::Read).then_some(Mend::TakeReadBack);
+    let read = (joint_values == JointValues::Read).then_some(SessionCorrection::TakeReadBack);
     SetUp::new(made.chain(read))
 }
 

@@ -141,15 +141,15 @@ fn noncentrality(critical: f64, k: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::noncentrality;
-    use crate::answers::limits::Sight;
+    use crate::answers::limits::Detectability;
 
     #[test]
     fn absurd_sizes_are_no_limits() {
-        assert_eq!(Sight::of(0.013), Sight::Above(0.013));
-        assert_eq!(Sight::of(0.0), Sight::AtAnySize);
-        assert_eq!(Sight::of(3e-14), Sight::AtAnySize);
+        assert_eq!(Detectability::of(0.013), Detectability::Above(0.013));
+        assert_eq!(Detectability::of(0.0), Detectability::AtAnySize);
+        assert_eq!(Detectability::of(3e-14), Detectability::AtAnySize);
         for size in [1e250, f64::INFINITY, f64::NAN] {
-            assert_eq!(Sight::of(size), Sight::AtNoSize, "{size}");
+            assert_eq!(Detectability::of(size), Detectability::AtNoSize, "{size}");
         }
     }
 

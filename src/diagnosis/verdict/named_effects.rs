@@ -32,11 +32,11 @@ pub(crate) fn found(
         let next = Next::than(prepared, with_shapes, term, &worth);
         let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.ln_odds.max(0.0));
         let next = next.map(|n| n.term.name_on(&regression.base.robot));
-        let p_family = regression.family_p(worth.minus_ln_p, with_shapes);
+        let p_familywise = regression.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
-        let mut says = says(step, &p_family, odds, next.as_deref(), floor);
+        let mut says = says(step, &p_familywise, odds, next.as_deref(), floor);
         if let Some(of) = stated(&regression.base.robot, term) {
             says = text!(
                 "{evidence}; {cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
@@ -58,7 +58,7 @@ pub(crate) fn found(
             joint: about.per_joint.then_some(term.joint + 1),
             parameters: values.parameters_of(term),
             figures: values.model.figures_of(term, &prepared.problem.inputs),
-            p_family,
+            p_familywise,
             share: if explained > 0.0 {
                 (share / explained).clamp(0.0, 1.0)
             } else {

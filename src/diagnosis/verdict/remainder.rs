@@ -31,7 +31,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         added.iter().map(|t| t.name_on(&session.robot)).collect()
     };
     let kept = names(fit);
-    let mut resembles: Vec<String> = names(&end.names_only)
+    let mut resembles: Vec<String> = names(&end.named_effects_only)
         .into_iter()
         .filter(|n| !kept.contains(n))
         .collect();
@@ -111,7 +111,7 @@ fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
     let floor_mm = floor(prepared, &end.fit).mm;
     let left_mm = left_mm(prepared, &end.fit);
     let robot = &prepared.problem.session.robot;
-    let names = prepared.regression.added(&end.names_only);
+    let names = prepared.regression.added(&end.named_effects_only);
     Unexplained {
         present: true,
         rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),

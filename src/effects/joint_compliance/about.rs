@@ -15,7 +15,7 @@ pub(super) const ABOUT: About = About {
     source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
     cause: phrase!("reducer, bearing and shaft wind up under the weight that hangs on the joint"),
     over: Over::Load,
-    never_negative: true,
+    non_negative: true,
     implausible_above: Some(1000.0),
     usual_size: phrase!("1 to 100 µrad/(N·m)"),
     confused_with: phrase!("encoder eccentricity under a single load: a second load parts them"),

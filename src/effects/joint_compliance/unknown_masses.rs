@@ -70,7 +70,7 @@ const ABOUT_SAG: About = About {
     form: Form::Plain(MOMENTS),
     equation: "θ = q + σ(θ), σ what links and load sag, by moments that are fitted",
     // A moment may point anywhere.
-    never_negative: false,
+    non_negative: false,
     // Ten times what 100 µrad/(N·m) sag under 50 N·m.
     implausible_above: Some(50.0),
     ..ABOUT

@@ -6,7 +6,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 use crate::diagnostic::{Place, Rejected};
 use crate::document::{Fields, Member, Node, Path, Value};
-use crate::sessions::files::as_text;
+use crate::sessions::files::open::as_text;
 
 pub(super) const TICKS_PER_TURN: i64 = 4096;
 

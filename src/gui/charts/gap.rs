@@ -4,7 +4,7 @@
 use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
 use crate::gui::help;
 use crate::gui::view::Step;
-use crate::model::GapStep;
+use crate::model::ResidualStep;
 use crate::present::chart::{gap, in_words};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
@@ -13,7 +13,7 @@ pub(crate) struct Gap;
 
 pub(crate) static GAP: Gap = Gap;
 
-fn steps<'a>(scene: &Scene<'a>) -> &'a [GapStep] {
+fn steps<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
     scene
         .answer
         .map_or(&[], |answer| &answer.calibration.history)
@@ -46,7 +46,7 @@ impl Kind for Gap {
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
         let mut chart = chart.ok_or(Missing::new(say!("nothing is identified yet"), ""))?;
         say!("RMS over the fitted samples").clone_into(&mut chart.note);
-        let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
+        let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {
             chart,

@@ -18,7 +18,8 @@ use serde::{Deserialize, Serialize};
 use super::mesh::{self, Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle, thinned};
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::kinematics::{Robot, Visual, robot_from_file, visuals_of_urdf};
-use crate::sessions::files::{self, Refusal};
+use crate::sessions::files::open;
+use crate::sessions::files::open::Refusal;
 
 /// Triangles that are drawn of a robot.
 const DRAWN: usize = 24_000;
@@ -109,7 +110,7 @@ impl Chain {
     /// The chain that the session at this path names, if it names one.
     pub(crate) fn of_session(path: &Path) -> Option<Self> {
         // The reader of sessions says what is wrong with it.
-        let bytes = files::read_document(path).ok()?;
+        let bytes = open::read_document(path).ok()?;
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
         let document: AppearanceFile = serde_json::from_slice(start).ok()?;
         let chain = document.robot.urdf?;
@@ -188,7 +189,7 @@ impl Chain {
         let folder = self.file.parent().filter(|f| !f.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new("."));
         let Some(rest) = name.strip_prefix("package://") else {
-            return files::beside(folder, name).map_err(of_a_mesh);
+            return open::beside(folder, name).map_err(of_a_mesh);
         };
         let (package, rest) = rest.split_once('/').unwrap_or((rest, ""));
         let plain = !package.is_empty() && !package.contains(['\\', ':', '\0']) && package != "..";
@@ -207,7 +208,7 @@ impl Chain {
             let expected = text!("a folder with the name of the package above the URDF file");
             return Err((text!("no package {package}", package = package), expected));
         };
-        files::beside(&found, rest).map_err(of_a_mesh)
+        open::beside(&found, rest).map_err(of_a_mesh)
     }
 }
 
@@ -217,7 +218,7 @@ fn of_a_mesh((found, _): Refusal) -> Refusal {
 }
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, Refusal> {
-    let (file, length) = files::open_regular(path)?;
+    let (file, length) = open::open_regular(path)?;
     if length > MOST_BYTES {
         let expected = text!("a mesh of at most {value} MiB", value = MOST_BYTES >> 20);
         return Err((text!("{length} bytes", length = length), expected));

@@ -11,7 +11,7 @@ use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
     Answer, CompensateError, Differing, Holds, LANGUAGES, ProgramFrames, Request, language_of,
 };
-use crate::sessions::files::read_document;
+use crate::sessions::files::open::read_document;
 
 /// No robot carries more, kg.
 pub(crate) const MOST_KG: f64 = 10_000.0;

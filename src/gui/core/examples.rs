@@ -1,6 +1,6 @@
 //! Sessions that come with the program.
 
-use crate::sessions::bundled::{BUNDLED, Bundled};
+use crate::sessions::files::bundled::{BUNDLED, Bundled};
 use crate::text::{Template, spoken};
 
 /// A session that comes with the program: keys of what is said of it, and its files.

@@ -18,7 +18,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::importers::{ColumnGuess, Inspection, Reading, inspect_watched};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, ReadError};
-use crate::sessions::files;
+use crate::sessions::files::open;
 
 use crate::gui::jobs::Watch;
 
@@ -91,7 +91,7 @@ impl Foreign {
             let refused = Rejected::because(Diagnostic::error(place, found, expected));
             return Some(Err(refused.into()));
         }
-        let bytes = match files::read_document_in(path, part.part(0.0, 0.1)) {
+        let bytes = match open::read_document_in(path, part.part(0.0, 0.1)) {
             Ok(bytes) => bytes,
             Err(ReadError::Rejected(_)) => return None,
             Err(cancelled) => return Some(Err(cancelled)),

@@ -14,7 +14,7 @@ use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
 use crate::present::units::Units;
 use crate::progress::{Part, ReadError};
-use crate::sessions::files;
+use crate::sessions::files::open;
 
 /// What an import brings.
 #[derive(Debug)]
@@ -102,7 +102,7 @@ fn read(typed: &str) -> Result<Option<File>, Rejected> {
         return Ok(None);
     }
     let path = PathBuf::from(typed);
-    let bytes = files::read_document(&path)?;
+    let bytes = open::read_document(&path)?;
     Ok(Some((path, bytes)))
 }
 

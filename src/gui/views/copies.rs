@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
-use crate::diagnosis::{Diagnosis, NextPose, Sight};
+use crate::diagnosis::{Detectability, Diagnosis, NextPose};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::style::tokens::{size, space};
@@ -125,7 +125,7 @@ pub(super) fn found(d: &Diagnosis) -> String {
         for one in &found.parameters {
             let mut cells = estimate(one);
             let odds = [
-                (1.0 / found.p_family.p).round(),
+                (1.0 / found.p_familywise.p).round(),
                 found.odds_over_next,
                 found.share,
             ];
@@ -144,9 +144,9 @@ pub(super) fn limits(d: &Diagnosis) -> String {
         for (full, size) in &limit.sizes {
             let (name, unit) = parameter(full);
             let size = match sight(limit.effect, full, *size) {
-                Sight::Above(size) => Some(size),
-                Sight::AtAnySize => Some(0.0),
-                Sight::AtNoSize => None,
+                Detectability::Above(size) => Some(size),
+                Detectability::AtAnySize => Some(0.0),
+                Detectability::AtNoSize => None,
             };
             let joint = limit.joint.map(|joint| joint + 1);
             let effect = Cell::from(title(limit.effect));

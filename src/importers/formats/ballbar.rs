@@ -12,7 +12,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
 use crate::importers::headings::{Words, is_among, understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -62,7 +62,7 @@ const DISTANCE: Words = "distance dist abstand distanz länge laenge length radi
 const DEVIATION: Words = "deviation abweichung extension";
 
 /// Reads the distances.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
     let mut found: Vec<(Role, bool)> = names.iter().map(|name| role(name)).collect();
@@ -107,7 +107,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
 }
 
 /// The length to add to every reading, mm. `None`: it is asked, or wrong.
-fn nominal_length(case: &mut Case<'_>, is_deviation: bool) -> Option<f64> {
+fn nominal_length(case: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64> {
     match case.reading.options.get(NOMINAL_LENGTH) {
         Some(said) => {
             let value = said

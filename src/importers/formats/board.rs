@@ -22,7 +22,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
 use crate::importers::headings::{understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case, Known};
+use crate::importers::settings::{About, ReadContext, Known};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
@@ -60,7 +60,7 @@ enum Part {
 }
 
 /// Reads the poses.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
     let mut parts: Vec<Part> = names.iter().map(|name| part(name)).collect();
@@ -148,7 +148,7 @@ fn part(heading: &str) -> Part {
 
 /// Makes poses of the tool of what was seen.
 fn into_tool_poses(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     columns: &mut Columns,
     is_turned: bool,
     is_on_tool: bool,
@@ -221,7 +221,7 @@ fn into_tool_poses(
 }
 
 /// The frame is that of the camera or of the board: one that nobody has aligned with the base.
-fn say_frame(case: &mut Case<'_>, columns: &mut Columns, is_on_tool: bool) {
+fn say_frame(case: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool) {
     let (of, frame) = if is_on_tool {
         ("the camera on the tool", "board")
     } else {

@@ -9,7 +9,7 @@ use crate::importers::grid::Grid;
 use crate::importers::joint_names::understand;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Heading, Quantity};
 
 pub(crate) static IMPORTER: Importer = Importer {
@@ -30,7 +30,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a table of measured points.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let (grid, roles) = table(case, true)?;
     let headings = match &grid.header {
         Some((_, names)) => {
@@ -46,13 +46,13 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
 
 /// Reads a table in which no column is required: commands. Without a header, as many columns as the
 /// robot has joints are the joints in their order, a column of names before them.
-pub(crate) fn read_any(case: &mut Case<'_>) -> Option<Columns> {
+pub(crate) fn read_any(case: &mut ReadContext<'_>) -> Option<Columns> {
     let (grid, roles) = table(case, false)?;
     case.columns(&grid, roles)
 }
 
 /// Finds the table and what its columns are.
-fn table<'a>(case: &mut Case<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>)> {
+fn table<'a>(case: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>)> {
     let grid = case.grid()?;
     let roles = match (case.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
@@ -116,7 +116,7 @@ fn own_references(names: &[String], roles: &mut [Role]) {
 }
 
 /// Asks whether what was proposed is right, unless that was said.
-fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Role]) {
+fn propose(case: &mut ReadContext<'_>, names: &[String], roles: &[Role], proposed: &[Role]) {
     let changed: Vec<String> = (names.iter().zip(proposed).zip(roles))
         .filter(|((_, proposed), role)| proposed != role)
         .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
@@ -134,7 +134,7 @@ fn propose(case: &mut Case<'_>, names: &[String], roles: &[Role], proposed: &[Ro
 }
 
 /// Commands without a header: the joints in their order.
-fn headerless_commands(case: &mut Case<'_>, grid: &Grid<'_>) -> Vec<Role> {
+fn headerless_commands(case: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Role> {
     let joints = case.reading.joints.len();
     let is_text = |cells: &Vec<String>| cells.first().is_some_and(|cell| shape(cell).is_none());
     let first = case.found.first_rows.first().is_some_and(is_text);

@@ -14,7 +14,7 @@ use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::reader::{fixed, number};
 use crate::importers::role::Role;
 use crate::importers::rows::{Row, Rows, Separator};
-use crate::importers::settings::{About, Case, ColumnGuess, Known};
+use crate::importers::settings::{About, ReadContext, ColumnGuess, Known};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -58,7 +58,7 @@ fn is_likely(text: &str) -> bool {
 }
 
 /// Reads what was tracked.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     case.found.separator = Some(Separator::Comma);
     case.found.decimal = Some(Decimal::Point);
     let mut rows = Rows::new(case.text, Separator::Comma);
@@ -97,7 +97,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     (!case.is_open()).then_some(columns)
 }
 
-fn key_line(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<Vec<(String, String)>> {
+fn key_line(case: &mut ReadContext<'_>, rows: &mut Rows<'_>) -> Option<Vec<(String, String)>> {
     let mut row = Row::default();
     match rows.next(&mut row) {
         Ok(true) if is_likely(&row.cells[0]) => {}
@@ -134,7 +134,7 @@ fn value_of<'k>(keys: &'k [(String, String)], key: &str) -> Option<&'k str> {
 }
 
 /// The unit of length, by the file or by the person.
-fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
+fn unit(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit> {
     let named = value_of(keys, "length units");
     let by_file = named.and_then(units::word).and_then(|word| match word {
         Word::Unit(unit @ Unit::Length(_)) => Some(unit),
@@ -168,7 +168,7 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
     }
 }
 
-fn rotation_is_quaternion(case: &mut Case<'_>, keys: &[(String, String)]) -> bool {
+fn rotation_is_quaternion(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> bool {
     let rotation = value_of(keys, "rotation type").unwrap_or("Quaternion");
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
@@ -182,7 +182,7 @@ fn rotation_is_quaternion(case: &mut Case<'_>, keys: &[(String, String)]) -> boo
 }
 
 /// The lines down to that of the frames: what is tracked, in the order of the columns.
-fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64)> {
+fn header(case: &mut ReadContext<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64)> {
     let mut lines: Vec<Vec<String>> = Vec::new();
     let mut row = Row::default();
     let frame_line = loop {
@@ -264,7 +264,7 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
 }
 
 /// Takes what the person named, or the only rigid body, or the only marker.
-fn choose(case: &mut Case<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
+fn choose(case: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
     const SHOWN: usize = 100;
     let is_body = |thing: &&Tracked| thing.kind.eq_ignore_ascii_case("rigid body");
     let names: Vec<&str> = tracked.iter().map(|thing| thing.name.as_str()).collect();
@@ -350,7 +350,7 @@ struct Frames {
 }
 
 fn frames(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     rows: Rows<'_>,
     chosen: &[Tracked],
     with_orientation: bool,

@@ -26,7 +26,7 @@ use crate::importers::columns::{Column, Columns, Directions};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::grid::Complaints;
 use crate::importers::role::Role;
-use crate::importers::settings::{Case, ColumnGuess, Known};
+use crate::importers::settings::{ReadContext, ColumnGuess, Known};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
 use crate::sessions::{Azimuth, Lines};
@@ -90,7 +90,7 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
 }
 
 /// Reads the run.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let text = case.text;
     let mut lines = text
         .lines()
@@ -169,7 +169,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     Some(columns(case, values, rows))
 }
 
-fn columns(case: &mut Case<'_>, values: [Vec<f64>; 5], lines: Lines) -> Columns {
+fn columns(case: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -> Columns {
     let degree = Unit::Angle(1.0_f64.to_radians());
     let [azimuth, elevation, mount_azimuth, mount_elevation, rotator] = values;
     let mut list = vec![

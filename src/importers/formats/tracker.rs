@@ -10,7 +10,7 @@ use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::joint_names::understand;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::Quantity;
 
 pub(crate) static IMPORTER: Importer = Importer {
@@ -35,7 +35,7 @@ enum Kind {
 }
 
 /// Reads measured points.
-pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+pub(crate) fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     // Some programs can be told to write a header: then it says.
     let found = roles_by_header(&grid, case).or_else(|| {
@@ -60,7 +60,7 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
 }
 
 /// What a header says, if it says where x and y are.
-fn roles_by_header(grid: &Grid<'_>, case: &Case<'_>) -> Option<Vec<Role>> {
+fn roles_by_header(grid: &Grid<'_>, case: &ReadContext<'_>) -> Option<Vec<Role>> {
     let (_, names) = grid.header.as_ref()?;
     let mut roles: Vec<Role> = names
         .iter()
@@ -72,7 +72,7 @@ fn roles_by_header(grid: &Grid<'_>, case: &Case<'_>) -> Option<Vec<Role>> {
 }
 
 /// What the columns are over the whole file.
-fn kinds(grid: &Grid<'_>, case: &Case<'_>) -> Vec<Kind> {
+fn kinds(grid: &Grid<'_>, case: &ReadContext<'_>) -> Vec<Kind> {
     let mut kinds = vec![Kind::Empty; grid.width];
     // What is wrong with rows is said when they are read.
     let mut ignored = Complaints::default();

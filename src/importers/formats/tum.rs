@@ -5,7 +5,7 @@ use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{Case, Known};
+use crate::importers::settings::{ReadContext, Known};
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -31,7 +31,7 @@ fn suits(trial: &Trial) -> bool {
 }
 
 /// Reads a trajectory.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width != 8 {
         let found = text!(one "{count} column", "{count} columns", count = grid.width);

@@ -13,7 +13,7 @@ use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::curve::{Curve, CurveError, Knots};
 use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
-use crate::sessions::format_v1::robot::outer;
+use crate::sessions::files::format_v1::robot::outer;
 use crate::units::rad_from_deg;
 
 /// Keys of the values and of their standard deviations, by direction.

@@ -9,7 +9,7 @@ use crate::document::object::{At, Kind, Object, written};
 use crate::effects::term::setting_quantity;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, Range, Robot};
-use crate::sessions::format_v1::robot::ROBOT;
+use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::validation;
 
 /// Exact and readable numbers may differ by this part through conversion, not by more.

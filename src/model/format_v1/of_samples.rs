@@ -1,70 +1,76 @@
 //! The corrections of the samples of a model's own session: a name and numbers. Rows, joints, targets and sockets
 //! count from 1.
 
-use crate::sessions::{Group, Mend};
+use crate::sessions::{Group, SessionCorrection};
 
 /// Whole numbers up to here are exact.
 const MOST: f64 = 9e15;
 
 /// A correction as its name and its numbers; `None` where it is a convention of every session.
-pub(super) fn numbers_of(correction: &Mend) -> Option<(&'static str, Vec<f64>)> {
+pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str, Vec<f64>)> {
     let place = |index: usize| index as f64 + 1.0;
     Some(match correction {
-        Mend::Remove(rows) => ("leave-out", rows.iter().map(|row| place(*row)).collect()),
-        Mend::PairRows(shifts) => {
+        SessionCorrection::Remove(rows) => {
+            ("leave-out", rows.iter().map(|row| place(*row)).collect())
+        }
+        SessionCorrection::PairRows(shifts) => {
             let pairs = shifts
                 .iter()
                 .flat_map(|(row, by)| [place(*row), *by as f64]);
             ("pair-rows", pairs.collect())
         }
-        Mend::ScaleSpeed { joint, factor } => ("scale-speed", vec![place(*joint), *factor]),
-        Mend::ScaleLoad(factor) => ("scale-load", vec![*factor]),
-        Mend::ConvertTemperature { factor, offset } => {
+        SessionCorrection::ScaleSpeed { joint, factor } => {
+            ("scale-speed", vec![place(*joint), *factor])
+        }
+        SessionCorrection::ScaleLoad(factor) => ("scale-load", vec![*factor]),
+        SessionCorrection::ConvertTemperature { factor, offset } => {
             ("convert-temperature", vec![*factor, *offset])
         }
-        Mend::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
-        Mend::MoveTarget { target, by_mm } => {
+        SessionCorrection::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
+        SessionCorrection::MoveTarget { target, by_mm } => {
             let numbers = [place(*target)].into_iter().chain(*by_mm);
             ("move-target", numbers.collect())
         }
-        Mend::FreeTargets => ("free-targets", Vec::new()),
-        Mend::Split { group, index, from } => (split_of(*group), vec![place(*index), place(*from)]),
-        Mend::Free { group, index } => (free_of(*group), vec![place(*index)]),
+        SessionCorrection::FreeTargets => ("free-targets", Vec::new()),
+        SessionCorrection::Split { group, index, from } => {
+            (split_of(*group), vec![place(*index), place(*from)])
+        }
+        SessionCorrection::Free { group, index } => (free_of(*group), vec![place(*index)]),
         _ => return None,
     })
 }
 
 /// The correction of this name with these numbers; `None` where there is none.
-pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<Mend> {
+pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrection> {
     Some(match (name, numbers) {
         ("leave-out", rows) => {
-            Mend::Remove(rows.iter().map(|row| index(*row)).collect::<Option<_>>()?)
+            SessionCorrection::Remove(rows.iter().map(|row| index(*row)).collect::<Option<_>>()?)
         }
         ("pair-rows", pairs) if pairs.len() % 2 == 0 => {
             let pair = |pair: &[f64]| Some((index(pair[0])?, shift(pair[1])?));
-            Mend::PairRows(pairs.chunks_exact(2).map(pair).collect::<Option<_>>()?)
+            SessionCorrection::PairRows(pairs.chunks_exact(2).map(pair).collect::<Option<_>>()?)
         }
-        ("scale-speed", [joint, factor]) => Mend::ScaleSpeed {
+        ("scale-speed", [joint, factor]) => SessionCorrection::ScaleSpeed {
             joint: index(*joint)?,
             factor: *factor,
         },
-        ("scale-load", [factor]) => Mend::ScaleLoad(*factor),
-        ("convert-temperature", [factor, offset]) => Mend::ConvertTemperature {
+        ("scale-load", [factor]) => SessionCorrection::ScaleLoad(*factor),
+        ("convert-temperature", [factor, offset]) => SessionCorrection::ConvertTemperature {
             factor: *factor,
             offset: *offset,
         },
-        ("widen-noise", [x, y, z]) => Mend::WidenNoise([*x, *y, *z]),
-        ("move-target", [target, x, y, z]) => Mend::MoveTarget {
+        ("widen-noise", [x, y, z]) => SessionCorrection::WidenNoise([*x, *y, *z]),
+        ("move-target", [target, x, y, z]) => SessionCorrection::MoveTarget {
             target: index(*target)?,
             by_mm: [*x, *y, *z],
         },
-        ("free-targets", []) => Mend::FreeTargets,
-        (name, [group, from]) if name.starts_with("split-") => Mend::Split {
+        ("free-targets", []) => SessionCorrection::FreeTargets,
+        (name, [group, from]) if name.starts_with("split-") => SessionCorrection::Split {
             group: Group::of_name(name.strip_prefix("split-")?)?,
             index: index(*group)?,
             from: index(*from)?,
         },
-        (name, [group]) if name.starts_with("free-") => Mend::Free {
+        (name, [group]) if name.starts_with("free-") => SessionCorrection::Free {
             group: Group::of_name(name.strip_prefix("free-")?)?,
             index: index(*group)?,
         },
@@ -119,29 +125,29 @@ mod tests {
     #[test]
     fn every_correction_of_samples_is_read_back() {
         let all = [
-            Mend::Remove(vec![0, 7]),
-            Mend::PairRows(vec![(3, 1), (9, -2)]),
-            Mend::ScaleSpeed {
+            SessionCorrection::Remove(vec![0, 7]),
+            SessionCorrection::PairRows(vec![(3, 1), (9, -2)]),
+            SessionCorrection::ScaleSpeed {
                 joint: 1,
                 factor: -1.0,
             },
-            Mend::ScaleLoad(0.001),
-            Mend::ConvertTemperature {
+            SessionCorrection::ScaleLoad(0.001),
+            SessionCorrection::ConvertTemperature {
                 factor: 1.0,
                 offset: -273.15,
             },
-            Mend::WidenNoise([0.01, 0.02, 0.0]),
-            Mend::MoveTarget {
+            SessionCorrection::WidenNoise([0.01, 0.02, 0.0]),
+            SessionCorrection::MoveTarget {
                 target: 2,
                 by_mm: [1.0, -2.0, 0.5],
             },
-            Mend::FreeTargets,
-            Mend::Split {
+            SessionCorrection::FreeTargets,
+            SessionCorrection::Split {
                 group: Group::Socket,
                 index: 1,
                 from: 40,
             },
-            Mend::Free {
+            SessionCorrection::Free {
                 group: Group::Anchor,
                 index: 2,
             },
@@ -150,7 +156,7 @@ mod tests {
             let (name, numbers) = numbers_of(&correction).unwrap();
             assert_eq!(of_numbers(name, &numbers), Some(correction));
         }
-        assert_eq!(numbers_of(&Mend::FreeFrame), None);
+        assert_eq!(numbers_of(&SessionCorrection::FreeFrame), None);
         assert_eq!(of_numbers("leave-out", &[0.0]), None);
         assert_eq!(of_numbers("pair-rows", &[1.0]), None);
         assert_eq!(of_numbers("scale-load", &[]), None);

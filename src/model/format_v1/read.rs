@@ -7,10 +7,11 @@ use crate::document::object::{At, Kind, Object, written};
 use crate::document::{Fields, Node, Path, Value, ranges, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
-use crate::model::{Calibration, Conditions, GapStep, Model, RegionalCorrection, SetUp};
-use crate::sessions::files;
-use crate::sessions::format_v1::head::{TARGETS, TOLERANCE_MM, default_targets};
-use crate::sessions::format_v1::robot::{ROBOT, blank};
+use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
+use crate::sessions::default_targets;
+use crate::sessions::files::format_v1::head::{TARGETS, TOLERANCE_MM};
+use crate::sessions::files::format_v1::robot::{ROBOT, blank};
+use crate::sessions::files::open;
 use nalgebra::DMatrix;
 use serde::Deserializer as _;
 use serde::de::{IgnoredAny, MapAccess, Visitor};
@@ -29,9 +30,9 @@ use super::term::{term, term_written};
 /// expected.
 pub fn load_model(path: impl AsRef<FilePath>) -> Result<Calibration, Rejected> {
     let path = path.as_ref();
-    let bytes = files::read_document(path)?;
+    let bytes = open::read_document(path)?;
     let place = Place::file(path);
-    let text = files::as_text(&bytes, &place)?;
+    let text = open::as_text(&bytes, &place)?;
     read(text, place)
 }
 
@@ -41,7 +42,7 @@ const MODEL: &str = "truepose-model/";
 /// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
 /// which says why.
 pub fn is_model(path: &FilePath) -> bool {
-    let Ok((file, _)) = files::open_regular(path) else {
+    let Ok((file, _)) = open::open_regular(path) else {
         return false;
     };
     let mut tag = Tag(None);
@@ -51,7 +52,7 @@ pub fn is_model(path: &FilePath) -> bool {
     match tag.0 {
         Some(format) => format.starts_with(MODEL),
         // Broken, but it may still say what it was meant to be.
-        None => files::read_document(path)
+        None => open::read_document(path)
             .is_ok_and(|bytes| memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some()),
     }
 }
@@ -382,16 +383,16 @@ const FROM_TO: Kind<Range> = Kind {
     write: |range| [range.from, range.to].into(),
 };
 
-const STEPS: Kind<Vec<GapStep>> = Kind {
+const STEPS: Kind<Vec<ResidualStep>> = Kind {
     expected: phrase!("an array of objects"),
     read: |at| at.list(&STEP),
     write: |all| all.iter().map(STEP.write).collect(),
 };
 
-const STEP: Kind<GapStep> = Kind {
+const STEP: Kind<ResidualStep> = Kind {
     expected: phrase!("an object with what and gap_mm"),
     read: |at| {
-        let blank = GapStep {
+        let blank = ResidualStep {
             what: String::new(),
             gap_mm: f64::NAN,
             held_out_mm: None,
@@ -401,7 +402,7 @@ const STEP: Kind<GapStep> = Kind {
     write: |own| written(own.clone(), step),
 };
 
-fn step(o: &mut Object<'_, '_>, own: &mut GapStep) {
+fn step(o: &mut Object<'_, '_>, own: &mut ResidualStep) {
     o.required("what", &mut own.what, &TEXT);
     o.usual("gap_mm", &mut own.gap_mm, &NUMBER);
     o.usual_or_null("held_out_mm", &mut own.held_out_mm, &NUMBER);

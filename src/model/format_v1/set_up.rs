@@ -4,7 +4,7 @@ use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::object::{At, Kind, written};
 use crate::document::{Member, Value};
 use crate::model::SetUp;
-use crate::sessions::Mend;
+use crate::sessions::SessionCorrection;
 use crate::text::Template;
 
 use super::of_samples::{numbers_of, of_numbers};
@@ -35,7 +35,7 @@ struct Parts {
     values: Vec<f64>,
 }
 
-fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
+fn correction(at: &mut At<'_, '_>) -> Option<SessionCorrection> {
     at.expected = EXPECTED.into();
     let blank = Parts {
         correction: String::new(),
@@ -68,23 +68,23 @@ fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
         return at.wrong();
     }
     Some(match parts.correction.as_str() {
-        "scale-joint" => Mend::ScaleJoint { joint, factor },
-        "scale-joints" => Mend::ScaleJoints { factor },
-        "exchange-joints" => Mend::ExchangeJoints {
+        "scale-joint" => SessionCorrection::ScaleJoint { joint, factor },
+        "scale-joints" => SessionCorrection::ScaleJoints { factor },
+        "exchange-joints" => SessionCorrection::ExchangeJoints {
             first: joint,
             second: other,
         },
-        "couple-joint" => Mend::CoupleJoint {
+        "couple-joint" => SessionCorrection::CoupleJoint {
             joint,
             from: other,
             factor,
         },
-        "take-read-back" => Mend::TakeReadBack,
-        "turn-home" => Mend::TurnHome {
+        "take-read-back" => SessionCorrection::TakeReadBack,
+        "turn-home" => SessionCorrection::TurnHome {
             joint,
             by_rad: parts.by_rad,
         },
-        "scale-lengths" => Mend::ScaleLengths(factor),
+        "scale-lengths" => SessionCorrection::ScaleLengths(factor),
         "reorder" => {
             let mut order = [0; 3];
             for (to, from) in order.iter_mut().zip(parts.order) {
@@ -93,9 +93,9 @@ fn correction(at: &mut At<'_, '_>) -> Option<Mend> {
                 };
                 *to = k;
             }
-            Mend::Reorder(order)
+            SessionCorrection::Reorder(order)
         }
-        "free-frame" => Mend::FreeFrame,
+        "free-frame" => SessionCorrection::FreeFrame,
         name => match of_numbers(name, &parts.values) {
             Some(correction) => correction,
             None => return at.wrong(),
@@ -121,7 +121,7 @@ const THREE: Kind<[f64; 3]> = Kind {
     write: |three| (*three).into(),
 };
 
-fn correction_written(correction: &Mend) -> Value {
+fn correction_written(correction: &SessionCorrection) -> Value {
     let object = |name: &str, members: Vec<Member>| {
         let first = Member::new("correction", name);
         Value::Object([first].into_iter().chain(members).collect())
@@ -129,16 +129,18 @@ fn correction_written(correction: &Mend) -> Value {
     let joint = |key: &'static str, joint: usize| Member::new(key, joint + 1);
     let number = |key: &'static str, value: f64| Member::new(key, value);
     match correction {
-        Mend::ScaleJoint { joint: of, factor } => object(
+        SessionCorrection::ScaleJoint { joint: of, factor } => object(
             "scale-joint",
             vec![joint("joint", *of), number("factor", *factor)],
         ),
-        Mend::ScaleJoints { factor } => object("scale-joints", vec![number("factor", *factor)]),
-        Mend::ExchangeJoints { first, second } => object(
+        SessionCorrection::ScaleJoints { factor } => {
+            object("scale-joints", vec![number("factor", *factor)])
+        }
+        SessionCorrection::ExchangeJoints { first, second } => object(
             "exchange-joints",
             vec![joint("joint", *first), joint("other_joint", *second)],
         ),
-        Mend::CoupleJoint {
+        SessionCorrection::CoupleJoint {
             joint: of,
             from,
             factor,
@@ -150,17 +152,19 @@ fn correction_written(correction: &Mend) -> Value {
                 number("factor", *factor),
             ],
         ),
-        Mend::TakeReadBack => object("take-read-back", Vec::new()),
-        Mend::TurnHome { joint: of, by_rad } => object(
+        SessionCorrection::TakeReadBack => object("take-read-back", Vec::new()),
+        SessionCorrection::TurnHome { joint: of, by_rad } => object(
             "turn-home",
             vec![joint("joint", *of), number("by_rad", *by_rad)],
         ),
-        Mend::ScaleLengths(factor) => object("scale-lengths", vec![number("factor", *factor)]),
-        Mend::Reorder(order) => {
+        SessionCorrection::ScaleLengths(factor) => {
+            object("scale-lengths", vec![number("factor", *factor)])
+        }
+        SessionCorrection::Reorder(order) => {
             let places = order.map(|k| k as f64 + 1.0);
             object("reorder", vec![Member::new("order", places)])
         }
-        Mend::FreeFrame => object("free-frame", Vec::new()),
+        SessionCorrection::FreeFrame => object("free-frame", Vec::new()),
         of_samples => match numbers_of(of_samples) {
             Some((name, values)) => object(
                 name,

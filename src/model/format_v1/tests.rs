@@ -5,8 +5,8 @@ use super::*;
 use crate::effects::about::{Listed, Setting};
 use crate::effects::{CATALOGUE, Inputs, Term};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
-use crate::model::{Calibration, GapStep, Model, RegionalCorrection, SetUp};
-use crate::sessions::{Mend, Target};
+use crate::model::{Calibration, Model, RegionalCorrection, ResidualStep, SetUp};
+use crate::sessions::{SessionCorrection, Target};
 
 fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)
@@ -125,22 +125,22 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
             compensated_by: (number > 0.2).then(|| "0123".to_owned()),
             set_up: if number > 0.3 {
                 SetUp::new([
-                    Mend::PairRows(vec![(3, 1), (9, -2)]),
-                    Mend::Remove(vec![4]),
-                    Mend::WidenNoise([0.1 * number, 0.0, 0.02]),
-                    Mend::FreeTargets,
-                    Mend::TurnHome {
+                    SessionCorrection::PairRows(vec![(3, 1), (9, -2)]),
+                    SessionCorrection::Remove(vec![4]),
+                    SessionCorrection::WidenNoise([0.1 * number, 0.0, 0.02]),
+                    SessionCorrection::FreeTargets,
+                    SessionCorrection::TurnHome {
                         joint: 0,
                         by_rad: number,
                     },
-                    Mend::Reorder([1, 0, 2]),
+                    SessionCorrection::Reorder([1, 0, 2]),
                 ])
             } else {
                 SetUp::default()
             },
             conditions: crate::model::Conditions::default(),
             set_aside: None,
-            history: vec![GapStep {
+            history: vec![ResidualStep {
                 what: "nominal robot".to_owned(),
                 gap_mm: number * 3.0,
                 held_out_mm: None,

@@ -9,14 +9,14 @@ use super::angles;
 use crate::effects::rotation::{left_jacobian, rotation};
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::{cross, dot, minus, times};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
 pub(crate) struct Bearing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "bearing",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Radian,
     usual_sigma: 5e-5,
     shows_length: false,

@@ -6,14 +6,14 @@
 
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::{dot, minus, scaled};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Distance;
 
 static ABOUT: AboutKind = AboutKind {
     name: "distance",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,
     shows_length: true,

@@ -10,14 +10,14 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Orientation;
 
 static ABOUT: AboutKind = AboutKind {
     name: "orientation",
-    looks: Looks::AtAttitude,
+    looks: Observable::AtAttitude,
     unit: Unit::Radian,
     usual_sigma: 5e-4,
     shows_length: false,

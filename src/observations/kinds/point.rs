@@ -11,14 +11,14 @@
 
 use nalgebra::{Cholesky, DMatrix, Matrix3, Vector3};
 
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session, Sigma};
 
 pub(crate) struct Point;
 
 static ABOUT: AboutKind = AboutKind {
     name: "point",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.05,
     shows_length: true,

@@ -8,14 +8,14 @@ use super::bearing::{by_attitude, sense, station, transposed};
 use crate::effects::rotation::rotation;
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::{cross, dot, times};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
 pub(crate) struct Pointing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "pointing",
-    looks: Looks::AtAttitude,
+    looks: Observable::AtAttitude,
     unit: Unit::Radian,
     usual_sigma: 5e-5,
     shows_length: false,

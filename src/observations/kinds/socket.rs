@@ -3,14 +3,14 @@
 
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::minus;
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session, Sigma};
 
 pub(crate) struct Socket;
 
 static ABOUT: AboutKind = AboutKind {
     name: "socket",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.05,
     shows_length: false,

@@ -8,14 +8,14 @@
 use crate::effects::places::unit_normal;
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::{add_scaled, dot, scaled};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, named, put_name};
+use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit, named, put_name};
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Touch;
 
 static ABOUT: AboutKind = AboutKind {
     name: "touch",
-    looks: Looks::AtPoint,
+    looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,
     shows_length: false,

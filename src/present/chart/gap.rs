@@ -3,7 +3,7 @@
 
 use super::{Axis, Chart, Entry, Form, Item, Lengths, Mark, Sign, Stands, Ticks, Word, shortened};
 use crate::effects::find;
-use crate::model::GapStep;
+use crate::model::ResidualStep;
 use crate::present::drawing::Anchor;
 use crate::present::names::{title_of, word};
 use crate::text::within;
@@ -22,7 +22,7 @@ const FOOT: f64 = 0.8;
 /// The steps as bars, with the noise floor and the tolerance as lines; `None` where no step has a
 /// size.
 pub fn gap(
-    steps: &[GapStep],
+    steps: &[ResidualStep],
     floor_mm: Option<f64>,
     tolerance_mm: Option<f64>,
     lengths: Lengths<'_>,
@@ -105,7 +105,7 @@ pub fn gap(
         legend.push(cross_validated());
         items.push(Item::Marks(marks, Stands::Curve, false));
     }
-    let named = |(k, step): (usize, &&GapStep)| (-(k as f64), row(&step.what));
+    let named = |(k, step): (usize, &&ResidualStep)| (-(k as f64), row(&step.what));
     Some(Chart {
         title: say!(in "chart-word", "the gap step by step").to_owned(),
         across: Axis::numbers(format!(
@@ -131,7 +131,7 @@ fn cross_validated() -> Entry {
 }
 
 /// All steps, or the first and the last of many.
-fn ends(steps: &[GapStep]) -> Vec<&GapStep> {
+fn ends(steps: &[ResidualStep]) -> Vec<&ResidualStep> {
     if steps.len() <= MOST {
         return steps.iter().collect();
     }

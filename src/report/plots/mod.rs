@@ -14,7 +14,7 @@ use stages::thinned;
 pub use stages::{Stage, Stages};
 pub use workspace::workspace;
 
-use crate::model::GapStep;
+use crate::model::ResidualStep;
 use crate::present::chart;
 use crate::present::chart::panel::room;
 use crate::present::chart::{Axis, Deviation, Entry, FULL_WIDTH, Lengths, Series, Sign};
@@ -74,7 +74,7 @@ pub fn deviation(stages: &Stages) -> Drawing {
 }
 
 /// The gap step by step.
-pub fn gap(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<f64>) -> Drawing {
+pub fn gap(steps: &[ResidualStep], floor_mm: Option<f64>, tolerance_mm: Option<f64>) -> Drawing {
     let lengths = Lengths {
         unit: "mm",
         per_mm: 1.0,

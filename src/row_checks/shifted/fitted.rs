@@ -5,7 +5,7 @@ use crate::fit::problem::Problem;
 use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::{Model, Positions};
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 
 use super::path::{Path, Points, cost, median};
 
@@ -51,7 +51,7 @@ pub(super) fn fitted(
         session.of_rows(&some)
     } else {
         let mut part = session.clone();
-        Mend::PairRows(path.changes.clone()).apply(&mut part);
+        SessionCorrection::PairRows(path.changes.clone()).apply(&mut part);
         if n > MOST_ROWS {
             part.samples.select(&some);
         }

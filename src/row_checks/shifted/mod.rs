@@ -22,7 +22,7 @@ mod starts;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Inputs, JointValues};
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
 use super::problem::listed;
@@ -208,7 +208,7 @@ impl Found {
                 evidence = format!("{:.0}", self.evidence)
             ),
             proposal,
-            mend: Some(Mend::PairRows(self.path.changes.clone())),
+            mend: Some(SessionCorrection::PairRows(self.path.changes.clone())),
             samples: rows,
         }
     }

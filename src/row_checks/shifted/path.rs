@@ -421,7 +421,7 @@ mod tests {
         ] {
             let path = Path { changes };
             let mut paired = session.clone();
-            crate::sessions::Mend::PairRows(path.changes.clone()).apply(&mut paired);
+            crate::sessions::SessionCorrection::PairRows(path.changes.clone()).apply(&mut paired);
             for row in 0..30 {
                 let expected = path.point_of(row, 30).map_or(f64::NAN, |point| x[point]);
                 assert!(
@@ -431,7 +431,7 @@ mod tests {
             }
         }
         session.samples.select(&[]);
-        crate::sessions::Mend::PairRows(vec![(0, 1), (7, 2)]).apply(&mut session);
+        crate::sessions::SessionCorrection::PairRows(vec![(0, 1), (7, 2)]).apply(&mut session);
         assert!(session.samples.is_empty());
     }
 }

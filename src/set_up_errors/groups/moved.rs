@@ -12,7 +12,7 @@ use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::model::Model;
 use crate::observations::beside::{Beside, MOST_NUMBERS, beside};
-use crate::sessions::{Group, Mend, Session};
+use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
@@ -44,11 +44,11 @@ struct Suspicion {
 }
 
 impl Suspicion {
-    fn mend(&self) -> Mend {
+    fn mend(&self) -> SessionCorrection {
         let (group, index) = (self.group, self.index);
         match self.from {
-            Some(from) => Mend::Split { group, index, from },
-            None => Mend::Free { group, index },
+            Some(from) => SessionCorrection::Split { group, index, from },
+            None => SessionCorrection::Free { group, index },
         }
     }
 

@@ -8,7 +8,7 @@ use crate::fit::base_model;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
-use crate::sessions::{Mend, Session};
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 use crate::text::length;
 
@@ -66,7 +66,7 @@ fn of_an_arm(
         return None;
     }
     let mut free = part.clone();
-    Mend::FreeTargets.apply(&mut free);
+    SessionCorrection::FreeTargets.apply(&mut free);
     let (model, after) = fitted(&free, values)?;
     let own = |t: &&Term| t.effect.about().id == TOOL_POSITION.about().id && t.setting > 0.0;
     let mut places: Vec<(usize, Vector3<f64>)> = model
@@ -104,11 +104,11 @@ fn of_an_arm(
             target,
             by,
             in_numbers(before, after, evidence),
-            Mend::FreeTargets,
+            SessionCorrection::FreeTargets,
         ));
     }
     let mut freed = session.clone();
-    Mend::FreeTargets.apply(&mut freed);
+    SessionCorrection::FreeTargets.apply(&mut freed);
     Some(freed)
 }
 
@@ -177,7 +177,7 @@ fn of_one_axis(
         let mut moved = session.clone();
         for (target, by) in &off {
             let by_mm = [by.x, by.y, by.z];
-            Mend::MoveTarget {
+            SessionCorrection::MoveTarget {
                 target: *target,
                 by_mm,
             }
@@ -192,7 +192,7 @@ fn of_one_axis(
         return None;
     }
     for (target, by) in &off {
-        let mend = Mend::MoveTarget {
+        let mend = SessionCorrection::MoveTarget {
             target: *target,
             by_mm: [by.x, by.y, by.z],
         };
@@ -217,7 +217,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
         for target in 0..targets {
             let mut by_mm = [0.0; 3];
             by_mm[along] = 1.0;
-            Mend::MoveTarget { target, by_mm }.apply(&mut moved);
+            SessionCorrection::MoveTarget { target, by_mm }.apply(&mut moved);
         }
         let problem = Problem::new(&moved, values);
         let (there, _) = Rows::of(&problem).extract(model);
@@ -270,7 +270,7 @@ fn problem(
     target: usize,
     by: Vector3<f64>,
     evidence: Text,
-    mend: Mend,
+    mend: SessionCorrection,
 ) -> DataProblem {
     let name = session.targets.get(target).map_or("", |t| t.name.as_str());
     let size = by.norm();

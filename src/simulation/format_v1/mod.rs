@@ -29,12 +29,12 @@ use crate::document::{Fields, Node, Path, Value, ranges};
 use crate::effects::PlaceKind;
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
-use crate::sessions::format_v1::head::{
-    INSTRUMENT, REGIONS, TARGETS, TOLERANCE_MM, default_targets,
-};
-use crate::sessions::format_v1::references::references;
-use crate::sessions::format_v1::robot::{ROBOT, blank};
-use crate::sessions::{files, validation};
+use crate::sessions::default_targets;
+use crate::sessions::files::format_v1::head::{INSTRUMENT, REGIONS, TARGETS, TOLERANCE_MM};
+use crate::sessions::files::format_v1::references::references;
+use crate::sessions::files::format_v1::robot::{ROBOT, blank};
+use crate::sessions::files::open;
+use crate::sessions::validation;
 use values::{FLAG, WHOLE};
 
 /// What the key `format` says.
@@ -58,9 +58,9 @@ pub struct LoadedScenario {
 /// expected.
 pub fn load_scenario(path: impl AsRef<FilePath>) -> Result<LoadedScenario, Rejected> {
     let path = path.as_ref();
-    let bytes = files::read_document(path)?;
+    let bytes = open::read_document(path)?;
     let place = Place::file(path);
-    let text = files::as_text(&bytes, &place)?;
+    let text = open::as_text(&bytes, &place)?;
     read(text, place)
 }
 
@@ -69,7 +69,7 @@ pub fn load_scenario(path: impl AsRef<FilePath>) -> Result<LoadedScenario, Rejec
 /// # Errors
 /// As [`load_scenario`].
 pub fn parse_scenario(document: &[u8]) -> Result<LoadedScenario, Rejected> {
-    let text = files::as_text(document, &Place::default())?;
+    let text = open::as_text(document, &Place::default())?;
     read(text, Place::default())
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::diagnosis::Mend;
+use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
 use crate::gui::core::division::Division;
@@ -156,7 +156,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
 }
 
 /// Takes mistakes back, one after the other.
-fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
+fn mend(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), String> {
     let mut session = document.subject.session.clone();
     for mend in mends {
         mend.apply(&mut session);

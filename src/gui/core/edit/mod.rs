@@ -6,7 +6,7 @@ mod regions;
 use crate::text::Template;
 use std::sync::Arc;
 
-use crate::diagnosis::Mend;
+use crate::diagnosis::SessionCorrection;
 use crate::effects::Term;
 use crate::sessions::Region;
 
@@ -62,7 +62,7 @@ pub(crate) enum Edit {
     /// Take these samples out of every fit and figure, or in again.
     Exclude(Vec<usize>, bool),
     /// Take mistakes of setting up back, one after the other.
-    Mend(Vec<Mend>),
+    Mend(Vec<SessionCorrection>),
     /// What a window that is gone has left behind.
     Recover(Arc<Subject>, Choices),
     /// Identify from now on, as it is chosen.

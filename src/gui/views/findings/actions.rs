@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::diagnosis::{Diagnosis, Mend};
+use crate::diagnosis::{Diagnosis, SessionCorrection};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::views::names::curve_link;
@@ -77,19 +77,19 @@ pub(super) fn mend_all(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) 
 }
 
 /// Samples are removed last, all at once: until then they have their numbers.
-fn in_order(mends: Vec<Mend>) -> Vec<Mend> {
+fn in_order(mends: Vec<SessionCorrection>) -> Vec<SessionCorrection> {
     let mut rows = Vec::new();
     let mut ordered = Vec::new();
     for mend in mends {
         match mend {
-            Mend::Remove(some) => rows.extend(some),
+            SessionCorrection::Remove(some) => rows.extend(some),
             other => ordered.push(other),
         }
     }
     rows.sort_unstable();
     rows.dedup();
     if !rows.is_empty() {
-        ordered.push(Mend::Remove(rows));
+        ordered.push(SessionCorrection::Remove(rows));
     }
     ordered
 }

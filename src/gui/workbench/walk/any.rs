@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use crate::diagnosis::Mend;
+use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::charts::CHARTS;
@@ -115,19 +115,19 @@ fn setup(random: &mut ChaCha8Rng, subject: &Subject) -> SetupForm {
     form
 }
 
-fn mend(random: &mut ChaCha8Rng) -> Mend {
+fn mend(random: &mut ChaCha8Rng) -> SessionCorrection {
     match random.random_range(0..5) {
-        0 => Mend::ScaleJoint {
+        0 => SessionCorrection::ScaleJoint {
             joint: random.random_range(0..2),
             factor: -1.0,
         },
-        1 => Mend::Reorder([1, 2, 0]),
-        2 => Mend::FreeFrame,
-        3 => Mend::TurnHome {
+        1 => SessionCorrection::Reorder([1, 2, 0]),
+        2 => SessionCorrection::FreeFrame,
+        3 => SessionCorrection::TurnHome {
             joint: 0,
             by_rad: 1.0,
         },
-        _ => Mend::Remove((0..random.random_range(0..6)).collect()),
+        _ => SessionCorrection::Remove((0..random.random_range(0..6)).collect()),
     }
 }
 

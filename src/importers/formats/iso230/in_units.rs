@@ -4,7 +4,7 @@ use super::parts::Part;
 use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;
 
@@ -16,7 +16,7 @@ pub(super) struct Units {
 }
 
 pub(super) fn units_of(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
     parts: &[Part],

@@ -19,7 +19,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::reader::{direction, extent, fixed};
 use crate::importers::role::Role;
-use crate::importers::settings::{Case, ColumnGuess, Known};
+use crate::importers::settings::{ReadContext, ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
@@ -61,7 +61,7 @@ struct Measurement {
 }
 
 /// Reads the runs of an axis.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let headings = headings(&grid);
     let parts = parts(case, &grid, &headings)?;
@@ -123,7 +123,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
 
 /// Reads every measured cell.
 fn measurements(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     parts: &[Part],
     decimal: Decimal,
@@ -197,7 +197,7 @@ fn measurements(
 
 /// Whether deviations stand in the place of positions.
 fn deviations(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     parts: &[Part],
     list: &[Measurement],
     units: Units,
@@ -255,7 +255,7 @@ fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
     list
 }
 
-fn columns(case: &Case<'_>, list: &[Measurement], is_deviation: bool, units: Units) -> Columns {
+fn columns(case: &ReadContext<'_>, list: &[Measurement], is_deviation: bool, units: Units) -> Columns {
     let joint = case.reading.joint;
     let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
     let position = |m: &Measurement| {

@@ -4,7 +4,7 @@ use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::reader::direction;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 
 /// What a column of the table is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +51,7 @@ pub(super) fn headings(grid: &Grid<'_>) -> Vec<String> {
 
 /// What each column is.
 pub(super) fn parts(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
 ) -> Option<Vec<Part>> {

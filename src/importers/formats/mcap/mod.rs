@@ -17,7 +17,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
-use crate::importers::settings::{About, Case, ColumnGuess, Known};
+use crate::importers::settings::{About, ReadContext, ColumnGuess, Known};
 
 use messages::Type;
 use options::{FRAME_CHILD, JOINT_NAMES, Open, TOPIC_JOINTS, TOPIC_MEASURED};
@@ -70,7 +70,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a recording.
-fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let topics = gathered(case)?;
     case.found.names = topics.names().map(str::to_owned).collect();
     case.note(text!("topics: {topics}", topics = topics.in_words()));
@@ -114,7 +114,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
 }
 
 /// Everything of use in the file, by topic. A recording that is cut off is good up to there.
-fn gathered(case: &mut Case<'_>) -> Option<Topics> {
+fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
     let mut topics = Topics::default();
     let part = case.part;
     let mut cancelled = false;
@@ -196,7 +196,7 @@ impl Wanted {
 
 /// The topic that was said, or the only one of the types that are wanted. `None`: there is none.
 fn chosen<'t>(
-    case: &mut Case<'_>,
+    case: &mut ReadContext<'_>,
     topics: &'t Topics,
     wanted: &Wanted,
 ) -> Result<Option<&'t Topic>, Open> {
@@ -254,7 +254,7 @@ fn chosen<'t>(
 }
 
 /// The topic, if its messages can be read.
-fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t Topic>, Open> {
+fn sound<'t>(case: &mut ReadContext<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t Topic>, Open> {
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {

@@ -8,7 +8,7 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::matching::listed_up_to;
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Case};
+use crate::importers::settings::{About, ReadContext};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
@@ -34,7 +34,7 @@ pub(super) struct Path {
 }
 
 /// The path of the robot's joints. `None`: something is asked, or wrong.
-pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
+pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
     let names = joints_of(case, topic)?;
     let slides = match &case.reading.joints[..] {
         [] => vec![false; names.len()],
@@ -82,7 +82,7 @@ pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
 }
 
 /// The recorded joints that are the robot's, from base to tool.
-fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
+fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
     let robot: Vec<&str> = case
         .reading
         .joints
@@ -207,7 +207,7 @@ fn time_column(time_s: Vec<f64>) -> Column {
 }
 
 /// What was measured, in the order of time. `None`: something is asked.
-pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
+pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
     let child = child_of(case, topic).ok()?;
     let mut list: Vec<&Measured> = topic
         .measured
@@ -291,7 +291,7 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
 }
 
 /// The child frame that was measured: `None` where there are no transforms.
-fn child_of(case: &mut Case<'_>, topic: &Topic) -> Result<Option<String>, Open> {
+fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>, Open> {
     let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
     let children: Vec<&str> = children
         .into_iter()

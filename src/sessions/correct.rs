@@ -3,10 +3,10 @@
 use crate::kinematics::JointKind;
 use crate::text::Text;
 
-use super::mend::Mend;
+use super::correction::SessionCorrection;
 use super::{Samples, Session, Setups};
 
-impl Mend {
+impl SessionCorrection {
     /// Makes the correction; rows that it removes are left out of every fit and figure instead, so that the others
     /// keep their numbers.
     pub fn apply_keeping_rows(&self, session: &mut Session) {
@@ -219,7 +219,7 @@ fn scale(column: &mut [f64], factor: f64) {
     }
 }
 
-/// Moves everything that an instrument measured; see [`Mend::PairRows`].
+/// Moves everything that an instrument measured; see [`SessionCorrection::PairRows`].
 fn pair_rows(samples: &mut Samples, shifts: &[(usize, isize)]) {
     let n = samples.len();
     let mut from: Vec<Option<usize>> = (0..n).map(Some).collect();

@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::sessions::domain::{Instrument, Region, Samples, Setups, Sigma, Target, UnknownColumn};
-use crate::sessions::{Lines, ObservedColumns, load, parse};
+use crate::sessions::load;
+use crate::sessions::{Lines, ObservedColumns, parse};
 use crate::units::rad_from_deg;
 
 /// A number as files hold it, or a missing one.

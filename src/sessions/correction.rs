@@ -9,14 +9,14 @@ use super::Group;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Corrected {
     /// The corrections, in the order in which they were made.
-    pub by: Vec<Mend>,
+    pub by: Vec<SessionCorrection>,
     /// Hash of the samples as they are in the file.
     pub raw_hash: String,
 }
 
 /// A change that takes a mistake back.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Mend {
+pub enum SessionCorrection {
     /// The values of a joint (counted from 0) times this: −1 for a sign, π/180 for a unit.
     ScaleJoint {
         /// The joint, counted from 0.

@@ -19,9 +19,6 @@ pub(crate) mod robot_source;
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-session/1";
 
-/// The one target of a session that names none: the tool's origin.
-pub(crate) const DEFAULT_TARGET: &str = "tool";
-
 /// The vector at unit length; `None` when it has no length.
 pub(crate) fn unit<const N: usize>(vector: [f64; N]) -> Option<[f64; N]> {
     // Squares of very large or very small components would leave the range of a double.

@@ -1,19 +1,17 @@
 //! The session document but its samples.
 
 use crate::text::{Template, Text};
-use nalgebra::Point3;
 
+use super::FORMAT;
 use super::references::references;
 use super::robot::ROBOT;
-use super::{DEFAULT_TARGET, FORMAT};
 use crate::document::kinds::{DEGREES, TEXT, point, positive};
 use crate::document::number::quoted;
 use crate::document::object::{At, Kind, Object, written};
-use crate::document::ranges;
-use crate::document::{Fields, Member, Node, Path, Value, degrees};
+use crate::document::{Fields, Member, Node, Path, Value, degrees, ranges};
 use crate::kinematics::Robot;
 use crate::sessions::domain::{
-    Instrument, Region, Session, Sigma, TARGETS_SIGMA_MM, Target, Tracker,
+    Instrument, Region, Session, Sigma, TARGETS_SIGMA_MM, Target, Tracker, default_targets,
 };
 
 /// Where the samples are.
@@ -118,14 +116,6 @@ pub(crate) fn write(session: &Session) -> Value {
         compensated_by: session.compensated_by.clone(),
     };
     written(own, head)
-}
-
-/// A session without `targets` has one, at the tool's origin.
-pub(crate) fn default_targets() -> Vec<Target> {
-    vec![Target {
-        name: DEFAULT_TARGET.to_owned(),
-        position_mm: Point3::origin(),
-    }]
 }
 
 /// How far off a tool may be.

@@ -5,8 +5,8 @@ use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{any_decimal, quoted};
-use crate::sessions::csv::blocks::Blocks;
-use crate::sessions::csv::cells::{Cell, Stop};
+use crate::sessions::files::csv::blocks::Blocks;
+use crate::sessions::files::csv::cells::{Cell, Stop};
 
 /// A session has fewer columns, with every quantity of a hundred joints.
 const MOST_COLUMNS: usize = 10_000;

@@ -16,8 +16,8 @@ use std::arch::x86_64::{
 };
 
 use crate::document::number::ratio;
-use crate::sessions::csv::stretch::{SHORT, Tools};
-use crate::sessions::csv::table_rows::Rows;
+use crate::sessions::files::csv::stretch::{SHORT, Tools};
+use crate::sessions::files::csv::table_rows::Rows;
 
 /// As [`Rows::take_with`] the portable way; `None` where the processor cannot.
 pub(super) fn take(rows: &mut Rows<'_>, bytes: &[u8], end: usize, last: bool) -> Option<usize> {

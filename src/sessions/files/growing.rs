@@ -12,10 +12,11 @@ use std::path::{Path, PathBuf};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, unreadable};
 use crate::kinematics::Joint;
 use crate::progress::{Progress, unwatched};
-use crate::sessions::assemble::{self, Declared};
 use crate::sessions::domain::{Samples, Session, Target};
+use crate::sessions::files::assemble;
+use crate::sessions::files::assemble::Declared;
+use crate::sessions::files::{csv, open};
 use crate::sessions::references::References;
-use crate::sessions::{csv, files};
 
 /// As many bytes before the place that was read to are remembered.
 const REMEMBERED: usize = 4096;
@@ -80,12 +81,12 @@ impl Growing {
     /// at the same place.
     pub fn look(&mut self) -> Result<Growth, Rejected> {
         let place = Place::file(&self.path);
-        let refused = |(found, expected): files::Refusal| {
+        let refused = |(found, expected): open::Refusal| {
             Rejected::because(Diagnostic::error(place.clone(), found, expected))
         };
         let failed =
             |error: io::Error| refused((unreadable(&error), text!("a file that can be read")));
-        let (mut file, length) = files::open_regular(&self.path).map_err(refused)?;
+        let (mut file, length) = open::open_regular(&self.path).map_err(refused)?;
         let grown = self.read_to > 0 && self.is_the_same(&mut file, length).map_err(failed)?;
         let mut next = if grown {
             self.clone()

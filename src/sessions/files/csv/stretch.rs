@@ -11,8 +11,8 @@
 
 use super::starts::Mark;
 use crate::document::number::{any_decimal, plain_decimal, short_decimal};
-use crate::sessions::csv::cells::{Cell, trimmed};
-use crate::sessions::csv::table_rows::Rows;
+use crate::sessions::files::csv::cells::{Cell, trimmed};
+use crate::sessions::files::csv::table_rows::Rows;
 use crate::sessions::table::Cells;
 
 /// The value of a cell of this length, at most fifteen, at the start of these bytes, if it is a

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use crate::atomic::WriteError;
 use crate::progress::ReadError;
 use crate::progress::testing::{assert_grows, no_at, told};
-use crate::sessions::{Replacing, load, load_watched, save_watched};
+use crate::sessions::load;
+use crate::sessions::{Replacing, load_watched, save_watched};
 
 const HEAD: &str = r#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[{"name":"pan",
 "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"samples":"#;

@@ -23,10 +23,10 @@ use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::consistency;
 use crate::sessions::domain::Session;
-use crate::sessions::file_hash::Hashed;
-use crate::sessions::format_v1::head;
-use crate::sessions::format_v1::robot::ROBOT;
-use crate::sessions::saved_columns::{Column, Values, columns};
+use crate::sessions::files::file_hash::Hashed;
+use crate::sessions::files::format_v1::head;
+use crate::sessions::files::format_v1::robot::ROBOT;
+use crate::sessions::files::saved_columns::{Column, Values, columns};
 
 /// What an output may replace.
 #[derive(Debug, Clone, Copy, Default)]

@@ -14,8 +14,8 @@ macro_rules! bundled {
     ($name:literal) => {
         Bundled {
             name: $name,
-            document: include_bytes!(concat!("../../sessions/", $name, ".json")),
-            samples: include_bytes!(concat!("../../sessions/", $name, ".csv")),
+            document: include_bytes!(concat!("../../../sessions/", $name, ".json")),
+            samples: include_bytes!(concat!("../../../sessions/", $name, ".csv")),
         }
     };
 }

@@ -10,13 +10,16 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unrea
 use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::{Joint, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
-use crate::sessions::assemble::Declared;
 use crate::sessions::domain::{Samples, Session};
-use crate::sessions::file_hash::{self, HashedInput};
-use crate::sessions::format_v1::head::{self, SamplesAt};
-use crate::sessions::format_v1::inline;
-use crate::sessions::format_v1::robot::ROBOT;
-use crate::sessions::{assemble, csv, files, validation};
+use crate::sessions::files::assemble::Declared;
+use crate::sessions::files::file_hash;
+use crate::sessions::files::file_hash::HashedInput;
+use crate::sessions::files::format_v1::head;
+use crate::sessions::files::format_v1::head::SamplesAt;
+use crate::sessions::files::format_v1::inline;
+use crate::sessions::files::format_v1::robot::ROBOT;
+use crate::sessions::files::{assemble, csv, open};
+use crate::sessions::validation;
 
 /// A session and the notes and warnings that came up on the way.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +73,7 @@ pub fn load_watched(
     let path = path.as_ref();
     let is_large = std::fs::metadata(path).is_ok_and(|document| document.len() > LARGE_DOCUMENT);
     let read = if is_large { 0.2 } else { 0.01 };
-    let bytes = files::read_document_in(path, whole.part(0.0, read))?;
+    let bytes = open::read_document_in(path, whole.part(0.0, read))?;
     let beside = Beside::Folder(folder_of(path));
     let mut loaded = read_session(Some(path), &bytes, beside, whole.part(read, 1.0))?;
     loaded.session.path = Some(path.to_path_buf());
@@ -107,7 +110,7 @@ pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejecte
 /// As [`load`].
 pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
     let path = path.as_ref();
-    let bytes = files::read_document(path)?;
+    let bytes = open::read_document(path)?;
     read_robot(Some(path), &bytes)
 }
 
@@ -121,7 +124,7 @@ pub fn parse_robot(document: &[u8]) -> Result<LoadedRobot, Rejected> {
 
 fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
-    let text = files::as_text(bytes, &place)?;
+    let text = open::as_text(bytes, &place)?;
     let (mut fields, root) = Fields::open(place, text)?;
     let robot = ROBOT.read(&mut fields, &root, &JsonPath::Root);
     if let Some(robot) = &robot {
@@ -145,7 +148,7 @@ fn read_session(
     part: Part<'_>,
 ) -> Result<Loaded, ReadError> {
     let place = path.map(Place::file).unwrap_or_default();
-    let text = files::as_text(bytes, &place)?;
+    let text = open::as_text(bytes, &place)?;
     let is_large = bytes.len() as u64 > LARGE_DOCUMENT;
     let parsed = if is_large { 0.8 } else { 0.01 };
     let (mut fields, root) = Fields::open_in(place, text, part.part(0.0, parsed))?;
@@ -250,8 +253,8 @@ fn samples_file(
             text!("samples in a file: {name}", name = name),
             text!("samples inside the document, as it was read without a folder"),
         )),
-        Beside::Folder(folder) => files::beside(folder, name).and_then(|path| {
-            let (file, length) = files::open_regular(&path).map_err(|(found, expected)| {
+        Beside::Folder(folder) => open::beside(folder, name).and_then(|path| {
+            let (file, length) = open::open_regular(&path).map_err(|(found, expected)| {
                 (
                     text!("{found}: {name}", found = found, name = name),
                     expected,

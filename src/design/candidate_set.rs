@@ -23,7 +23,7 @@ const PASSES: usize = 8;
 const ANYTHING: [f64; 2] = [1e3, 1.0];
 
 /// Candidates and what they show.
-pub(crate) struct Bench {
+pub(crate) struct CandidateSet {
     pub(crate) candidates: Vec<Candidate>,
     /// What is not measured of it yet.
     pub(crate) information: Information,
@@ -39,7 +39,7 @@ pub(crate) struct Bench {
 
 impl Arm {
     /// Candidates beside what was measured. Without a model it is found what they can show.
-    fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> Bench {
+    fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> CandidateSet {
         let whole = self.with(&candidates, &self.writing(None));
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
@@ -51,7 +51,7 @@ impl Arm {
         shown.beside += self.stated(&model, &columns);
         let mut workspace = Workspace::new(&problem, &model, &columns);
         workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
-        Bench {
+        CandidateSet {
             candidates,
             information,
             model,
@@ -92,20 +92,20 @@ impl Arm {
     }
 
     /// Candidates over the joint ranges beside what was measured; `None` where there are none.
-    pub(crate) fn spread(&self) -> Option<Bench> {
+    pub(crate) fn spread(&self) -> Option<CandidateSet> {
         let candidates = self.candidates(CANDIDATES, true, &mut self.random(1));
         (!candidates.is_empty()).then(|| self.bench(candidates, None))
     }
 
     /// Poses at random, that show what the candidates of a bench do.
-    pub(crate) fn at_random(&self, bench: &Bench, count: usize) -> Bench {
+    pub(crate) fn at_random(&self, bench: &CandidateSet, count: usize) -> CandidateSet {
         let candidates = self.candidates(count, false, &mut self.random(9));
         self.bench(candidates, Some(bench.model.clone()))
     }
 
     /// So many poses, chosen of a bench and improved around what was chosen: all of the bench that comes
     /// out.
-    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> Bench {
+    pub(crate) fn designed(&self, bench: &CandidateSet, count: usize) -> CandidateSet {
         let chosen = bench.chosen(count);
         let mut own: Vec<Candidate> = chosen
             .iter()
@@ -125,14 +125,20 @@ impl Arm {
     }
 
     /// What was chosen, and poses around it.
-    fn beside(&self, own: &[Candidate], near: f64, round: usize, bench: &Bench) -> Bench {
+    fn beside(
+        &self,
+        own: &[Candidate],
+        near: f64,
+        round: usize,
+        bench: &CandidateSet,
+    ) -> CandidateSet {
         let around = self.around(own, near, &mut self.random(2 + round as u64));
         let all = own.iter().cloned().chain(around).collect();
         self.bench(all, Some(bench.model.clone()))
     }
 }
 
-impl Bench {
+impl CandidateSet {
     /// So many candidates, greedily and then exchanged.
     pub(crate) fn chosen(&self, count: usize) -> Vec<usize> {
         let mut information = self.information.clone();

@@ -4,7 +4,7 @@
 //! a block is read, its complete rows go straight into their columns, and what is left of the last
 //! row moves to the front of the next block. Regular rows go column by column, a [`stretch`] at a
 //! time; the others row by row and cell by cell. Numbers take the exact short cut of
-//! [`number`](super::number); everything else, quotes and every complaint included, is off the hot
+//! [`number`](crate::sessions::number); everything else, quotes and every complaint included, is off the hot
 //! path in [`cells`].
 //!
 //! Dialect: UTF-8 (a byte order mark is skipped), comma, decimal point, LF or CRLF, `"` around
@@ -28,10 +28,10 @@ use crate::document::number::{plain_decimal, short_cell, short_decimal};
 use crate::kinematics::Joint;
 use crate::progress::Part;
 use crate::sessions::columns::Layout;
-use crate::sessions::csv::blocks::Blocks;
-use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::csv::starts::{Mark, Starts};
-use crate::sessions::csv::stretch::{Decimal, Tools};
+use crate::sessions::files::csv::blocks::Blocks;
+use crate::sessions::files::csv::cells::{Cell, Stop};
+use crate::sessions::files::csv::starts::{Mark, Starts};
+use crate::sessions::files::csv::stretch::{Decimal, Tools};
 use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Table};
 pub(crate) use complaints::Complaints;

@@ -4,7 +4,7 @@ use crate::text::{Template, Text};
 use std::borrow::Cow;
 
 use crate::document::number::{NotANumber, any_decimal, quoted};
-use crate::sessions::csv::Complaints;
+use crate::sessions::files::csv::Complaints;
 use crate::sessions::table::Cells;
 
 /// What ends a cell.

@@ -1,6 +1,6 @@
 //! The rows of a table while they are read.
 
-use crate::sessions::csv::starts::Starts;
+use crate::sessions::files::csv::starts::Starts;
 use crate::sessions::lines::Lines;
 use crate::sessions::table::Cells;
 

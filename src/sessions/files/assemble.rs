@@ -6,7 +6,6 @@
 use crate::text::Text;
 use std::collections::BTreeMap;
 
-use super::observed::Locate;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::document::ranges::short;
@@ -14,6 +13,7 @@ use crate::kinematics::Joint;
 use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::observed;
+use crate::sessions::observed::Locate;
 use crate::sessions::references::References;
 use crate::sessions::table::{Cells, Names, Table};
 

@@ -1,0 +1,23 @@
+//! How a session lies on the disk. What was measured ([`Session`](super::Session) and its parts) knows nothing of it.
+//!
+//! The way in: bytes → `document` (a tree that knows places) → `format_v1` (units, ranges, the robot) → `csv` or inline
+//! columns → `assemble` (samples in inner units). The way out: `save`, whole or not at all, with the columns of
+//! `saved_columns`.
+//!
+//! - `open`: files that a document names, and nothing else; `file_hash`: whether they are still the same.
+//! - `growing`: a file that something else goes on writing.
+//! - `hash`: the fingerprint of what was measured; `bundled`: sessions that are in the binary.
+
+pub(crate) mod assemble;
+pub(crate) mod bundled;
+mod csv;
+mod file_hash;
+pub(crate) mod format_v1;
+pub(crate) mod growing;
+pub(crate) mod hash;
+pub(crate) mod load;
+pub(crate) mod open;
+pub(crate) mod save;
+mod saved_columns;
+#[cfg(test)]
+mod watched;
