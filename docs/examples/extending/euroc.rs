@@ -5,7 +5,7 @@ use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{ReadContext, Known};
+use crate::importers::settings::{Known, ReadContext};
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 

@@ -22,7 +22,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
 use crate::importers::headings::{understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext, Known};
+use crate::importers::settings::{About, Known, ReadContext};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};

@@ -14,7 +14,7 @@ use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::reader::{fixed, number};
 use crate::importers::role::Role;
 use crate::importers::rows::{Row, Rows, Separator};
-use crate::importers::settings::{About, ReadContext, ColumnGuess, Known};
+use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};

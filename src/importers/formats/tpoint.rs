@@ -26,7 +26,7 @@ use crate::importers::columns::{Column, Columns, Directions};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::grid::Complaints;
 use crate::importers::role::Role;
-use crate::importers::settings::{ReadContext, ColumnGuess, Known};
+use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
 use crate::sessions::{Azimuth, Lines};

@@ -19,7 +19,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::reader::{direction, extent, fixed};
 use crate::importers::role::Role;
-use crate::importers::settings::{ReadContext, ColumnGuess, Known};
+use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::Cells;
@@ -255,7 +255,12 @@ fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
     list
 }
 
-fn columns(case: &ReadContext<'_>, list: &[Measurement], is_deviation: bool, units: Units) -> Columns {
+fn columns(
+    case: &ReadContext<'_>,
+    list: &[Measurement],
+    is_deviation: bool,
+    units: Units,
+) -> Columns {
     let joint = case.reading.joint;
     let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
     let position = |m: &Measurement| {

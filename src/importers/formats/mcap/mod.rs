@@ -17,7 +17,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
-use crate::importers::settings::{About, ReadContext, ColumnGuess, Known};
+use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
 
 use messages::Type;
 use options::{FRAME_CHILD, JOINT_NAMES, Open, TOPIC_JOINTS, TOPIC_MEASURED};
@@ -254,7 +254,10 @@ fn chosen<'t>(
 }
 
 /// The topic, if its messages can be read.
-fn sound<'t>(case: &mut ReadContext<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t Topic>, Open> {
+fn sound<'t>(
+    case: &mut ReadContext<'_>,
+    topic: Option<&'t Topic>,
+) -> Result<Option<&'t Topic>, Open> {
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
