@@ -145,10 +145,16 @@ fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
         None => (format!("{value:.3}"), unit),
         Some([low, high]) => {
             let half = 0.5 * factor * (high - low);
-            let decimals = if half > 0.0 {
-                decimals_of(half, 2).min(6)
+            // Five of them are beside each other in the window's panel; what is copied has all digits.
+            let (digits, most) = if detail.units.is_some() {
+                (1, 4)
             } else {
-                6
+                (2, 6)
+            };
+            let decimals = if half > 0.0 {
+                decimals_of(half, digits).min(most)
+            } else {
+                most
             };
             (format!("{value:.decimals$} ± {half:.decimals$}"), unit)
         }
