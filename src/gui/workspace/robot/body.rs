@@ -17,6 +17,8 @@ const ROD: [f32; 2] = [10.0, 1.25];
 /// Radius and half the length of a drum, points; of a joint that slides half a side.
 const DRUM: [f64; 2] = [8.5, 8.5];
 const BLOCK: f64 = 8.0;
+/// Below this part of its length an axis is looked along.
+const END_ON: f32 = 0.35;
 /// Half a side of the plate that the robot stands on, points.
 const PLATE: f64 = 17.0;
 /// Width of the real robot's line, points.
@@ -103,7 +105,13 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
         }
     }
     for sign in &drawn.signs {
-        let above = nearness(sign.at_mm) + DRUM[0] * pen.mm;
+        // An axis that is looked along is a point: its end is seen through the links over it.
+        let along = pen.camera.direction(sign.at_mm.into(), sign.axis);
+        let above = if along.length() < END_ON {
+            f64::INFINITY
+        } else {
+            nearness(sign.at_mm) + DRUM[0] * pen.mm
+        };
         pieces.push((above, pen.joint(sign, Stroke::new(1.5, ink))));
     }
     pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
