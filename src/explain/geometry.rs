@@ -53,7 +53,10 @@ fn joints(estimates: &[Estimate], detail: Detail) -> Table {
     let (_, length) = scaled("mm", detail);
     // The window's panel is narrow: there intervals are below their values, and units below names.
     let below = if detail.units.is_some() { "\n" } else { " " };
-    let in_unit = |name: &str, unit: &str| Column::numbers(format!("{name},{below}{unit}"));
+    let in_unit = |name: &str, unit: &str| {
+        let heading = format!("{name}, {unit}");
+        Column::numbers(heading.replacen(' ', below, 1))
+    };
     let mut table = Table::of([
         Column::words(say!("joint")),
         Column::numbers(say!("zero offset").replacen(' ', below, 1)),

@@ -1,7 +1,7 @@
 //! Sections and blocks as cards: what an answer says, in the window's look. What the window adds to a section (buttons,
 //! the explanation of an effect) is put below it by the caller.
 
-use egui::{Grid, Response, RichText, Ui};
+use egui::{Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::explain::{Block, Section};
 use crate::gui::style::tokens::{Palette, size, strong};
@@ -73,39 +73,77 @@ pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
 /// Columns of a table from which on it is wide.
 const WIDE: usize = 5;
 
+/// A table, wide ones in small letters; where it is wider than the panel, its rows one below the other.
 fn table(ui: &mut Ui, index: usize, table: &Table) {
+    let (letters, apart) = if table.columns.len() > WIDE {
+        (size::SMALL, 4.0)
+    } else {
+        (size::BODY, 12.0)
+    };
+    if width_of(ui, table, letters, apart) > ui.available_width() {
+        return one_below_the_other(ui, table);
+    }
     let muted = Palette::of(ui).muted;
-    egui::ScrollArea::horizontal()
-        .id_salt(("table", index))
-        .show(ui, |ui| {
-            // Wide tables in small letters, as the panel is narrow.
-            let (letters, apart) = if table.columns.len() > WIDE {
-                (size::SMALL, 6.0)
+    let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
+    grid.min_col_width(0.0).show(ui, |ui| {
+        for column in &table.columns {
+            let heading = RichText::new(&column.heading);
+            let heading = heading.size(size::SMALL).color(muted);
+            if column.right {
+                widgets::cell_right(ui, heading);
             } else {
-                (size::BODY, 12.0)
-            };
-            let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
-            grid.min_col_width(0.0).show(ui, |ui| {
-                for column in &table.columns {
-                    let heading = RichText::new(&column.heading);
-                    let heading = heading.size(size::SMALL).color(muted);
-                    if column.right {
-                        widgets::cell_right(ui, heading);
-                    } else {
-                        ui.label(heading);
-                    }
+                ui.label(heading);
+            }
+        }
+        ui.end_row();
+        for row in &table.rows {
+            for (cell, column) in row.iter().zip(&table.columns) {
+                let cell = RichText::new(&cell.shown).size(letters);
+                if column.right {
+                    widgets::cell_right(ui, cell);
+                } else {
+                    ui.label(cell);
                 }
-                ui.end_row();
-                for row in &table.rows {
-                    for (cell, column) in row.iter().zip(&table.columns) {
-                        if column.right {
-                            widgets::cell_right(ui, RichText::new(&cell.shown).size(letters));
-                        } else {
-                            ui.label(RichText::new(&cell.shown).size(letters));
-                        }
-                    }
-                    ui.end_row();
-                }
-            });
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// How much room a table takes without a line that breaks, points.
+fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+    let width = |text: &str, letters: f32| {
+        let text = WidgetText::from(RichText::new(text).size(letters));
+        let galley = text.into_galley(
+            ui,
+            Some(TextWrapMode::Extend),
+            f32::INFINITY,
+            TextStyle::Body,
+        );
+        galley.size().x
+    };
+    let columns = table.columns.iter().enumerate().map(|(k, column)| {
+        let cells = table.rows.iter().filter_map(|row| row.get(k));
+        let cells = cells.map(|cell| width(&cell.shown, letters));
+        cells.fold(width(&column.heading, size::SMALL), f32::max) + apart
+    });
+    columns.sum::<f32>() - apart
+}
+
+/// Each row: what it is, and below it what its other columns hold.
+fn one_below_the_other(ui: &mut Ui, table: &Table) {
+    let in_a_line = |text: &str| text.replace('\n', " ");
+    for row in &table.rows {
+        let mut cells = row.iter().zip(&table.columns);
+        if let Some((first, column)) = cells.next() {
+            let name = format!("{} {}", in_a_line(&column.heading), in_a_line(&first.shown));
+            ui.label(RichText::new(name.trim()).font(strong(size::SMALL)));
+        }
+        let rest = cells.filter(|(cell, _)| !cell.shown.is_empty());
+        let rest = rest.map(|(cell, column)| {
+            let (heading, cell) = (in_a_line(&column.heading), in_a_line(&cell.shown));
+            format!("{heading} {cell}")
         });
+        widgets::hint(ui, rest.collect::<Vec<_>>().join("; "));
+    }
 }
