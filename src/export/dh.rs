@@ -14,11 +14,11 @@
 //!
 //! Sources: Denavit & Hartenberg 1955; Hayati & Mirmirani 1985.
 
-use crate::text::length;
 use super::chain::Chain;
 use super::description::{Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
+use crate::text::length;
 
 use super::exporter::several_joints;
 use super::{Export, ExportError, Exporter, Format, Job};

@@ -19,7 +19,6 @@ mod calibration;
 
 use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 
-use crate::text::length;
 use super::chain::{Chain, apart, rms};
 use super::description::{Written, finish};
 use super::names::Names;
@@ -29,6 +28,7 @@ use super::{Export, ExportError, Exporter, Format, Job};
 use crate::compensation::Compensation;
 use crate::kinematics::{Joint, JointKind, Robot};
 use crate::text::Text;
+use crate::text::length;
 
 pub use calibration::lerobot_calibration;
 

@@ -3,7 +3,7 @@
 /// What columns were said to be, by their headings.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ByHeading {
-    /// Headings and meanings in the words of [`Reading::columns`]; headings are empty for a table
+    /// Headings and meanings in the words of [`crate::importers::Reading::columns`]; headings are empty for a table
     /// without a header.
     pub columns: Vec<(String, String)>,
 }

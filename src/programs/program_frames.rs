@@ -41,7 +41,7 @@ pub struct ProgramFrames {
     /// Pose of the frame of the poses (work object, base, user frame) in the robot's base. `Model`: the
     /// base itself.
     pub frame: Holds<Pose>,
-    /// Load at the tool's origin, kg. `Model`: [`Request::load_kg`].
+    /// Load at the tool's origin, kg. `Model`: [`crate::programs::Request::load_kg`].
     pub load: Holds<f64>,
 }
 

@@ -42,7 +42,7 @@ pub struct Source {
 /// A source and the place in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reference {
-    /// Key of the source in [`sources`].
+    /// Key of the source in [`crate::robots::sources`].
     pub source: String,
     /// File, table or model in it.
     pub place: String,

@@ -4,8 +4,8 @@
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, Whose};
 use crate::explain::{self, Detail, Section, Topic};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, Whose};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
@@ -52,7 +52,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let detail = Detail::window(workbench.units());
             let orientation = workbench.subject().session.robot.mobility() == 6;
             let answer = &corrected.answer;
-            says(ui, &explain::program(answer, orientation, MOST_LEFT, detail));
+            says(
+                ui,
+                &explain::program(answer, orientation, MOST_LEFT, detail),
+            );
             lines(ui, &corrected.changed);
             let any = corrected.summary.corrected > 0;
             if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
