@@ -216,7 +216,7 @@ pub struct Diagnosis {
     pub samples: usize,
     /// The short answer.
     pub verdict: Verdict,
-    /// Blunders and losses.
+    /// Set-up errors and losses.
     pub data_problems: Vec<DataProblem>,
     /// Why something that might have been found was not looked for; `None` where everything was.
     pub stopped: Option<Stopped>,

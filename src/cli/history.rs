@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::explain::{self, Detail};
-use crate::history::History as Told;
+use crate::history::RobotHistory;
 use crate::language::spoken;
 use crate::pipeline::history;
 use crate::present::history_v1::document;
@@ -25,8 +25,8 @@ pub(crate) struct History {
 
 impl History {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let told = history(&self.folder)?;
-        let not_read = told.not_read.iter();
+        let found = history(&self.folder)?;
+        let not_read = found.not_read.iter();
         let lines: Vec<String> = not_read
             .map(|file| {
                 say!(
@@ -38,15 +38,16 @@ impl History {
             .collect();
         output::messages(&lines);
         if self.json {
-            output::json(&document(&told))
+            output::json(&document(&found))
         } else {
-            output::text(&in_words(&told))
+            output::text(&in_words(&found.robots))
         }
     }
 }
 
-fn in_words(told: &Told) -> String {
-    let robots = told.robots.iter();
-    let sections = robots.map(|robot| explain::history(robot, Detail::TERMINAL));
+fn in_words(robots: &[RobotHistory]) -> String {
+    let sections = robots
+        .iter()
+        .map(|robot| explain::history(robot, Detail::TERMINAL));
     blocks::sections(&sections.collect::<Vec<_>>())
 }

@@ -103,18 +103,16 @@ pub(crate) fn findings(findings: &[Diagnostic]) {
 
 /// Tells the user something beside the answer.
 pub(crate) fn messages<T: std::fmt::Display>(messages: &[T]) {
-    let mut stderr = std::io::stderr().lock();
-    for message in messages {
-        // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {}", plain(&message.to_string()));
-    }
+    let lines = messages
+        .iter()
+        .map(|message| format!("truepose: {message}\n"));
+    aside(&lines.collect::<String>());
 }
 
 /// Prints an answer on standard error, where standard output is a file.
 pub(crate) fn aside(text: &str) {
-    let mut stderr = std::io::stderr().lock();
-    // With standard error closed there is nobody left to tell.
-    let _ = stderr.write_all(plain(text).as_bytes());
+    // A closed standard error is no reason to fail: what was asked for is written elsewhere.
+    let _ = std::io::stderr().lock().write_all(plain(text).as_bytes());
 }
 
 /// Refuses to mix two documents on standard output.

@@ -94,4 +94,26 @@ pub(super) mod tests {
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         simulate(&scenario, 1, unwatched).unwrap().0
     }
+
+    /// Two axes, the second on the first, with these effects: joint, amplitude or width in degrees as a scenario has them.
+    pub(in crate::diagnosis) fn two_axes(effects: &str) -> Session {
+        let stops = (0..120).map(|k| {
+            let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
+            let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
+            let side = |by: u32| if (k / by).is_multiple_of(2) { 1 } else { -1 };
+            let (a, b) = (side(1), side(3));
+            format!(r#"{{"q_deg":[{tilt},{turn}],"dir":[{a},{b}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
+            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
+            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
+            "tool":{{"position_mm":[300,50,200],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},"effects":[{effects}],
+            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":1}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        simulate(&scenario, 1, unwatched).unwrap().0
+    }
 }

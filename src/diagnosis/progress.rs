@@ -3,7 +3,7 @@
 /// How far the diagnosis is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Progress {
-    /// Looking for blunders.
+    /// Looking for set-up errors.
     Checking,
     /// Fitting the base, preparing the candidates.
     Preparing,

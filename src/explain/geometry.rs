@@ -18,6 +18,9 @@ const COLUMNS: [&[&str]; 5] = [
     &["about_y_mrad"],
 ];
 
+/// A nanometre: nothing is measured better.
+const MOST_DECIMALS: usize = 6;
+
 /// Whether these are the estimates of a robot with several joints.
 pub(super) fn is_of_an_arm(estimates: &[Estimate]) -> bool {
     estimates.iter().any(|e| role(e.effect) == Role::JointAxis)
@@ -149,15 +152,11 @@ fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
         Some([low, high]) => {
             let half = 0.5 * factor * (high - low);
             // Five of them are beside each other in the window's panel; what is copied has all digits.
-            let (digits, most) = if detail.units.is_some() {
-                (1, 4)
-            } else {
-                (2, 6)
-            };
+            let digits = if detail.units.is_some() { 1 } else { 2 };
             let decimals = if half > 0.0 {
-                decimals_of(half, digits).min(most)
+                decimals_of(half, digits).min(MOST_DECIMALS)
             } else {
-                most
+                MOST_DECIMALS
             };
             (format!("{value:.decimals$} ± {half:.decimals$}"), unit)
         }

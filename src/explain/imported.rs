@@ -5,9 +5,6 @@ use crate::fit::gap::Spread;
 use crate::importers::{Alignment, Matched, Matching};
 use crate::present::numbers::grouped;
 
-/// Half of a 95 % interval in standard deviations.
-const WITHIN_95: f64 = 1.96;
-
 /// What there is to say; problems and notes with their places are the import log.
 pub(crate) fn imported(
     samples: usize,
@@ -52,8 +49,8 @@ fn matched_by(matched: &Matched) -> Vec<Fact> {
         fact(say!("unmatched"), unmatched),
     ];
     if let Some(clock) = &matched.clock {
-        let offset = match clock.sigma_s {
-            Some(sigma) => format!("{:.4} ± {:.4} s", clock.offset_s, WITHIN_95 * sigma),
+        let offset = match clock.ci95_s() {
+            Some([from, to]) => format!("{:.4} ± {:.4} s", clock.offset_s, 0.5 * (to - from)),
             None => format!("{:.4} s", clock.offset_s),
         };
         facts.push(fact(say!("clock offset"), offset));

@@ -1,8 +1,7 @@
 //! Corrected targets of a table or a robot program: how many, how far off they were and are, what is given up of
 //! their orientation, what could not be corrected.
 
-use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
-use crate::language::spoken;
+use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
 use crate::present::compensation_v1::{SAID_RAD, Summary};
 use crate::present::names::word;
 use crate::programs::{Answer, Left, Outcome, Written};
@@ -51,9 +50,9 @@ pub(crate) fn program(
 pub(crate) fn left_as_it_is(target: &Outcome, left: &Left) -> String {
     let says = say!(
         "{target} is left as it is ({reason}): {left}",
-        target = target.name,
+        target = clean(&target.name),
         reason = word(left.reason.name()),
-        left = spoken(&left.says)
+        left = cleaned(&left.says)
     );
     at(target.place, &says)
 }
@@ -115,7 +114,7 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
         let [before, after] = written.rotation_rad.map(mrad);
         let says = say!(
             "{target}: {after} mrad left of {before}",
-            target = target.name,
+            target = clean(&target.name),
             after = after,
             before = before
         );

@@ -7,9 +7,10 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::job::Job;
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
-use crate::sessions::columns::{Heading, Layout, Quantity, REMARKS, Unit};
+use crate::sessions::columns::{Heading, Quantity, Unit};
 use crate::sessions::files::assemble;
 use crate::sessions::files::assemble::Declared;
+use crate::sessions::layout::{Layout, REMARKS};
 use crate::sessions::table::{Cells, Table};
 use crate::sessions::{Instrument, Session, Target, validation};
 

@@ -13,7 +13,8 @@ use crate::importers::matching::{self, Matching, Pairs, counted, listed};
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
-use crate::sessions::columns::{Quantity, Unit, check_joint};
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::layout::check_joint;
 use crate::text::length;
 
 impl Job<'_> {

@@ -5,7 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::sessions::columns::{CellKind, Layout};
+use crate::sessions::columns::CellKind;
+use crate::sessions::layout::Layout;
 use crate::sessions::lines::Lines;
 
 /// Few different names in many cells.

@@ -1,7 +1,7 @@
 //! What only shows when the parts of a session are seen together.
 //!
 //! Every finding here is about a session that can be read; nearly all of them are notes and
-//! warnings, because a strange session is still a session. Blunders of setting up (a joint's sign,
+//! warnings, because a strange session is still a session. Set-up errors (a joint's sign,
 //! a wrong unit) need a fit and are not looked for here.
 
 use crate::text::{Template, Text};

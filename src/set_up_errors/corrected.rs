@@ -31,7 +31,7 @@ pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = Session
     problems.iter().filter_map(|problem| problem.mend.clone())
 }
 
-/// A session with its blunders mended, and what they were.
+/// A session with its set-up errors corrected, and what they were.
 #[derive(Debug, Clone)]
 pub struct Mended<'a> {
     /// The session to go on with.

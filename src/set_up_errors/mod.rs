@@ -1,7 +1,7 @@
-//! Blunders of setting up, tried before any effect: on a real arm with a tracker they were worth
+//! Set-up errors, tried before any effect: on a real arm with a tracker they were worth
 //! more than any effect, and faked one.
 //!
-//! A blunder is a hypothesis about the data: the session is changed as the blunder would have it,
+//! A set-up error is a hypothesis about the data: the session is changed as the error would have it,
 //! the base fit is made again, and the change is believed if the gap falls to a small part of
 //! what it was and only then makes sense for a robot. The search goes on with the mended session.
 
@@ -40,7 +40,7 @@ use losses::{losses, mislocked};
 use thinned::thinned;
 use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};
 
-/// Blunders are tried on whole points, where they are so large a part of the samples.
+/// They are tried on whole points, where they are so large a part of the samples.
 const ENOUGH_POINTS: f64 = 0.5;
 
 fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
@@ -90,7 +90,7 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> Mended<'_> {
         } else {
             // One error may hide another: at most two in a row.
             for _ in 0..2 {
-                let Some((better, problem)) = gross_blunder(&session, joint_values) else {
+                let Some((better, problem)) = gross_error(&session, joint_values) else {
                     break;
                 };
                 problems.push(problem);
@@ -124,7 +124,7 @@ pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
         }
         None
     } else {
-        gross_blunder(&session, joint_values)
+        gross_error(&session, joint_values)
     };
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
@@ -135,7 +135,7 @@ pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
     mended
 }
 
-fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {
+fn gross_error(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {
     let sample = thinned(session);
     if sample.samples.len() < FEWEST_SAMPLES {
         return None;

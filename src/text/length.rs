@@ -25,7 +25,7 @@ impl Drop for InUnit {
 }
 
 /// The unit of lengths on this thread.
-pub(super) fn unit() -> LengthUnit {
+pub(crate) fn current_unit() -> LengthUnit {
     UNIT.get()
 }
 

@@ -114,6 +114,8 @@ pub use sentence::{Argument, Text};
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
 pub(crate) use length::InUnit;
+#[cfg(feature = "gui")]
+pub(crate) use length::current_unit;
 pub(crate) use sentence::{length, lengths};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::english::Template;
 use super::language::Language;
-use super::length::{InUnit, Lengths, unit};
+use super::length::{InUnit, Lengths, current_unit};
 use super::speech::filled_in;
 use crate::units::LengthUnit;
 
@@ -77,7 +77,7 @@ impl Text {
                 let clauses = clauses.iter();
                 clauses.map(|one| one.said(language, by_titles)).collect()
             }
-            Kind::Length(lengths) => lengths.said(unit()),
+            Kind::Length(lengths) => lengths.said(current_unit()),
             Kind::Named(named) if language == Language::English && !by_titles => named.0.clone(),
             Kind::Named(named) => named.1.said(language, by_titles),
             Kind::Sentence(sentence) => {

@@ -115,29 +115,14 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::search::prepare::Prepared;
-    use crate::simulation::{parse_scenario, simulate, unwatched};
+    use crate::diagnosis::tests::two_axes;
 
     /// Two axes, the second with an eccentric encoder.
     #[test]
     fn a_fit_with_the_columns_of_the_base_ends_where_one_with_its_own_does() {
-        let stops = (0..120).map(|k| {
-            let turn = |by: f64| 240.0 * (f64::from(k) * by).fract() - 120.0;
-            let (tilt, turn) = (0.5 * turn(0.754_877_666), turn(0.569_840_291));
-            format!(r#"{{"q_deg":[{tilt},{turn}]}}"#)
-        });
-        let scenario = format!(
-            r#"{{"format":"truepose-scenario/1","name":"positioner","robot":{{"name":"r","joints":[
-            {{"name":"tilt","kind":"revolute","axis":[0,-1,0],"point_mm":[0,0,300]}},
-            {{"name":"turn","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,300]}}],
-            "tool":{{"position_mm":[300,50,200],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
-            "instrument":{{"name":"tracker","sigma_mm":0.03}},"poses":{{"list":[{}]}},
-            "effects":[{{"effect":"encoder-eccentricity","joint":2,
-            "parameters":{{"amplitude_deg":0.1,"phase_deg":20}}}}],
-            "noise":{{"sigma_mm":0.03,"kind":"gauss"}},"seed":1}}"#,
-            stops.collect::<Vec<_>>().join(",")
+        let session = two_axes(
+            r#"{"effect":"encoder-eccentricity","joint":2,"parameters":{"amplitude_deg":0.1,"phase_deg":20}}"#,
         );
-        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
-        let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
         let prepared = Prepared::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);

@@ -33,7 +33,7 @@ pub(crate) fn until_stopped<'w>(
     }
 }
 
-/// The session without its blunders.
+/// The session without its set-up errors.
 pub(crate) fn checked<'a>(
     session: &'a Session,
     options: &Options,

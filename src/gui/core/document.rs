@@ -263,7 +263,7 @@ impl Found {
 
 impl Question {
     /// The same, answered by the search where it asks for all that the search found and nothing
-    /// else. A session with blunders was mended before it was searched: its own fit is another.
+    /// else. A session with set-up errors was corrected before it was searched: its own fit is another.
     pub(crate) fn found_by(mut self, search: &Arc<Search>) -> Self {
         let Asks::Exact {
             effects,

@@ -90,9 +90,10 @@ impl<B: 'static> Jobs<B> {
             watch: Arc::clone(&watch),
         });
         let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
-        let spoken = text::current();
+        let (spoken, unit) = (text::current(), text::current_unit());
         let job = move || {
             text::choose(spoken);
+            let _unit = text::InUnit::begin(unit);
             text::name_by_titles(true);
             // A bug in one job must not leave the window waiting for it.
             let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();

@@ -76,7 +76,7 @@ const WIDE: usize = 5;
 /// A table, wide ones in small letters; where it is wider than the panel, its rows one below the other.
 fn table(ui: &mut Ui, index: usize, table: &Table) {
     let (letters, apart) = if table.columns.len() > WIDE {
-        (size::SMALL, 4.0)
+        (size::SMALL, 5.0)
     } else {
         (size::BODY, 12.0)
     };
@@ -139,7 +139,7 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
             let name = format!("{} {}", in_a_line(&column.heading), in_a_line(&first.shown));
             ui.label(RichText::new(name.trim()).font(strong(size::SMALL)));
         }
-        let rest = cells.filter(|(cell, _)| !cell.shown.is_empty());
+        let rest = cells.filter(|(cell, _)| !["", "–"].contains(&cell.shown.as_str()));
         let rest = rest.map(|(cell, column)| {
             let (heading, cell) = (in_a_line(&column.heading), in_a_line(&cell.shown));
             format!("{heading} {cell}")

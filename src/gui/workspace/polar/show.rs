@@ -142,7 +142,10 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String),
     };
     let scene = scene(workbench, &polar, camera.points_per_mm());
     let session = crate::report::document::clean(&workbench.subject().session.name);
-    let says = format!("{session}: {}", say!("the deviation around the angle"));
+    let says = say!(
+        "{session}: the deviation around the angle",
+        session = session
+    );
     Ok((sheet.with(&scene, &camera), says))
 }
 

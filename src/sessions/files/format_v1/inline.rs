@@ -5,7 +5,8 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Fields, Member, Node, Path, Source, Value, element_offset};
 use crate::kinematics::Joint;
-use crate::sessions::columns::{CellKind, Layout};
+use crate::sessions::columns::CellKind;
+use crate::sessions::layout::Layout;
 use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Names, Table};
 
