@@ -68,9 +68,9 @@ fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
 }
 
 /// What an export leaves of a session, in a sentence.
-fn left_of(session: &Session, errors: Option<[Spread; 2]>) -> Text {
-    match errors {
-        Some([_, error]) => text!(
+fn left_of(session: &Session, error: Option<Spread>) -> Text {
+    match error {
+        Some(error) => text!(
             "of '{session}' it leaves an RMS error of {rms} mm (largest {largest})",
             session = &session.name,
             rms = format!("{:.6}", error.rms_mm),
@@ -120,14 +120,16 @@ impl Export {
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
-        let mut of_session = None;
-        let (export, errors) = if let Some(path) = &self.session {
+        let (mut of_session, mut nominal) = (None, None);
+        let (export, error) = if let Some(path) = &self.session {
             let loaded = output::session(path)?;
             inputs.extend(loaded.files);
             let session = &loaded.session;
             let checked = pipeline::export_for(&self.to, &job, session).map_err(failure)?;
-            of_session = Some(left_of(session, checked.gaps));
-            (checked.export, checked.gaps)
+            let error = checked.gaps.map(|[_, after]| after);
+            of_session = Some(left_of(session, error));
+            nominal = pipeline::nominal_error(session);
+            (checked.export, error)
         } else {
             (pipeline::export(&self.to, &job).map_err(failure)?, None)
         };
@@ -164,12 +166,13 @@ impl Export {
                 "notes": notes.map(Text::to_string).collect::<Vec<_>>(),
             }));
         }
-        if let (None, Some(says)) = (errors, &of_session) {
+        if let (None, Some(says)) = (error, &of_session) {
             output::messages(&[spoken(says)]);
         }
         let exported = Exported {
             export: &export,
-            errors,
+            error,
+            nominal,
             identified_mm: None,
             remainder: None,
         };

@@ -5,7 +5,7 @@ use super::{Block, Detail, Fact};
 use crate::effects::{Role, role};
 use crate::fit::Estimate;
 use crate::present::names::{parameter, word};
-use crate::present::numbers::decimals_of;
+use crate::present::numbers::{decimals_of, with_minus_signs};
 use crate::present::table::{Column, Table};
 use crate::units::rad_from_deg;
 
@@ -145,10 +145,18 @@ fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
         other => format!(" {}", other.trim()),
     };
     let value = factor * estimate.value;
+    // Other programs read the terminal's minus signs.
+    let shown = |number: String| {
+        if detail.brief {
+            number
+        } else {
+            with_minus_signs(&number)
+        }
+    };
     match estimate.ci95 {
         None if estimate.value == 0.0 => ("–".to_owned(), String::new()),
         // Held where its prior puts it.
-        None => (format!("{value:.3}"), unit),
+        None => (shown(format!("{value:.3}")), unit),
         Some([low, high]) => {
             let half = 0.5 * factor * (high - low);
             // Five of them are beside each other in the window's panel; what is copied has all digits.
@@ -158,7 +166,10 @@ fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
             } else {
                 MOST_DECIMALS
             };
-            (format!("{value:.decimals$} ± {half:.decimals$}"), unit)
+            (
+                shown(format!("{value:.decimals$} ± {half:.decimals$}")),
+                unit,
+            )
         }
     }
 }

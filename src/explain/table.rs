@@ -13,8 +13,10 @@ use crate::text::Text;
 pub(crate) struct Exported<'a> {
     /// The export.
     pub(crate) export: &'a Export,
-    /// RMS errors of the session as it stands and under the export, where there is one and both can be said.
-    pub(crate) errors: Option<[Spread; 2]>,
+    /// RMS error of the session under the export, where there is one and that can be said.
+    pub(crate) error: Option<Spread>,
+    /// RMS error of the nominal robot on the session, as every other answer states it.
+    pub(crate) nominal: Option<Spread>,
     /// RMS error of the model itself on the session, mm, where that is known.
     pub(crate) identified_mm: Option<f64>,
     /// What no joint can correct; `None` where that was not worked out.
@@ -63,17 +65,17 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     let describes = of.export.robot.is_some();
     let cannot = of.remainder.filter(|_| !describes);
     let mut blocks = Vec::new();
-    let title = if let Some([before, after]) = of.errors {
-        blocks.push(Block::Facts(figures(of, before, after, detail)));
+    let title = if let Some(error) = of.error {
+        blocks.push(Block::Facts(figures(of, error, detail)));
         let model_only = say!(
-            "Includes noise, load and temperature effects that a table cannot correct; the model's own figure stands below"
+            "Includes noise, load and temperature effects that a table cannot correct; the model's own figure is below"
         );
         if let Some(remainder) = cannot {
             blocks.push(Block::Text(model_only.to_owned()));
             let own = detail.length(remainder.rms_mm);
             let own = fact(say!("not correctable by joint commands"), own);
             blocks.push(Block::Facts(vec![own]));
-            if after.rms_mm < remainder.rms_mm {
+            if error.rms_mm < remainder.rms_mm {
                 let says =
                     say!("The predicted residual exceeds the measured one: the model does not fit");
                 blocks.push(Block::Warning(says.to_owned()));
@@ -103,15 +105,17 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::Answer, title, blocks))
 }
 
-fn figures(of: &Exported<'_>, before: Spread, after: Spread, detail: Detail) -> Vec<Fact> {
-    let length = |mm: f64| detail.length(mm);
+fn figures(of: &Exported<'_>, error: Spread, detail: Detail) -> Vec<Fact> {
     let mut facts = vec![
-        fact(say!("RMS error"), length(after.rms_mm)),
-        fact(say!("largest"), length(after.max_mm)),
-        fact(say!("RMS error without it"), length(before.rms_mm)),
+        fact(say!("RMS error"), detail.length(error.rms_mm)),
+        fact(say!("largest"), detail.length(error.max_mm)),
     ];
-    if let Some(mm) = of.identified_mm {
-        facts.push(fact(say!("model and measurement"), length(mm)));
+    let nominal = of.nominal.map(|nominal| nominal.rms_mm);
+    for (name, mm) in [
+        (say!("RMS error, nominal robot"), nominal),
+        (say!("model and measurement"), of.identified_mm),
+    ] {
+        facts.extend(mm.map(|mm| fact(name, detail.length(mm))));
     }
     facts
 }

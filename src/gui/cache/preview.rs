@@ -39,8 +39,8 @@ pub(crate) struct ExportPreview {
     pub(crate) export: Export,
     /// What no joint can remove.
     pub(crate) remainder: Remainder,
-    /// RMS errors of the session as it stands and with this export, the controller's own interpolation in it.
-    pub(crate) errors: Option<[Spread; 2]>,
+    /// RMS error of the session with this export, the controller's own interpolation in it.
+    pub(crate) error: Option<Spread>,
 }
 
 impl Preview {
@@ -75,7 +75,7 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     let export = made.export;
     Ok(ExportPreview {
         remainder: Remainder::new(calibration, &inputs),
-        errors: made.gaps,
+        error: made.gaps.map(|[_, after]| after),
         joint: session.robot.joints[choice.joint].name.clone(),
         export,
     })

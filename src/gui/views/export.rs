@@ -239,7 +239,8 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
     let identified = workbench.answer().filter(|_| measured);
     let exported = Exported {
         export: &made.export,
-        errors: made.errors,
+        error: made.error,
+        nominal: workbench.subject().gap_before,
         identified_mm: identified.map(|answer| answer.identification.gap.after.rms_mm),
         remainder: Some(&made.remainder),
     };
