@@ -49,7 +49,7 @@ pub enum WriteError {
 
 impl WriteError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::ReplacesInput { output, input } => text!(
                 "{output}: would replace the input {input}; choose another name",
@@ -131,12 +131,12 @@ pub(crate) fn write_atomically(
     force: bool,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), WriteError> {
-    Prepared::write(path, force, write)?.commit()
+    StagedFile::write(path, force, write)?.commit()
 }
 
 /// A file that is on the disk but does not have its name yet. Dropped, it leaves no trace.
-pub(crate) struct Prepared {
-    file: Unfinished,
+pub(crate) struct StagedFile {
+    file: TemporaryFile,
     /// As the user named it.
     named: PathBuf,
     /// Where it is to stand, links resolved.
@@ -144,7 +144,7 @@ pub(crate) struct Prepared {
     force: bool,
 }
 
-impl Prepared {
+impl StagedFile {
     pub(crate) fn write(
         named: &Path,
         force: bool,
@@ -167,7 +167,7 @@ impl Prepared {
         builder.prefix(&prefix).suffix(".tmp");
         set_permissions(&mut builder);
         let file = List::locked().make(folder, &mut builder).map_err(failed)?;
-        let mut unfinished = Unfinished(Some(file));
+        let mut unfinished = TemporaryFile(Some(file));
         let file = unfinished.file().map_err(failed)?;
         let mut buffer = BufWriter::with_capacity(1 << 16, file.as_file_mut());
         write(&mut buffer).map_err(failed)?;
@@ -220,16 +220,16 @@ impl Prepared {
 }
 
 /// A file that vanishes, and is forgotten, unless it gets its name.
-struct Unfinished(Option<NamedTempFile>);
+struct TemporaryFile(Option<NamedTempFile>);
 
-impl Unfinished {
+impl TemporaryFile {
     fn file(&mut self) -> io::Result<&mut NamedTempFile> {
         let gone = || io::Error::other("the unfinished file is gone");
         self.0.as_mut().ok_or_else(gone)
     }
 }
 
-impl Drop for Unfinished {
+impl Drop for TemporaryFile {
     fn drop(&mut self) {
         if let Some(file) = self.0.take() {
             let mut list = List::locked();
@@ -243,7 +243,7 @@ impl Drop for Unfinished {
 /// rename fails, the first file gets its old content back. One folder is synchronised once, after
 /// both; two writers of one folder take turns, and no signal comes between. Between the two renames
 /// SIGKILL leaves the new first and the old second: what is in the second says which first is its own.
-pub(crate) fn commit_both(first: Prepared, second: Prepared) -> Result<(), WriteError> {
+pub(crate) fn commit_both(first: StagedFile, second: StagedFile) -> Result<(), WriteError> {
     let (first_path, second_path) = (first.path.clone(), second.path.clone());
     let (folder, other) = (folder_of(&first_path), folder_of(&second_path));
     let _turn = turn_of(folder);
@@ -427,7 +427,7 @@ mod tests {
         let (first, second) = (folder.path().join("s.csv"), folder.path().join("s.json"));
         fs::write(&first, "old").unwrap();
         let prepare =
-            |path: &Path, force| Prepared::write(path, force, |output| output.write_all(b"new"));
+            |path: &Path, force| StagedFile::write(path, force, |output| output.write_all(b"new"));
         let csv = prepare(&first, true).unwrap();
         let json = prepare(&second, false).unwrap();
         fs::write(&second, "somebody else's").unwrap();

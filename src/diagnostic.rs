@@ -65,7 +65,7 @@ impl Place {
 
 impl Place {
     /// In words; nothing where nothing is known of it.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let file = self.file.as_ref();
         let parts = [
             file.map(|file| Text::verbatim(file.display().to_string())),
@@ -146,7 +146,7 @@ impl Diagnostic {
 
 impl Diagnostic {
     /// In words: where it is, what was found, and what was expected.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let found = if self.expected.is_empty() {
             self.found.clone()
         } else {
@@ -156,7 +156,7 @@ impl Diagnostic {
                 expected = &self.expected
             )
         };
-        match self.place.says() {
+        match self.place.describe() {
             nowhere if nowhere.is_empty() => found,
             place => text!("{place}: {found}", place = place, found = found),
         }
@@ -187,8 +187,8 @@ impl Rejected {
 
 impl Rejected {
     /// In words, a line for each finding.
-    pub fn says(&self) -> Text {
-        Text::listed(self.diagnostics.iter().map(Diagnostic::says), "\n")
+    pub fn describe(&self) -> Text {
+        Text::listed(self.diagnostics.iter().map(Diagnostic::describe), "\n")
     }
 }
 

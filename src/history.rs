@@ -326,13 +326,13 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
 
 /// A session; `None` where it is of another robot than the `only` one that is wanted.
 fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read>, Text> {
-    let session = load(path).map_err(|rejected| rejected.says())?.session;
+    let session = load(path).map_err(|rejected| rejected.describe())?.session;
     if only.is_some_and(|robot| session.robot.name != robot) {
         return Ok(None);
     }
     let values = JointValues::Commanded;
     let identified = identify_exact(&session, &DEFAULT_EFFECTS.map(str::to_owned), values);
-    let identification = identified.map_err(|error| error.says())?;
+    let identification = identified.map_err(|error| error.describe())?;
     let calibration = identification.calibration(&session, &Inputs::new(&session, values));
     let Identification {
         parameters, gap, ..
@@ -361,7 +361,7 @@ fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read
 }
 
 fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
-    let calibration = load_model(path).map_err(|rejected| rejected.says())?;
+    let calibration = load_model(path).map_err(|rejected| rejected.describe())?;
     let steps = &calibration.history;
     let gap = |step: Option<&crate::model::ResidualStep>| step.map_or(f64::NAN, |step| step.gap_mm);
     Ok(Read {

@@ -14,7 +14,7 @@ pub(crate) fn spoken(text: impl Into<Text>) -> String {
 /// A finding, with where it is and what was expected.
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) fn finding(finding: &Diagnostic) -> String {
-    spoken(finding.says())
+    spoken(finding.describe())
 }
 
 /// What the core says in these words, among those of this kind, where the language has it.

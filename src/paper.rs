@@ -84,7 +84,7 @@ pub fn regional_start(
     });
     let apart_mm = apart.fold(0.0, f64::max);
     let turn = turn(session, &regional, values);
-    let says = says(&regional, turn, (theta, l1), apart_mm, diagnosis);
+    let says = describe(&regional, turn, (theta, l1), apart_mm, diagnosis);
     let both = of_one.regions.iter().map(|r| &r.correction);
     Ok(RegionalStart {
         of_one_error: both.map(|c| (c.theta_rad, c.l1_mm)).collect(),
@@ -150,7 +150,7 @@ fn turn(session: &Session, regional: &Identification, values: JointValues) -> Op
     (by > 0.0).then(|| turned / by)
 }
 
-fn says(
+fn describe(
     regional: &Identification,
     turn: Option<f64>,
     (theta, l1): (f64, f64),

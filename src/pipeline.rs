@@ -25,7 +25,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use crate::answers::identification::FULL_MODEL;
-use crate::compensation::decision::{Fitted, Measured};
+use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::compensation::{NotHandedOut, Verification, VerifiedCalibration, VerifyError};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
@@ -42,7 +42,7 @@ use crate::model::{Calibration, ResidualStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Session, SessionCorrection};
-use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
+use crate::set_up_errors::{CorrectedSession, DataProblem, mend, noticed};
 use crate::standards::Standards;
 use crate::text::Text;
 
@@ -190,7 +190,7 @@ pub fn identify_checked(
     let session = &*session.whole()?;
     let checked = match method {
         Method::Exact { .. } => noticed(session, values),
-        Method::Regional(_) => Mended {
+        Method::Regional(_) => CorrectedSession {
             session: Cow::Borrowed(session),
             problems: Vec::new(),
         },
@@ -274,7 +274,7 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
         return Err(ExportError::Refused(text!(
             "{format} holds joint values as the robot's description has them, and the controller of the model's session has them otherwise ({why}): correct the controller or the description, identify again and export that model",
             format = format.title,
-            why = set_up.says()
+            why = set_up.describe()
         )));
     }
     format.exporter.export(job)
@@ -282,7 +282,7 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
 
 /// An export beside what it does to the session that it is held against.
 #[derive(Debug, Clone)]
-pub struct Checked {
+pub struct CheckedExport {
     /// The export.
     pub export: Export,
     /// RMS errors of the session as it stands and under the export, where both can be said.
@@ -293,12 +293,16 @@ pub struct Checked {
 ///
 /// # Errors
 /// See [`ExportError`].
-pub fn export_for(format: &str, job: &Job, session: &Session) -> Result<Checked, ExportError> {
+pub fn export_for(
+    format: &str,
+    job: &Job,
+    session: &Session,
+) -> Result<CheckedExport, ExportError> {
     let export = export(format, job)?;
     let session = session.whole();
     let session = session
         .as_deref()
-        .map_err(|error| ExportError::Refused(error.says()))?;
+        .map_err(|error| ExportError::Refused(error.describe()))?;
     let gaps = gaps_of_export(job.calibration, session, &export);
     match gaps {
         Some([before, after]) if after.rms_mm > before.rms_mm => Err(ExportError::MakesWorse {
@@ -311,7 +315,7 @@ pub fn export_for(format: &str, job: &Job, session: &Session) -> Result<Checked,
             before_mm: before.rms_mm,
             after_mm: after.rms_mm,
         }),
-        _ => Ok(Checked { export, gaps }),
+        _ => Ok(CheckedExport { export, gaps }),
     }
 }
 
@@ -375,10 +379,10 @@ pub fn report_of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Re
 pub fn conformity(
     session: &Session,
     calibration: &Calibration,
-    fitted: Fitted,
-) -> Result<Measured, Text> {
-    let verification = verify(calibration, session).map_err(|error| error.says())?;
-    Measured::of(session, &verification, fitted).map_err(Text::from)
+    fitted: FittedErrors,
+) -> Result<MeasuredDeviation, Text> {
+    let verification = verify(calibration, session).map_err(|error| error.describe())?;
+    MeasuredDeviation::of(session, &verification, fitted).map_err(Text::from)
 }
 
 /// A report as a file of this kind, with the fonts of this machine where the bundled ones do not do.

@@ -4,7 +4,7 @@
 //! hears now and then which part is done, from 0 to 1 and never less than before, and answers
 //! whether to go on. Once it said no the work is [`Cancelled`], whatever it says later.
 //!
-//! Work is made of parts. A `Part` goes from 0 to 1 by itself, knows where in the whole it lies,
+//! Work is made of parts. A `ProgressSpan` goes from 0 to 1 by itself, knows where in the whole it lies,
 //! and is cheap to hand on; whoever reads a file does not know what is done with it afterwards.
 
 use std::cell::Cell;
@@ -76,8 +76,8 @@ impl<'a> Progress<'a> {
     }
 
     /// All of the work.
-    pub(crate) fn whole(&self) -> Part<'_> {
-        Part {
+    pub(crate) fn whole(&self) -> ProgressSpan<'_> {
+        ProgressSpan {
             progress: self,
             from: 0.0,
             to: 1.0,
@@ -87,14 +87,14 @@ impl<'a> Progress<'a> {
 
 /// A part of the work.
 #[derive(Clone, Copy)]
-pub(crate) struct Part<'p> {
+pub(crate) struct ProgressSpan<'p> {
     progress: &'p Progress<'p>,
     /// Where in the whole it begins and ends.
     from: f64,
     to: f64,
 }
 
-impl Part<'_> {
+impl ProgressSpan<'_> {
     /// The part of this part between two shares of it.
     pub(crate) fn part(self, from: f64, to: f64) -> Self {
         let at = |share: f64| self.from + share * (self.to - self.from);
@@ -163,7 +163,7 @@ pub(crate) mod testing {
     use super::*;
 
     /// Every share that the work tells, if it is let go to the end.
-    pub(crate) fn told<T>(
+    pub(crate) fn report_to<T>(
         work: impl FnOnce(&dyn Fn(f64) -> ControlFlow<()>) -> T,
     ) -> (Vec<f64>, T) {
         let shares = Cell::new(Vec::new());
@@ -200,12 +200,12 @@ pub(crate) mod testing {
 
 #[cfg(test)]
 mod tests {
-    use super::testing::told;
+    use super::testing::report_to;
     use super::*;
 
     #[test]
     fn parts_of_parts_are_told_as_shares_of_the_whole() {
-        let (shares, done) = told(|watch| {
+        let (shares, done) = report_to(|watch| {
             let progress = Progress::new(watch);
             let second = progress.whole().part(0.5, 1.0);
             second.reached(0.5)?;
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn passes_that_nobody_has_counted_never_come_to_the_end_by_themselves() {
-        let (shares, ()) = told(|watch| {
+        let (shares, ()) = report_to(|watch| {
             let progress = Progress::new(watch);
             for _ in 0..20 {
                 let pass = progress.whole().next_pass();

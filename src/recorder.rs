@@ -47,7 +47,7 @@ pub enum RecordError {
 
 impl RecordError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::NoHeadings { found } => text!(
                 "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",

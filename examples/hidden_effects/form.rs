@@ -68,7 +68,8 @@ fn session(k: usize, equal: bool) -> Seen {
     rig.hidden = vec![rig.sized(&form, lambda)];
     rig.measure(&mut random);
     let answer = diagnosed_with(&rig, &Options::default());
-    let useless = |f: &truepose::diagnosis::Found| f.held_out_mm.is_some_and(|h| h[1] >= h[0]);
+    let useless =
+        |f: &truepose::diagnosis::FoundEffect| f.held_out_mm.is_some_and(|h| h[1] >= h[0]);
     let worse = |g: truepose::diagnosis::Gaps| g.end_mm > g.identified_mm;
     let seen = Seen {
         useless: answer.found.iter().any(useless),

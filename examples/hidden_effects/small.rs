@@ -1,7 +1,7 @@
 //! Sizes near the detection limit: what is found there is found because noise made it larger, so
 //! its size and its interval have to allow for that.
 
-use truepose::diagnosis::{Found, Options};
+use truepose::diagnosis::{FoundEffect, Options};
 
 use crate::asked::diagnosed_with;
 use crate::cells::{in_parallel, row};
@@ -43,7 +43,7 @@ pub fn near_the_limit(n: usize) {
 }
 
 /// Size found over true size: of a wave its amplitude, of a vector the part along the true one.
-fn ratio(found: &Found, truth: &Hidden) -> f64 {
+fn ratio(found: &FoundEffect, truth: &Hidden) -> f64 {
     let setting = |name: &str| matches!(name, "phase_deg" | "time_s");
     let (mut together, mut square) = (0.0, 0.0);
     for (name, value) in truth.parameters().into_iter().filter(|p| !setting(p.0)) {

@@ -74,7 +74,7 @@ pub struct HeldOut {
 
 /// An effect that was missing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct FoundEffect {
     /// The effect's name.
     pub effect: &'static str,
     /// Joint, counted from 1; `None` where it belongs to none.
@@ -125,7 +125,7 @@ impl Stopped {
     }
 
     /// In words.
-    pub fn says(self) -> Template {
+    pub fn describe(self) -> Template {
         match self {
             Self::Asked => phrase!("the search was stopped: this is what was proven until then"),
             Self::Budget => {
@@ -197,7 +197,7 @@ pub struct Unnamed {
 
 impl Unnamed {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         text!(
             "{size} that no name is proven for predict unseen poses all the same and are in the model: cross-validated {change}, over {over}; outside the measured range they fade to nothing",
             size = length(self.rms_mm, 4),
@@ -229,7 +229,7 @@ pub struct Diagnosis {
     /// What belongs to every calibration.
     pub identified: Vec<Estimate>,
     /// What was missing, in the order found.
-    pub found: Vec<Found>,
+    pub found: Vec<FoundEffect>,
     /// What cannot be ruled out, likeliest first.
     pub equivalent: Vec<Equivalent>,
     /// What no name explains.

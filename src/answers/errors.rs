@@ -73,7 +73,7 @@ const POORLY: f64 = 3.0;
 named! {
     /// Why a sample cannot take part at all.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Unusable {
+    pub enum UnusableReason {
         /// A joint value or a coordinate is missing.
         MissingCell = phrase!("a joint value or a coordinate is missing"),
         /// The instrument lost the reflector: it wrote (0, 0, 0).
@@ -82,5 +82,5 @@ named! {
         Excluded = phrase!("by hand"),
     }
     /// In words.
-    pub fn says -> Template;
+    pub fn describe -> Template;
 }

@@ -11,7 +11,7 @@ use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 use crate::text::{Template, Text};
 
-use super::errors::{Expected, Level, Spread, Unusable};
+use super::errors::{Expected, Level, Spread, UnusableReason};
 use super::noise::Noise;
 
 /// A parameter with its interval, in the user's units.
@@ -149,7 +149,7 @@ pub struct LeftOut {
     /// Which sample, counted from 0.
     pub sample: usize,
     /// Why.
-    pub because: Unusable,
+    pub because: UnusableReason,
 }
 
 /// How the solver fared.
@@ -230,7 +230,7 @@ impl Identification {
         let by_hand = self
             .left_out
             .iter()
-            .filter(|l| l.because == Unusable::Excluded);
+            .filter(|l| l.because == UnusableReason::Excluded);
         by_hand.map(|l| l.sample).collect()
     }
 

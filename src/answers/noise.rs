@@ -112,7 +112,7 @@ pub struct Slow {
 
 impl Slow {
     /// In words, where everything that has a name is in the model.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let (size, time) = self.extent();
         text!(
             "the measuring frame wanders by {size} (root mean square) within {time} min",
@@ -171,7 +171,7 @@ impl StatedNoise {
     }
 
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let times = self.found_mm / self.stated_mm;
         text!(
             "σ = {found} as found, {stated} as stated for the instrument ({times} times)",

@@ -17,12 +17,12 @@ pub(super) enum Start {
 }
 
 /// What is asked of each session.
-pub(crate) struct Asked {
+pub(crate) struct IdentificationTask {
     pub(super) options: Options,
     pub(super) start: Start,
 }
 
-impl Asked {
+impl IdentificationTask {
     /// The diagnosis of a session, and the regional model that it started from where asked for.
     pub(crate) fn of(
         &self,

@@ -10,8 +10,8 @@ use crate::kinematics::{Pose, Robot};
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
-    Answer, CompensateError, Holds, LANGUAGES, Language, ModelTool, Orientation, ProgramFrames,
-    Request, find, language_of,
+    Answer, CompensateError, LANGUAGES, Language, ModelTool, Orientation, Precedence,
+    ProgramFrames, Request, find, language_of,
 };
 use crate::sessions::read_whole;
 use crate::text::Text;
@@ -106,7 +106,7 @@ impl From<CompensateError> for Failure {
         match error {
             CompensateError::ReadBack(_) => Self::Failed(error.into()),
             CompensateError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.says()),
+            other => Self::refused(other.describe()),
         }
     }
 }
@@ -131,7 +131,7 @@ impl Compensate {
         let robot = &calibration.model.robot;
         let (tool, frames) = self.frames(language)?;
         let frame = match frames.frame {
-            Holds::Given(pose) => Some(pose),
+            Precedence::Given(pose) => Some(pose),
             _ => None,
         };
         let answer = pipeline::compensate(&Request {
@@ -148,7 +148,7 @@ impl Compensate {
         })
         .map_err(|error| match error {
             CompensateError::Differs(differences) => {
-                Failure::WrongAt(self.targets.display().to_string(), differences.says())
+                Failure::WrongAt(self.targets.display().to_string(), differences.describe())
             }
             other => other.into(),
         })?;
@@ -190,15 +190,15 @@ impl Compensate {
         if let Some(text) = self.tool.as_deref() {
             let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
             match numbers {
-                Ok(numbers) => frames.tool = Holds::Given(pose("--tool", &numbers, turns)?),
+                Ok(numbers) => frames.tool = Precedence::Given(pose("--tool", &numbers, turns)?),
                 Err(_) => tool = Some(ModelTool::Named(text.to_owned())),
             }
         }
         if let Some(numbers) = self.frame.as_deref() {
-            frames.frame = Holds::Given(pose("--frame", numbers, turns)?);
+            frames.frame = Precedence::Given(pose("--frame", numbers, turns)?);
         }
         if let Some(kg) = self.load {
-            frames.load = Holds::Given(kg);
+            frames.load = Precedence::Given(kg);
         }
         Ok((tool, frames))
     }

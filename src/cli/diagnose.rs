@@ -11,7 +11,7 @@ use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::sessions::Session;
 
-use super::asked::{Asked, Start};
+use super::asked::{IdentificationTask, Start};
 use super::diagnosed::{in_words, start_in_words};
 use super::failure::Failure;
 use super::identify::Values;
@@ -78,7 +78,7 @@ impl From<DiagnoseError> for Failure {
     fn from(error: DiagnoseError) -> Self {
         match error {
             DiagnoseError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.says()),
+            other => Self::refused(other.describe()),
         }
     }
 }
@@ -90,7 +90,7 @@ impl Diagnose {
         // Of several sessions each has its line: an interrupt ends them.
         let one_session =
             self.sessions.len() == 1 && !self.json_lines && !self.sessions[0].is_dir();
-        let asked = Asked {
+        let asked = IdentificationTask {
             options: Options {
                 allowed: Allowed {
                     without: self.without,
@@ -143,13 +143,13 @@ impl Diagnose {
 
 /// The answer about one session; at an interrupt what is proven until then.
 fn answer_of(
-    asked: &Asked,
+    asked: &IdentificationTask,
     session: &Session,
 ) -> Result<(Diagnosis, Option<RegionalStart>), Failure> {
     let stopping = Stopping::at_interrupt();
     let line = ProgressLine::new();
     asked.of(session, &|progress| {
-        line.says(&doing(progress));
+        line.describe(&doing(progress));
         !stopping.is_asked()
     })
 }

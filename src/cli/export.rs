@@ -116,7 +116,7 @@ impl Export {
         };
         let failure = |error| match error {
             ExportError::ReadBack(_) => Failure::Failed(anyhow::Error::from(error)),
-            _ => Failure::refused(error.says()),
+            _ => Failure::refused(error.describe()),
         };
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());

@@ -74,11 +74,11 @@ impl Failure {
 /// What an error says: one of the core in a sentence, any other in its own words.
 fn in_words(error: &(dyn Error + 'static)) -> Text {
     if let Some(error) = error.downcast_ref::<WriteError>() {
-        error.says()
+        error.describe()
     } else if let Some(error) = error.downcast_ref::<NotHandedOut>() {
-        error.says()
+        error.describe()
     } else if let Some(error) = error.downcast_ref::<ExportError>() {
-        error.says()
+        error.describe()
     } else {
         Text::verbatim(error.to_string())
     }
@@ -105,7 +105,7 @@ impl From<IdentifyError> for Failure {
     fn from(error: IdentifyError) -> Self {
         match error {
             IdentifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.says()),
+            other => Self::refused(other.describe()),
         }
     }
 }
@@ -119,7 +119,7 @@ impl From<NotHandedOut> for Failure {
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         if error.is_refusal() {
-            Self::refused(error.says())
+            Self::refused(error.describe())
         } else {
             Self::Failed(error.into())
         }

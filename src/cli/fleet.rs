@@ -26,7 +26,7 @@ use crate::present::table::Table;
 use crate::sessions::Session;
 use crate::text::{choose, current};
 
-use super::asked::Asked;
+use super::asked::IdentificationTask;
 use super::failure::Failure;
 use super::in_order::in_order;
 use super::output;
@@ -74,7 +74,7 @@ fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
 /// Diagnoses the sessions that the arguments name, `jobs` at a time. A folder stands for its sessions.
 pub(crate) fn run(
     arguments: &[PathBuf],
-    asked: &Asked,
+    asked: &IdentificationTask,
     jobs: Option<NonZeroUsize>,
     json_lines: bool,
 ) -> Result<(), Failure> {
@@ -119,7 +119,7 @@ pub(crate) fn run(
 }
 
 /// Diagnoses one session, unless the command is stopped meanwhile.
-fn one(path: &Path, asked: &Asked, stopped: &AtomicBool) -> Answer {
+fn one(path: &Path, asked: &IdentificationTask, stopped: &AtomicBool) -> Answer {
     let mut findings = Vec::new();
     let told = guarded(path, || {
         let loaded = load(path)?;

@@ -127,7 +127,7 @@ pub fn run() -> ExitCode {
     let _ = end_at_signals();
     let done = match arguments.command {
         None => window::open(arguments.file),
-        Some(command) if cfg!(windows) => apart(|| command.run()),
+        Some(command) if cfg!(windows) => with_large_stack(|| command.run()),
         Some(command) => command.run(),
     };
     match done {
@@ -180,7 +180,7 @@ fn end_at_signals() -> std::io::Result<()> {
 
 /// Does it in a thread with the stack that Linux gives: of a program's first thread Windows makes an eighth of that, and
 /// the C library of the GNU toolchain calculates with other rounding there than in threads, which a fleet works in.
-fn apart(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
+fn with_large_stack(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
     let spoken = current();
     thread::scope(|scope| {
         let thread = Builder::new().stack_size(8 << 20);

@@ -81,7 +81,7 @@ impl From<PlanError> for Failure {
     fn from(error: PlanError) -> Self {
         match error {
             PlanError::Diagnose(error) => error.into(),
-            other => Self::refused(other.says()),
+            other => Self::refused(other.describe()),
         }
     }
 }
@@ -130,8 +130,11 @@ impl Plan {
         if let Some(out) = &self.out {
             let list = match self.language(out) {
                 "csv" => measuring_list(&plan.poses, &plan.robot),
-                language => measuring_program(&plan.poses, &plan.robot, language)
-                    .map_err(|error| Failure::WrongAt(out.display().to_string(), error.says()))?,
+                language => {
+                    measuring_program(&plan.poses, &plan.robot, language).map_err(|error| {
+                        Failure::WrongAt(out.display().to_string(), error.describe())
+                    })?
+                }
             };
             output::document(out, list.as_bytes(), self.force, &files)?;
         }

@@ -25,7 +25,7 @@ impl ProgressLine {
     }
 
     /// Shows this in place of what was there.
-    pub(crate) fn says(&self, text: &str) {
+    pub(crate) fn describe(&self, text: &str) {
         if !self.is_seen {
             return;
         }

@@ -156,7 +156,7 @@ impl Record {
 impl From<RecordError> for Failure {
     fn from(error: RecordError) -> Self {
         if error.is_refusal() {
-            Self::refused(error.says())
+            Self::refused(error.describe())
         } else {
             Self::Failed(error.into())
         }

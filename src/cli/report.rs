@@ -71,7 +71,7 @@ impl Report {
         let extras = Extras {
             details,
             history: self.history.as_deref().map(pipeline::history).transpose()?,
-            tables: tables.map_err(|error| Failure::refused(error.says()))?,
+            tables: tables.map_err(|error| Failure::refused(error.describe()))?,
         };
         let report = if pipeline::is_model(&self.file) {
             pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
@@ -106,7 +106,7 @@ impl From<ReportError> for Failure {
             ReportError::Diagnose(DiagnoseError::Cancelled) => Self::Failed(error.into()),
             ReportError::Diagnose(error) => error.into(),
             ReportError::Verify(error) => error.into(),
-            other @ ReportError::NotHandedOut(_) => Self::refused(other.says()),
+            other @ ReportError::NotHandedOut(_) => Self::refused(other.describe()),
         }
     }
 }

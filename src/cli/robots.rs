@@ -75,7 +75,7 @@ impl Robots {
 }
 
 fn one(text: &str) -> Result<&'static LibraryRobot, Failure> {
-    named(text).map_err(|error| Failure::refused(error.says()))
+    named(text).map_err(|error| Failure::refused(error.describe()))
 }
 
 fn listed(robots: &[&LibraryRobot]) -> String {

@@ -27,7 +27,7 @@ pub(super) fn run(
         (output::robot(subject)?, vec![subject.to_owned()])
     };
     let cube = TestCube::of(&robot)
-        .map_err(|error| Failure::WrongAt(subject.display().to_string(), error.says()))?;
+        .map_err(|error| Failure::WrongAt(subject.display().to_string(), error.describe()))?;
     if let Some((out, force)) = out {
         let list = measuring_list(&cube.measuring_order(), &robot);
         output::document(out, list.as_bytes(), force, &files)?;

@@ -53,7 +53,7 @@ impl From<VerifyError> for Failure {
     fn from(error: VerifyError) -> Self {
         match error {
             VerifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.says()),
+            other => Self::refused(other.describe()),
         }
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn verified(
     }
     let says = text!(
         "read as the model's own session was: {how}",
-        how = set_up.says()
+        how = set_up.describe()
     );
     let says = (!set_up.is_empty()).then_some(says);
     let first = by(&set_up.applied(session, own), says)?;

@@ -72,7 +72,7 @@ named! {
 
 /// The deviation that is decided, with its uncertainty. See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measured {
+pub struct MeasuredDeviation {
     /// Largest deviation of a position, mm.
     pub largest_mm: f64,
     /// Expanded uncertainty, mm.
@@ -83,7 +83,7 @@ pub struct Measured {
 
 /// RMS errors of a model, mm, from which its prediction error is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Fitted {
+pub struct FittedErrors {
     /// On the samples that it was fitted to.
     pub fit_mm: f64,
     /// On samples that no fit has seen.
@@ -92,7 +92,7 @@ pub struct Fitted {
     pub floor_mm: Option<f64>,
 }
 
-impl Measured {
+impl MeasuredDeviation {
     /// Of a verified session.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ impl Measured {
     pub fn of(
         session: &Session,
         verification: &Verification,
-        fitted: Fitted,
+        fitted: FittedErrors,
     ) -> Result<Self, Template> {
         let axes = if session.samples.z_mm.is_some() {
             3.0
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn the_uncertainty_counts_against_the_side_that_has_to_prove() {
-        let measured = Measured {
+        let measured = MeasuredDeviation {
             largest_mm: 0.25,
             expanded_mm: 0.125,
             predicted: true,
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(simple(0.25), Outcome::Pass);
         assert_eq!(simple(0.249), Outcome::Fail);
         // An error that is not known is within nothing.
-        let unknown = Measured {
+        let unknown = MeasuredDeviation {
             largest_mm: f64::NAN,
             ..measured
         };

@@ -57,7 +57,7 @@ pub enum NotHandedOut {
 
 impl NotHandedOut {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::OtherThanSaid { found_mm, said_mm } => text!(
                 "on the session that it came from the model leaves an RMS error of {found_mm}, and {said_mm} was said: it is not written",
@@ -84,7 +84,7 @@ impl NotHandedOut {
                 "the model predicts no position at joint values {values} (rad, mm): it is not written",
                 values = format!("{:?}", given)
             ),
-            Self::Verify(inner) => inner.says(),
+            Self::Verify(inner) => inner.describe(),
         }
     }
 }

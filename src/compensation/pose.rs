@@ -104,7 +104,7 @@ pub(crate) fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<P
     for start in (0..inputs.len()).step_by(AT_ONCE) {
         let part = with_tools(inputs, tools, start);
         let seen = seen(model, &part, tools);
-        poses.extend(seen.iter().map(Seen::pose));
+        poses.extend(seen.iter().map(ToolAtPose::pose));
     }
     poses
 }
@@ -153,7 +153,7 @@ fn commands_of_block(
     let mut q = vec![0.0; trial.q.len()];
     // Only what has not settled goes through the model again.
     let mut moving: Vec<usize> = (0..count).collect();
-    let mut last: Vec<Seen> = vec![Seen::default(); count];
+    let mut last: Vec<ToolAtPose> = vec![ToolAtPose::default(); count];
     for pass in 0..=2 * MOST_PASSES {
         let some = selected(&trial, &moving);
         for (i, seen) in moving.iter().copied().zip(seen(model, &some, tools)) {
@@ -279,13 +279,13 @@ pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
 
 /// The tool at one pose: its origin and the points that carry its orientation.
 #[derive(Debug, Clone, Copy, Default)]
-struct Seen {
+struct ToolAtPose {
     /// Origin, and points along x, y and z of the tool frame, mm.
     at: [[f64; 3]; 4],
 }
 
-fn seen(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Seen> {
-    let mut all = vec![Seen::default(); inputs.len()];
+fn seen(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<ToolAtPose> {
+    let mut all = vec![ToolAtPose::default(); inputs.len()];
     let mut one = inputs.clone();
     let points: Vec<_> = tools.base_from_tool.iter().map(points_at_home).collect();
     for point in 0..4 {
@@ -310,7 +310,7 @@ fn points_at_home(tool: &Pose) -> [[f64; 3]; 4] {
     std::array::from_fn(along)
 }
 
-impl Seen {
+impl ToolAtPose {
     /// The tool's axes, nearly of unit length.
     fn axes(&self) -> [[f64; 3]; 3] {
         std::array::from_fn(|k| minus(self.at[k + 1], self.at[0]).map(|v| v / LEVER_MM))
@@ -418,7 +418,7 @@ impl<'r> Scale<'r> {
     /// The next step in [`Scale::unit`]s. `so_far`: what the steps before have moved, in the same.
     fn step(
         &self,
-        seen: &Seen,
+        seen: &ToolAtPose,
         wanted: &Pose,
         (free, twists): (&[usize], &[Twist]),
         so_far: &[f64],

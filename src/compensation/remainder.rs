@@ -60,7 +60,7 @@ impl Remainder {
     }
 
     /// The whole in one sentence per effect, largest first.
-    pub fn says(&self) -> Vec<Text> {
+    pub fn describe(&self) -> Vec<Text> {
         let share = |s: &Share| {
             let (effect, left) = (called(s.effect), length(s.rms_mm, 4));
             match s.joint {

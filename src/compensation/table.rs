@@ -65,7 +65,7 @@ pub enum TableError {
 
 impl TableError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::AlreadyCompensated(model) => text!(
                 "the model comes from a session that was measured with the table of model {model} active: it says what is left, and a table made from it would lack what that one does; measure without a table",

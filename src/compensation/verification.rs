@@ -150,7 +150,7 @@ pub enum VerifyError {
 
 impl VerifyError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::DifferentRobots { session, model } => text!(
                 "the session's robot has {session} and the model's {model}: they are different robots",
@@ -160,7 +160,7 @@ impl VerifyError {
             Self::NothingToVerify => text!(
                 "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
             ),
-            Self::Rejected(inner) => inner.says(),
+            Self::Rejected(inner) => inner.describe(),
         }
     }
 }

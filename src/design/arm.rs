@@ -11,11 +11,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::candidates::{Candidate, Writing, anywhere, ranges};
-use super::imagined::{extend, extended, unmeasured};
+use super::expected_rows::{extend, extended, unmeasured};
+use super::line_of_sight;
+use super::measuring_methods::{MeasuringMethod, ways};
 use super::plan_options::PlanOptions;
-use super::sight;
 use super::varied::Varied;
-use super::ways::{Way, ways};
 use crate::diagnosis::{DiagnoseError, NextPose};
 use crate::fit::base_model;
 use crate::fit::priors::Priors;
@@ -42,7 +42,7 @@ pub(crate) struct Arm {
     pub(crate) ranges: Vec<Range>,
     /// So many of the targets are there already.
     mounted: usize,
-    ways: Vec<Way>,
+    ways: Vec<MeasuringMethod>,
     cone_rad: Option<f64>,
     seed: u64,
 }
@@ -100,7 +100,7 @@ impl Arm {
         sigma_mm: f64,
         options: &PlanOptions,
     ) -> Self {
-        let way = |target: usize| Way {
+        let way = |target: usize| MeasuringMethod {
             like: None,
             places: Vec::new(),
             target: u32::try_from(target).unwrap_or(0),
@@ -206,7 +206,7 @@ impl Arm {
             let posed = some.iter().map(|(q, w)| (&q[..], self.ways[*w].target));
             let posed: Vec<(&[f64], u32)> = posed.collect();
             let from: Vec<_> = some.iter().map(|(_, w)| self.ways[*w].from).collect();
-            let seen = sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
+            let seen = line_of_sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
             let visible = some.into_iter().zip(seen).filter(|own| own.1);
             all.extend(visible.map(|((q, way), _)| Candidate {
                 target: self.ways[way].target,

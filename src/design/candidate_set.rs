@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use super::arm::Arm;
 use super::candidates::Candidate;
 use super::exchange::{Criterion, Information, choose, exchange};
-use super::imagined::{Shown, shown};
-use super::outlook::{ExpectedError, Prospect, Workspace};
+use super::expected_rows::{ExpectedRows, shown};
+use super::forecast::{ExpectedError, Forecast, Workspace};
 use crate::effects::JointValues;
 use crate::fit::gauge;
 use crate::fit::problem::Problem;
@@ -31,7 +31,7 @@ pub(crate) struct CandidateSet {
     pub(crate) model: Model,
     columns: Vec<usize>,
     /// Rows of candidates and of what was measured before.
-    pub(crate) shown: Shown,
+    pub(crate) shown: ExpectedRows,
     /// Samples that were measured before.
     pub(crate) before: usize,
     pub(crate) workspace: Workspace,
@@ -159,7 +159,7 @@ impl CandidateSet {
     }
 
     /// What is to be expected once these candidates are measured too.
-    pub(crate) fn prospect(&self, of: &[usize]) -> Prospect {
+    pub(crate) fn forecast(&self, of: &[usize]) -> Forecast {
         let mut information = self.information.clone();
         for k in of {
             information.take(*k);
@@ -176,7 +176,7 @@ impl CandidateSet {
             gram.gemm_tr(1.0, &own, &own, 1.0);
         }
         self.workspace
-            .prospect(&information.covariance, &gram, count)
+            .forecast(&information.covariance, &gram, count)
     }
 
     /// Number of coefficients that candidates show.

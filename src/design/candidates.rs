@@ -6,7 +6,7 @@
 //! before the pose. A new reflector may stand on a bar of at most [`REACH_MM`].
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::term::travel_of;
 use crate::effects::{Inputs, JointFrame};
@@ -17,8 +17,8 @@ use nalgebra::{Point3, Vector3};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::imagined::{LATER_S, measured_like};
-use super::ways::{Way, last_setup, ways};
+use super::expected_rows::{LATER_S, measured_like};
+use super::measuring_methods::{MeasuringMethod, last_setup, ways};
 
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
 pub(crate) const REACH_MM: f64 = 300.0;
@@ -138,7 +138,7 @@ pub(crate) struct Conditions {
 impl Conditions {
     /// Standstill, no load, 20 °C and long approaches, after what was measured; where joints moved their
     /// largest speeds are the units.
-    pub(crate) fn after(prepared: &Prepared) -> Self {
+    pub(crate) fn after(prepared: &PreparedSearch) -> Self {
         let joints = prepared.problem.session.robot.joints.iter();
         let unit = |(joint, survey): (&Joint, &crate::effects::survey::JointSurvey)| {
             if survey.largest_speed > 0.0 {
@@ -165,14 +165,18 @@ impl Conditions {
 pub(crate) struct CandidatePoses {
     /// The ways in which the session measures where that is not points alone: every candidate is measured
     /// in one of them.
-    pub(crate) ways: Vec<Way>,
+    pub(crate) ways: Vec<MeasuringMethod>,
     pub(crate) targets: Vec<Target>,
     pub(crate) ranges: Vec<Range>,
     pub(crate) candidates: Vec<Candidate>,
 }
 
 impl CandidatePoses {
-    pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
+    pub(crate) fn new(
+        prepared: &PreparedSearch,
+        targets: Vec<Target>,
+        conditions: &Conditions,
+    ) -> Self {
         let session = prepared.problem.session;
         let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
         let mut places = places(&ranges, prepared.options().seed, conditions.uneven);
@@ -194,7 +198,7 @@ impl CandidatePoses {
         let every = ways.len().div_ceil(MOST_WAYS).max(1);
         ways = ways.into_iter().step_by(every).collect();
         let base = &prepared.regression.base;
-        let of_way = |(index, way): (usize, &Way)| -> Vec<Candidate> {
+        let of_way = |(index, way): (usize, &MeasuringMethod)| -> Vec<Candidate> {
             let here = |q: &Vec<f64>| way.brought(session, base, &ranges, q.clone());
             let at = |q| Candidate {
                 target: way.target,
@@ -214,7 +218,7 @@ impl CandidatePoses {
 
     /// The candidates as samples, each measured in its way as far as the base model knows; `None` where
     /// points alone are measured.
-    pub(crate) fn session(&self, prepared: &Prepared) -> Option<Session> {
+    pub(crate) fn session(&self, prepared: &PreparedSearch) -> Option<Session> {
         prepared.problem.observed.as_ref()?;
         let all = self.candidates.iter();
         let poses: Vec<_> = all.clone().map(|c| (&c.q[..], c.target)).collect();
@@ -223,7 +227,7 @@ impl CandidatePoses {
         Some(measured_like(session, base, &poses, &like))
     }
 
-    pub(crate) fn inputs(&self, prepared: &Prepared) -> Inputs<'static> {
+    pub(crate) fn inputs(&self, prepared: &PreparedSearch) -> Inputs<'static> {
         let start = prepared.problem.inputs.start_s();
         let session = prepared.problem.session;
         let (ranges, all) = (&self.ranges, &self.candidates);
@@ -235,7 +239,12 @@ impl CandidatePoses {
     }
 
     /// The pose of a candidate; before a short approach the place where the joints reverse.
-    pub(crate) fn poses(&self, prepared: &Prepared, candidate: usize, why: &Text) -> Vec<NextPose> {
+    pub(crate) fn poses(
+        &self,
+        prepared: &PreparedSearch,
+        candidate: usize,
+        why: &Text,
+    ) -> Vec<NextPose> {
         let candidate = &self.candidates[candidate];
         let session = prepared.problem.session;
         let writing = Writing {
@@ -246,7 +255,11 @@ impl CandidatePoses {
             temperatures: false,
         };
         let why = match self.ways.get(candidate.way) {
-            Some(way) => text!("{why}; measure {how}", why = why, how = way.says(session)),
+            Some(way) => text!(
+                "{why}; measure {how}",
+                why = why,
+                how = way.describe(session)
+            ),
             None => why.clone(),
         };
         let pose = writing.pose(candidate, why);

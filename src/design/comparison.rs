@@ -21,7 +21,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Inputs;
 use crate::model::Model;
 use crate::observations::Layer;
@@ -140,7 +140,7 @@ pub(crate) struct Field<'p> {
 }
 
 impl<'p> Field<'p> {
-    pub(crate) fn new(prepared: &'p Prepared, offer: &CandidatePoses) -> Self {
+    pub(crate) fn new(prepared: &'p PreparedSearch, offer: &CandidatePoses) -> Self {
         let regression = &prepared.regression;
         Self {
             regression,
@@ -229,7 +229,7 @@ impl Refit {
         let apart = others.map(|(other, enough)| {
             let pairs = self.predictions.iter().zip(&other.predictions);
             let differences: Vec<_> = pairs.map(|(a, b)| &a.difference - &b.difference).collect();
-            Apart::new(differences.iter(), enough)
+            ModelDistance::new(differences.iter(), enough)
         });
         Comparison::of(&self.predictions, self.covariance.clone(), apart.collect())
     }
@@ -277,14 +277,14 @@ impl Refit {
 pub(crate) struct Comparison {
     /// What is known of the one that is refitted.
     information: Information,
-    pub(crate) apart: Vec<Apart>,
+    pub(crate) apart: Vec<ModelDistance>,
     /// Poses that were measured since it was decided; that they make it no less so is all that is known.
     since: Vec<usize>,
 }
 
 /// How far one of the others is from what is refitted.
 #[derive(Clone)]
-pub(crate) struct Apart {
+pub(crate) struct ModelDistance {
     /// What the refit leaves as it is now, in the rows of all candidates.
     left: DVector<f64>,
     pub(crate) delta: f64,
@@ -292,7 +292,7 @@ pub(crate) struct Apart {
     pub(crate) enough: f64,
 }
 
-impl Apart {
+impl ModelDistance {
     /// Of what another model shows as compared with the one that is refitted.
     fn new<'d>(differences: impl Iterator<Item = &'d DVector<f64>>, enough: f64) -> Self {
         let left: Vec<f64> = differences.flat_map(|d| d.iter().copied()).collect();
@@ -319,11 +319,11 @@ impl Comparison {
     /// already.
     pub(crate) fn new(predictions: &[Prediction], gram: &DMatrix<f64>, enough: f64) -> Self {
         let differences = predictions.iter().map(|one| &one.difference);
-        let apart = vec![Apart::new(differences, enough)];
+        let apart = vec![ModelDistance::new(differences, enough)];
         Self::of(predictions, covariance_of(gram, predictions), apart)
     }
 
-    fn of(predictions: &[Prediction], covariance: DMatrix<f64>, apart: Vec<Apart>) -> Self {
+    fn of(predictions: &[Prediction], covariance: DMatrix<f64>, apart: Vec<ModelDistance>) -> Self {
         let mut first = vec![0];
         first.extend(predictions.iter().scan(0, |end, one| {
             *end += one.columns.nrows();
@@ -346,15 +346,15 @@ impl Comparison {
     pub(crate) fn worth(
         &self,
         candidate: usize,
-        counts: impl Fn(&Apart) -> bool,
-        worth: impl Fn(&Apart, f64) -> f64,
+        counts: impl Fn(&ModelDistance) -> bool,
+        worth: impl Fn(&ModelDistance, f64) -> f64,
     ) -> f64 {
         let Some(root) = self.information.innovation(candidate, 1.0) else {
             return 0.0;
         };
         let (first, size) = self.information.place(candidate);
         let mut white = vec![0.0; size];
-        let mut of = |one: &Apart| {
+        let mut of = |one: &ModelDistance| {
             let left = &one.left.as_slice()[first..first + size];
             worth(one, whitened_square(&root, left, &mut white))
         };
@@ -397,7 +397,7 @@ impl Comparison {
 
     /// Whether the odds will do.
     pub(crate) fn decided(&self) -> bool {
-        self.apart.iter().all(Apart::decided)
+        self.apart.iter().all(ModelDistance::decided)
     }
 }
 
@@ -443,7 +443,7 @@ pub(crate) fn enough_for(wanted: f64, lead: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::exchange::choose;
-    use super::super::parting::Parting;
+    use super::super::model_separation::ModelSeparation;
     use super::*;
 
     /// Difference and column of one number at every choice.
@@ -499,7 +499,7 @@ mod tests {
     fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
         let rows = [(3.0, 1.0), (6.0, 2.0)];
         let comparison = Comparison::new(&predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
-        let mut parting = Parting::new(vec![comparison], 2, 2);
+        let mut parting = ModelSeparation::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
         let delta = parting.comparisons[0].apart[0].delta;
         assert!(delta < 1e-6, "{order:?}: {delta}");

@@ -8,7 +8,7 @@ use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;
@@ -19,11 +19,14 @@ use super::candidates::{Candidate, CandidatePoses, Conditions, with_another};
 use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
 use super::exchange::choose;
 use super::information::standing;
+use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
-use super::parting::Parting;
 
 /// Every effect that cannot be seen, with what would change that.
-pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Untestable> {
+pub(crate) fn untestable(
+    prepared: &PreparedSearch,
+    not_testable: &[NotTestable],
+) -> Vec<Untestable> {
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
@@ -45,7 +48,7 @@ pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> V
 
 /// An effect that the base model imitates wherever it was measured: more travel, or a second
 /// reflector.
-fn lacks_geometry(prepared: &Prepared, effect: &'static Effect, joint: usize) -> Vec<Need> {
+fn lacks_geometry(prepared: &PreparedSearch, effect: &'static Effect, joint: usize) -> Vec<Need> {
     let base = &prepared.regression.base;
     for need in [Need::Travel, Need::Reflector] {
         let offer = offer_for(prepared, &[need]);
@@ -67,7 +70,7 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static Effect, joint: usize) ->
 }
 
 /// What is offered where these needs are to be met.
-fn offer_for(prepared: &Prepared, needs: &[Need]) -> CandidatePoses {
+fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
@@ -126,7 +129,7 @@ const MOST_BESIDE: usize = 12;
 /// What a diagnosis proposes where nothing is ambiguous: poses for what the session recorded but
 /// never changed, and for the side of approach, which costs nothing. No new equipment.
 pub(crate) fn worth_enabling(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     not_testable: &[NotTestable],
 ) -> Vec<NextPose> {
@@ -148,7 +151,7 @@ const WEAK: f64 = 0.02;
 /// At most `most` poses that make testable what poses can make testable. Where `reflector` is false nothing has
 /// to be mounted.
 pub(crate) fn enable(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     untestable: &[Untestable],
     reflector: bool,
@@ -165,7 +168,7 @@ pub(crate) fn enable(
     let offer = offer_for(prepared, &needs_of(&wanted, |_| true));
     let comparisons = comparisons(prepared, &offer, &fit.model, &wanted);
     let fresh = comparisons.clone();
-    let mut parting = Parting::new(comparisons, offer.candidates.len(), 1);
+    let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 1);
     let mut order = choose(&mut parting, most);
     // Warming up and changing the load take time: once each.
     order.sort_by(|a, b| {
@@ -208,7 +211,7 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
 
 /// Each effect against the model and what is enabled with it, which has to be told apart as well.
 fn comparisons(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     offer: &CandidatePoses,
     model: &Model,
     wanted: &[&Untestable],
@@ -256,7 +259,10 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
         Need::Reflector => choice.target > 0,
         _ => true,
     };
-    let needs: Vec<Template> = needs_of(shown, matters).iter().map(|n| n.says()).collect();
+    let needs: Vec<Template> = needs_of(shown, matters)
+        .iter()
+        .map(|n| n.describe())
+        .collect();
     let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
     names.dedup();
     let more = names.len().saturating_sub(MOST_NAMED);

@@ -10,11 +10,11 @@ use nalgebra::DMatrix;
 use crate::effects::Term;
 use crate::sessions::Session;
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::limits;
 use crate::diagnosis::verdict::limits::Limit;
 use crate::diagnosis::verdict::not_testable;
@@ -55,7 +55,7 @@ pub(crate) fn expected(
     sigma_mm: f64,
     options: &Options,
 ) -> Result<ExpectedInformation, DiagnoseError> {
-    let prepared = Prepared::new(session, options)?;
+    let prepared = PreparedSearch::new(session, options)?;
     let regression = with_noise(&prepared, sigma_mm, options.seed);
     let mut fit = regression.fit(&regression.base, &[]);
     // The residual is that of noise of exactly the stated size.
@@ -74,7 +74,7 @@ pub(crate) fn expected(
     })
 }
 
-fn with_noise<'a>(prepared: &Prepared<'a>, sigma_mm: f64, seed: u64) -> Regression<'a> {
+fn with_noise<'a>(prepared: &PreparedSearch<'a>, sigma_mm: f64, seed: u64) -> Regression<'a> {
     let mut regression = prepared.regression.with_noise(Noise::white(sigma_mm));
     regression.seed = seed;
     regression
@@ -88,7 +88,7 @@ struct Span<'t> {
 
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
-    let projected = regression.projected(&fit.basis, Among::Names);
+    let projected = regression.projected(&fit.basis, CandidateSubset::Names);
     let mut spans: Vec<Span> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {

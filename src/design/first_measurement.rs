@@ -22,7 +22,7 @@ use crate::text::Text;
 use super::candidates::{Arrival, Candidate, Writing, anywhere, usual_speed};
 use super::comparison::Prediction;
 use super::exchange::{Criterion, Information, choose};
-use super::imagined::SECONDS_PER_POSE;
+use super::expected_rows::SECONDS_PER_POSE;
 use super::information::Columns;
 use super::needs::WARMING_C;
 use super::typed::typed;

@@ -3,7 +3,7 @@
 use super::arm::Arm;
 use super::candidate_set::CandidateSet;
 use super::candidates::Candidate;
-use super::outlook::{ExpectedError, Prospect};
+use super::forecast::{ExpectedError, Forecast};
 use super::plan_options::{MOST, PlanError};
 
 /// The expected error is told for so many poses.
@@ -18,9 +18,9 @@ pub struct Geometry {
     pub parameters: usize,
     /// With what was measured so far; of a robot that was not measured with random poses of the same
     /// number, the mean of several sets.
-    pub before: Prospect,
+    pub before: Forecast,
     /// With the poses of the plan.
-    pub after: Prospect,
+    pub after: Forecast,
     /// The expected error with so many poses, those that were measured not counted.
     pub curve: Vec<(usize, ExpectedError)>,
     /// The 95th percentile that was asked for, mm, and how many poses reach it.
@@ -46,15 +46,15 @@ pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geome
     let all: Vec<usize> = (0..end.candidates.len()).collect();
     let curve = CURVE
         .into_iter()
-        .map(|count| (count, bench.prospect(&bench.chosen(count)).error));
+        .map(|count| (count, bench.forecast(&bench.chosen(count)).error));
     let geometry = Geometry {
         parameters: bench.parameters(),
         before: if bench.before > 0 {
-            bench.prospect(&[])
+            bench.forecast(&[])
         } else {
             of_random(arm, &bench, count)
         },
-        after: end.prospect(&all),
+        after: end.forecast(&all),
         curve: curve.collect(),
         enough: match wanted {
             PlanGoal::Poses(_) => None,
@@ -68,7 +68,7 @@ pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geome
 /// exchanged.
 fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let reached = |error: &ExpectedError| error.p95_mm <= wanted;
-    if reached(&bench.prospect(&[]).error) {
+    if reached(&bench.forecast(&[]).error) {
         return Ok(0);
     }
     let trace = bench.trace(MOST);
@@ -80,7 +80,7 @@ fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {
         let middle = few.midpoint(enough);
-        if reached(&bench.prospect(&bench.chosen(middle)).error) {
+        if reached(&bench.forecast(&bench.chosen(middle)).error) {
             enough = middle;
         } else {
             few = middle;
@@ -90,16 +90,16 @@ fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
 }
 
 /// What random poses of the same number do, in the mean of several sets.
-fn of_random(arm: &Arm, bench: &CandidateSet, count: usize) -> Prospect {
+fn of_random(arm: &Arm, bench: &CandidateSet, count: usize) -> Forecast {
     let random = arm.at_random(bench, RANDOM_SETS * count);
     let all: Vec<usize> = (0..random.candidates.len()).collect();
-    let sets: Vec<Prospect> = all
+    let sets: Vec<Forecast> = all
         .chunks(count.max(1))
-        .map(|set| random.prospect(set))
+        .map(|set| random.forecast(set))
         .collect();
     let n = sets.len().max(1) as f64;
-    let mean = |f: &dyn Fn(&Prospect) -> f64| sets.iter().map(f).sum::<f64>() / n;
-    Prospect {
+    let mean = |f: &dyn Fn(&Forecast) -> f64| sets.iter().map(f).sum::<f64>() / n;
+    Forecast {
         error: ExpectedError {
             rms_mm: mean(&|p| p.error.rms_mm),
             p95_mm: mean(&|p| p.error.p95_mm),

@@ -12,7 +12,7 @@ use crate::sessions::Target;
 use super::candidates::{Arrival, Candidate, anywhere, inputs, reflectors, usual_speed};
 use super::comparison::{Axes, Prediction, predictions};
 use super::exchange::Information;
-use super::imagined::{SECONDS_PER_POSE, unmeasured};
+use super::expected_rows::{SECONDS_PER_POSE, unmeasured};
 use super::inverse::inverse;
 use super::needs::{WARMING_C, all_met};
 

@@ -15,7 +15,7 @@ use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::mean_sigma_mm;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
 use crate::effects::{Inputs, called, find};
@@ -28,9 +28,9 @@ use super::arm::Arm;
 use super::candidates::ranges;
 use super::comparison::{Axes, predictions};
 use super::conditions::conditioned;
+use super::expected_rows::{extended, unmeasured, with_noise};
 use super::first_measurement::{self, Request};
 use super::geometry::{self, Geometry, PlanGoal};
-use super::imagined::{extended, unmeasured, with_noise};
 use super::named::Named;
 use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
 use super::pair_separation::Separation;
@@ -151,7 +151,7 @@ fn only_arms(robot: &Robot, options: &PlanOptions) -> Result<bool, PlanError> {
 /// Poses of a single joint that make testable what is not, and where more are asked for, others.
 fn add_what_is_untestable(
     plan: &mut Plan,
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     untestable_now: &[Untestable],
     options: &PlanOptions,
@@ -249,7 +249,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         // Half of the poses measure the robot, of the other half as many as it takes decide.
         let (first, _) = first_poses(robot, &targets, poses.div_ceil(2), sigma_mm, options)?;
         let session = measured(&first, &targets);
-        let prepared = Prepared::new(&session, &options.diagnosis)?;
+        let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
         let fit = prepared.regression.fit(&prepared.regression.base, &[]);
         let separation = two(&prepared, &fit, between, poses - first.len());
         decisive.clone_from(&separation.poses);
@@ -267,7 +267,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
     }
     let session = measured(&plan.poses, &plan.targets);
     plan.expected = expected_information::expected(&session, sigma_mm, &options.diagnosis)?;
-    let prepared = Prepared::new(&session, &options.diagnosis)?;
+    let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
     plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
     Ok(plan)
 }
@@ -305,7 +305,7 @@ fn first_poses(
 }
 
 /// Two effects, unless one of them cannot be seen by any measurement.
-fn two(prepared: &Prepared, fit: &Fit, between: [Named; 2], most: usize) -> Separation {
+fn two(prepared: &PreparedSearch, fit: &Fit, between: [Named; 2], most: usize) -> Separation {
     let met = needs::all_met(&prepared.survey);
     for named in between {
         let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
@@ -348,7 +348,12 @@ fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
 }
 
 /// More poses for a session, where they lower the detection limits most.
-fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
+fn sharpen(
+    prepared: &PreparedSearch,
+    plan: &Plan,
+    options: &PlanOptions,
+    count: usize,
+) -> Vec<NextPose> {
     let session = prepared.problem.session;
     let heaviest = prepared.survey.largest_load_kg;
     let request = Request {

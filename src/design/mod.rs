@@ -21,11 +21,11 @@
 
 pub(crate) mod enabling_poses;
 pub(crate) mod expected_information;
+pub(crate) mod forecast;
 pub(crate) mod geometry;
 pub(crate) mod measuring_list;
 pub(crate) mod needs;
 pub(crate) mod next_poses;
-pub(crate) mod outlook;
 pub(crate) mod pair_separation;
 pub(crate) mod plan;
 
@@ -36,27 +36,27 @@ mod comparison;
 mod conditions;
 mod decision;
 mod exchange;
+mod expected_rows;
 mod first_measurement;
-mod imagined;
 mod information;
 mod inverse;
+mod line_of_sight;
 mod making;
+mod measuring_methods;
+mod model_separation;
 mod named;
-mod parting;
 mod path;
 mod plan_options;
-mod sight;
 mod typed;
 mod varied;
-mod ways;
 
 pub use expected_information::{Alike, ExpectedInformation};
+pub use forecast::{ExpectedError, Forecast};
 pub use geometry::Geometry;
 pub use making::{plan_robot, plan_session};
 pub use measuring_list::{measuring_list, measuring_program};
 pub use named::Named;
 pub use needs::{Need, Untestable};
-pub use outlook::{ExpectedError, Prospect};
 pub use pair_separation::Separation;
 pub use plan::{Plan, SeenAbove, Subject};
 pub use plan_options::{PlanError, PlanOptions};

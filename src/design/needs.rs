@@ -56,7 +56,7 @@ const NEEDS: [Need; 9] = [
 
 impl Need {
     /// What the technician does.
-    pub fn says(self) -> Template {
+    pub fn describe(self) -> Template {
         match self {
             Self::BothSides => phrase!("approach the same places from both sides"),
             Self::Speeds => phrase!("measure in motion at two speeds as well"),

@@ -10,17 +10,17 @@ use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
 use crate::diagnosis::search::aliases;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
 use super::candidates::{Arrival, CandidatePoses, Conditions};
-use super::comparison::{Apart, Field, enough_for};
+use super::comparison::{Field, ModelDistance, enough_for};
 use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
-use super::parting::{Attempt, Parting, over_reflectors};
+use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::plan_options::MOST_JOINTS;
 
 /// Poses that are proposed at most.
@@ -36,7 +36,7 @@ const REPEATS: u8 = 2;
 
 /// Poses that tell the fit from its rivals, at most `most`.
 pub(crate) fn separate(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     rivals: &[&Rival],
     most: usize,
@@ -89,7 +89,7 @@ pub(crate) fn propose(undecided: &Undecided) -> Proposal {
 }
 
 /// Conditions that matter to these effects.
-pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
+pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditions {
     let survey = &prepared.survey;
     let distinguished_by = |condition| {
         let mut abouts = terms.iter().map(|t| t.effect.about());
@@ -120,7 +120,7 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
 
 /// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
 /// back with new poses, and a rival that is true has rivals of its own.
-fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
+fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
     let mut all: Vec<Explanation> = Vec::new();
     let most = if regression.added(fit).len() > MANY_NAMES {
@@ -165,7 +165,7 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
 
 /// Poses one after the other until they decide often enough, or `most` are chosen.
 fn attempt(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     offer: CandidatePoses,
     all: &[Explanation],
     most: usize,
@@ -176,8 +176,8 @@ fn attempt(
         let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
         enough_for(UNDECIDED, lead)
     });
-    let mut parting = Parting::new(comparisons, offer.candidates.len(), REPEATS);
-    let enough: Vec<f64> = parting.apart().map(|c| c.enough.max(1.0)).collect();
+    let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), REPEATS);
+    let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);
     let mut order = choose(&mut parting, most);
     let needed = parting
@@ -186,8 +186,8 @@ fn attempt(
         .map(|decision| decision.needed(SURE));
     let (poses, unparted, probability) = needed.unwrap_or_default();
     order.truncate(poses);
-    let share = |(c, enough): (&Apart, &f64)| (c.delta / enough).min(1.0);
-    let shares = parting.apart().zip(&enough).map(share);
+    let share = |(c, enough): (&ModelDistance, &f64)| (c.delta / enough).min(1.0);
+    let shares = parting.distances().zip(&enough).map(share);
     Attempt {
         score: probability + shares.sum::<f64>() / enough.len().max(1) as f64,
         decides: unparted == 0 && probability >= SURE,

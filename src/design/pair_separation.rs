@@ -11,19 +11,19 @@ use nalgebra::{DMatrix, DVector};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::rival::UNDECIDED;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;
 
 use super::candidates::{CandidatePoses, ranges};
-use super::comparison::{Apart, Comparison, Field, Prediction, enough_for};
+use super::comparison::{Comparison, Field, ModelDistance, Prediction, enough_for};
 use super::exchange::choose;
 use super::information::standing;
 use super::inverse::inverse;
+use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::named::Named;
 use super::next_poses::conditions;
-use super::parting::{Attempt, Parting, over_reflectors};
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
@@ -52,7 +52,7 @@ pub struct Separation {
 
 /// See the module. At most `most` poses.
 pub(crate) fn separate_two(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     between: [Named; 2],
     most: usize,
@@ -115,7 +115,7 @@ struct Shares {
 }
 
 fn attempt(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     offer: CandidatePoses,
     base: &Model,
     terms: &[Vec<Term>; 2],
@@ -134,7 +134,7 @@ fn attempt(
             others.map(move |other| Pair::new(base, one, other))
         });
         let hardest = settings
-            .map(|pair| Posed::new(&field, base, pair))
+            .map(|pair| PosedPair::new(&field, base, pair))
             .min_by(|a, b| a.possible.total_cmp(&b.possible));
         if let Some(posed) = hardest {
             shares.possible = shares.possible.min(posed.possible);
@@ -144,7 +144,7 @@ fn attempt(
             pairs.push((k, posed));
         }
     }
-    let mut parting = Parting::new(comparisons, offer.candidates.len(), 2);
+    let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 2);
     let order = choose(&mut parting, most);
     for (k, posed) in &pairs {
         let mut all = posed.known.clone();
@@ -155,7 +155,10 @@ fn attempt(
     }
     let attempt = Attempt {
         decides: !parting.comparisons.is_empty() && parting.parted(),
-        score: parting.apart().map(Apart::share).fold(1.0, f64::min),
+        score: parting
+            .distances()
+            .map(ModelDistance::share)
+            .fold(1.0, f64::min),
         unparted: 0,
         order,
         offer,
@@ -174,7 +177,7 @@ fn over(seen: &[Prediction]) -> DMatrix<f64> {
 }
 
 /// Settings that stand for an effect: its own where the model has it.
-fn terms_of(prepared: &Prepared, fit: &Fit, named: Named) -> Vec<Term> {
+fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
     let Some(effect) = find(named.id) else {
         return Vec::new();
     };
@@ -194,7 +197,7 @@ fn terms_of(prepared: &Prepared, fit: &Fit, named: Named) -> Vec<Term> {
 }
 
 /// A pair on the samples and on all candidates.
-struct Posed {
+struct PosedPair {
     pair: Pair,
     seen: Vec<Prediction>,
     known: DMatrix<f64>,
@@ -203,7 +206,7 @@ struct Posed {
     possible: f64,
 }
 
-impl Posed {
+impl PosedPair {
     fn new(field: &Field, base: &Model, pair: Pair) -> Self {
         let seen = field.predictions(base, &pair.both);
         let (known, everywhere) = (field.gram(&pair.both), over(&seen));
@@ -272,7 +275,7 @@ impl Pair {
     }
 
     /// What is left of one's information beside some of the other columns.
-    fn beside(&self, gram: &DMatrix<f64>, columns: &[usize]) -> DMatrix<f64> {
+    fn reduced_information(&self, gram: &DMatrix<f64>, columns: &[usize]) -> DMatrix<f64> {
         let pick = |a: &[usize], b: &[usize]| gram.select_rows(a).select_columns(b);
         let mut left = pick(&self.own, &self.own);
         if !columns.is_empty() {
@@ -288,9 +291,9 @@ impl Pair {
 
     /// Smallest share that is left of one's information beside the other, and its direction.
     fn worst(&self, gram: &DMatrix<f64>) -> (f64, DVector<f64>) {
-        let alone = self.beside(gram, &self.rest);
+        let alone = self.reduced_information(gram, &self.rest);
         let all: Vec<usize> = self.rest.iter().chain(&self.other).copied().collect();
-        let left = self.beside(gram, &all);
+        let left = self.reduced_information(gram, &all);
         let k = self.own.len();
         let mean = (0..k).map(|i| alone[(i, i)]).sum::<f64>() / k as f64;
         if mean <= 0.0 || !mean.is_finite() {
@@ -316,7 +319,7 @@ impl Pair {
     }
 
     fn strength(&self, gram: &DMatrix<f64>, direction: &DVector<f64>) -> f64 {
-        let alone = self.beside(gram, &self.rest);
+        let alone = self.reduced_information(gram, &self.rest);
         direction.dot(&(alone * direction)).max(0.0)
     }
 }

@@ -81,7 +81,7 @@ pub enum PlanError {
 
 impl PlanError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::Poses(poses) => text!(
                 "--poses is {poses}; expected a whole number from 1 to {most}",
@@ -135,7 +135,7 @@ impl PlanError {
                 one = given,
                 other = given
             ),
-            Self::Diagnose(inner) => inner.says(),
+            Self::Diagnose(inner) => inner.describe(),
         }
     }
 }

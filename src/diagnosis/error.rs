@@ -21,7 +21,7 @@ pub enum DiagnoseError {
 
 impl DiagnoseError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",
@@ -34,7 +34,7 @@ impl DiagnoseError {
             Self::NothingToFit => text!(
                 "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
             ),
-            Self::Rejected(inner) => inner.says(),
+            Self::Rejected(inner) => inner.describe(),
             Self::Cancelled => text!("stopped"),
         }
     }

@@ -32,7 +32,7 @@ mod options;
 mod progress;
 
 pub use crate::answers::diagnosis::{
-    Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, Found, Gaps, HeldOut,
+    Correction, Diagnosis, Equivalent, FamilyP, Floor, FloorFrom, FoundEffect, Gaps, HeldOut,
     NotTestable, Stopped, Unexplained, Unnamed, Verdict,
 };
 pub use crate::answers::limits::{Detectability, Limit};

@@ -4,14 +4,14 @@ use super::number::quoted;
 use super::{Fields, Node, Path, Value};
 use crate::text::Text;
 
-pub(crate) struct At<'o, 'a> {
+pub(crate) struct Cursor<'o, 'a> {
     pub(crate) fields: &'o mut Fields<'a>,
     pub(crate) node: &'o Node,
     pub(crate) path: &'o Path<'o>,
     pub(crate) expected: Text,
 }
 
-impl<'o> At<'o, '_> {
+impl<'o> Cursor<'o, '_> {
     /// Complains that something else stands here.
     pub(crate) fn wrong<T>(&mut self) -> Option<T> {
         self.fields
@@ -65,7 +65,7 @@ impl<'o> At<'o, '_> {
         &mut self,
         mut all: Vec<T>,
         expected: impl Into<Text>,
-        take: impl Fn(&mut T, &mut At<'_, '_>) -> bool,
+        take: impl Fn(&mut T, &mut Cursor<'_, '_>) -> bool,
     ) -> Option<Vec<T>> {
         let list = match &self.node.value {
             Value::List(list) if list.len() == all.len() => list,
@@ -74,7 +74,7 @@ impl<'o> At<'o, '_> {
         let mut good = true;
         let expected = expected.into();
         for (index, (one, node)) in all.iter_mut().zip(list).enumerate() {
-            let mut at = At {
+            let mut at = Cursor {
                 fields: self.fields,
                 node,
                 path: &self.path.index(index),
@@ -85,14 +85,14 @@ impl<'o> At<'o, '_> {
         good.then_some(all)
     }
 
-    /// As [`At::list`], of elements that are read like this.
+    /// As [`Cursor::list`], of elements that are read like this.
     pub(crate) fn list_by<T>(
         &mut self,
-        read: impl Fn(&mut At<'_, '_>) -> Option<T>,
+        read: impl Fn(&mut Cursor<'_, '_>) -> Option<T>,
     ) -> Option<Vec<T>> {
         let elements = self.elements()?.iter().enumerate();
         let all = elements.map(|(index, node)| {
-            read(&mut At {
+            read(&mut Cursor {
                 fields: self.fields,
                 node,
                 path: &self.path.index(index),
@@ -105,7 +105,10 @@ impl<'o> At<'o, '_> {
 
     /// One value for each key of an object, which is its name. What is wrong in one of them was
     /// reported; it stays, so that what refers to it is not wrong besides.
-    pub(crate) fn named<T>(&mut self, read: impl Fn(&str, &mut At<'_, '_>) -> T) -> Option<Vec<T>> {
+    pub(crate) fn named<T>(
+        &mut self,
+        read: impl Fn(&str, &mut Cursor<'_, '_>) -> T,
+    ) -> Option<Vec<T>> {
         let entries = self
             .fields
             .object(self.node, self.path, self.expected.clone())?;
@@ -121,7 +124,7 @@ impl<'o> At<'o, '_> {
                     expected,
                 );
             }
-            let mut at = At {
+            let mut at = Cursor {
                 fields: self.fields,
                 node: &entry.node,
                 path,

@@ -12,7 +12,7 @@ use super::{Member, Node, Source, Value, element_offset};
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::number::quoted;
-use crate::progress::{Part, Progress, ReadError, unwatched};
+use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
 /// The way from the document to a value, such as `robot.joints[0].axis`.
 #[derive(Debug, Clone, Copy)]
@@ -62,7 +62,7 @@ impl<'a> Fields<'a> {
     pub(crate) fn open_in(
         place: Place,
         text: &'a str,
-        part: Part<'_>,
+        part: ProgressSpan<'_>,
     ) -> Result<(Self, Node), ReadError> {
         let source = Source::new(place.file, text);
         let root = super::parse(&source, part)?;

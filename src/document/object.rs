@@ -5,7 +5,7 @@
 //! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
 //! a finished one. What the function never names is a key that nobody knows.
 
-pub(crate) use super::at::At;
+pub(crate) use super::at::Cursor;
 use crate::text::{Template, Text};
 
 use super::{Fields, Member, Node, Path, Value, optional};
@@ -15,7 +15,7 @@ pub(crate) struct Kind<T> {
     /// What should stand there.
     pub(crate) expected: Template,
     /// Takes it from its place, or complains.
-    pub(crate) read: fn(&mut At<'_, '_>) -> Option<T>,
+    pub(crate) read: fn(&mut Cursor<'_, '_>) -> Option<T>,
     /// What is written.
     pub(crate) write: fn(&T) -> Value,
 }
@@ -23,7 +23,7 @@ pub(crate) struct Kind<T> {
 impl<T> Kind<T> {
     /// Reads a value of this kind.
     pub(crate) fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
-        (self.read)(&mut At {
+        (self.read)(&mut Cursor {
             fields,
             node,
             path,
@@ -112,7 +112,7 @@ impl Object<'_, '_> {
         value: &mut Option<T>,
         kind: &Kind<T>,
     ) {
-        let read = |at: &mut At<'_, '_>| match at.node.value {
+        let read = |at: &mut Cursor<'_, '_>| match at.node.value {
             Value::Null => Some(None),
             _ => (kind.read)(at).map(Some),
         };
@@ -130,7 +130,7 @@ impl Object<'_, '_> {
 
     /// A field that is there, of a value that the program may lack.
     pub(crate) fn some<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
-        let read = |at: &mut At<'_, '_>| (kind.read)(at).map(Some);
+        let read = |at: &mut Cursor<'_, '_>| (kind.read)(at).map(Some);
         let write = |value: &Option<T>| value.as_ref().map(kind.write);
         self.with(key, value, kind.expected, read, write);
     }
@@ -147,7 +147,7 @@ impl Object<'_, '_> {
         key: &'static str,
         value: &mut T,
         expected: impl Into<Text>,
-        read: impl FnOnce(&mut At<'_, '_>) -> Option<T>,
+        read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
         write: impl FnOnce(&T) -> Option<Value>,
     ) {
         self.know(key);
@@ -162,7 +162,7 @@ impl Object<'_, '_> {
                 let Some(member) = members.iter().find(|member| member.key == key) else {
                     return;
                 };
-                let read = read(&mut At {
+                let read = read(&mut Cursor {
                     fields,
                     node: &member.node,
                     path: &self.path.key(key),
@@ -192,13 +192,13 @@ impl Object<'_, '_> {
             if !self.needs(key, &expected) {
                 return;
             }
-            let read = |at: &mut At<'_, '_>| at.fill(value, declare).then_some(());
+            let read = |at: &mut Cursor<'_, '_>| at.fill(value, declare).then_some(());
             self.with(key, &mut (), expected, read, |()| None);
         }
     }
 
     /// A field that always says the same, and was read before.
-    pub(crate) fn says(&mut self, key: &'static str, text: &str) {
+    pub(crate) fn describe(&mut self, key: &'static str, text: &str) {
         self.with(
             key,
             &mut (),
@@ -302,8 +302,8 @@ impl Object<'_, '_> {
     }
 }
 
-impl At<'_, '_> {
-    /// As [`At::list`], of one element or more.
+impl Cursor<'_, '_> {
+    /// As [`Cursor::list`], of one element or more.
     pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
         match &self.node.value {
             Value::List(list) if list.is_empty() => self.wrong(),

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{NotANumber, any_decimal, plain_decimal, quoted};
-use crate::progress::{Cancelled, Part, ReadError};
+use crate::progress::{Cancelled, ProgressSpan, ReadError};
 
 /// Nobody nests deeper than this, and the stack is finite.
 const DEEPEST: usize = 64;
@@ -35,7 +35,7 @@ type Parsed<T> = Result<T, Stop>;
 /// # Errors
 /// The first syntax error; after it nothing in the document can be trusted. Or that it was
 /// cancelled.
-pub(crate) fn parse(source: &Source<'_>, part: Part<'_>) -> Result<Node, ReadError> {
+pub(crate) fn parse(source: &Source<'_>, part: ProgressSpan<'_>) -> Result<Node, ReadError> {
     let mut parser = Parser::new(source, 0, Some(part));
     let document = parser.value().and_then(|node| {
         parser.skip_space();
@@ -75,13 +75,13 @@ struct Parser<'a> {
     bytes: &'a [u8],
     at: usize,
     depth: usize,
-    part: Option<Part<'a>>,
+    part: Option<ProgressSpan<'a>>,
     /// Where whoever watches is told next.
     tell_at: usize,
 }
 
 impl<'a> Parser<'a> {
-    fn new(source: &Source<'a>, at: usize, part: Option<Part<'a>>) -> Self {
+    fn new(source: &Source<'a>, at: usize, part: Option<ProgressSpan<'a>>) -> Self {
         Self {
             bytes: source.text.as_bytes(),
             at,

@@ -141,7 +141,7 @@ mod tests {
     use super::*;
     use crate::diagnostic::Place;
 
-    fn says(text: &str) -> Vec<String> {
+    fn describe(text: &str) -> Vec<String> {
         let (mut fields, root) = Fields::open(Place::default(), text).unwrap();
         check(&mut fields, &root, &Path::Root);
         fields.findings.iter().map(ToString::to_string).collect()
@@ -151,7 +151,7 @@ mod tests {
     fn a_number_has_the_range_of_its_unit_wherever_it_is() {
         let sound = r#"{"a_mm": 1e7, "b": {"sigma_mm": [0.01, 0, 3]}, "axis": [1e300, 0, 0], "seed": 1e15,
             "joints": [{"limits": [-360, 360], "mass_kg": 4.0}], "targets": {"T1": [0, -9e6, 1]}}"#;
-        assert_eq!(says(sound), [""; 0]);
+        assert_eq!(describe(sound), [""; 0]);
         for (text, place) in [
             (r#"{"a_mm": -1e160}"#, "a_mm"),
             (r#"{"b": {"position_mm": [1, 2e7, 3]}}"#, "b.position_mm[1]"),
@@ -163,11 +163,11 @@ mod tests {
             (r#"{"from_deg": 1000001}"#, "from_deg"),
             (r#"{"sigma_mm": 1e-200}"#, "sigma_mm"),
         ] {
-            let found = says(text);
+            let found = describe(text);
             assert_eq!(found.len(), 1, "{text}: {found:?}");
             assert!(found[0].contains(place), "{text}: {found:?}");
         }
-        let found = says(r#"{"a_mm": 1e160}"#);
+        let found = describe(r#"{"a_mm": 1e160}"#);
         assert!(
             found[0].ends_with("a number of at most 10 000 000"),
             "{found:?}"

@@ -305,7 +305,7 @@ impl Form {
     }
 
     /// [`Unit::reach`] of each coefficient.
-    pub fn reaches(&self) -> Vec<f64> {
+    pub fn max_magnitudes(&self) -> Vec<f64> {
         match self {
             Self::Plain(quantities) => quantities.iter().map(|q| q.unit.reach).collect(),
             Self::Harmonic(quantity) => vec![quantity.unit.reach; 2],

@@ -27,8 +27,14 @@ const ABOUT: About = About {
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
-        Quantity::new("about_x_urad_per_nm", Unit::MICRORADIAN_PER_NM.like(2.0)),
-        Quantity::new("about_y_urad_per_nm", Unit::MICRORADIAN_PER_NM.like(2.0)),
+        Quantity::new(
+            "about_x_urad_per_nm",
+            Unit::MICRORADIAN_PER_NM.with_example(2.0),
+        ),
+        Quantity::new(
+            "about_y_urad_per_nm",
+            Unit::MICRORADIAN_PER_NM.with_example(2.0),
+        ),
     ]),
     equation: "p = exp([ω]) p, ω = C M, M the overturning moment about the base's origin",
     source: "a foundation as two torsion springs; ISO 10218-2: moments that a base has to carry",

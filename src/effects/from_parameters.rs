@@ -50,7 +50,7 @@ pub enum TermError {
 
 impl TermError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",

@@ -91,7 +91,7 @@ mod tests {
     use super::*;
     use crate::effects::{Inputs, JointValues};
     use crate::kinematics::JointKind;
-    use crate::kinematics::testing::{beside, robot_and_pose};
+    use crate::kinematics::testing::{robot_and_pose, with_joint_moved};
     use crate::sessions::{Instrument, Samples, Session, Target};
     use proptest::prelude::*;
 
@@ -145,7 +145,7 @@ mod tests {
                 prop_assert!((torque - expected).abs() < 1e-9 * scale, "{torque} {expected}");
                 // A sinusoid of the joint's own angle: half the difference a quarter turn to each side.
                 let [before, behind] = [-FRAC_PI_2, FRAC_PI_2].map(|by| {
-                    robot.gravity_torque_nm(&beside(&q, joint, by), load_kg, joint).unwrap()
+                    robot.gravity_torque_nm(&with_joint_moved(&q, joint, by), load_kg, joint).unwrap()
                 });
                 let expected = 0.5 * (behind - before);
                 prop_assert!((slope - expected).abs() < 1e-9 * (1.0 + slope.abs()));

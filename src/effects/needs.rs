@@ -18,7 +18,7 @@ pub struct Need {
     /// Why a session does not have it for a joint (counted from 0); `None` where it has.
     pub unmet: fn(&Survey, usize) -> Option<Text>,
     /// Why a scenario does not offer it; `None` where it does, or where only samples can tell.
-    pub idle: fn(&Offered) -> Option<&'static str>,
+    pub idle: fn(&AvailableColumns) -> Option<&'static str>,
 }
 
 /// What the conditions of a scenario offer.
@@ -27,7 +27,7 @@ pub struct Need {
     clippy::struct_excessive_bools,
     reason = "each is one column that samples would have or not"
 )]
-pub struct Offered {
+pub struct AvailableColumns {
     /// Samples have a time.
     pub time: bool,
     /// Samples have a temperature, of the room or of joints.

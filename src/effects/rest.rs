@@ -72,7 +72,7 @@ pub enum RestError {
 
 /// Where a joint's correction is asked for.
 #[derive(Debug, Clone)]
-pub(crate) struct At<'a> {
+pub(crate) struct RestPoint<'a> {
     pub(crate) robot: &'a Robot,
     pub(crate) joint: usize,
     /// Commands of all joints, rad or mm.
@@ -84,7 +84,7 @@ pub(crate) struct At<'a> {
     pub(crate) above_20_c: f64,
 }
 
-impl At<'_> {
+impl RestPoint<'_> {
     /// What the conditions are multiplied with, in the order of [`Along::conditions`].
     pub(crate) fn conditions(&self) -> [f64; 5] {
         [
@@ -141,7 +141,7 @@ impl Rest {
     }
 
     /// The correction in each direction, rad or mm.
-    pub(crate) fn at(&self, at: &At) -> [f64; 3] {
+    pub(crate) fn at(&self, at: &RestPoint) -> [f64; 3] {
         let mut weight = 1.0;
         let mut q = Vec::with_capacity(at.q.len());
         for (joint, (value, range)) in at.q.iter().zip(&self.ranges).enumerate() {

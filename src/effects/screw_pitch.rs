@@ -15,7 +15,7 @@ use crate::sincos::sin_cos_small as sin_cos;
 const ABOUT: About = About {
     id: "screw-pitch",
     title: phrase!("Screw pitch error"),
-    form: Form::Harmonic(Quantity::new("amplitude_mm", Unit::MM.like(0.02))),
+    form: Form::Harmonic(Quantity::new("amplitude_mm", Unit::MM.with_example(0.02))),
     setting: Setting::Listed(&LEAD),
     equation: "q' = q + A sin(2π q/lead + φ)",
     source: "ISO 3408-3: travel variation within one revolution, v2πp",
@@ -40,7 +40,7 @@ const ABOUT: About = About {
 
 /// The travel of one turn of the screw.
 const LEAD: Listed = Listed {
-    quantity: Quantity::new("lead_mm", Unit::MM.like(10.0)),
+    quantity: Quantity::new("lead_mm", Unit::MM.with_example(10.0)),
     tried: |survey, joint| {
         let most = survey.joints[joint].span / LEAST_TURNS;
         leads().filter(|lead| *lead <= most).collect()

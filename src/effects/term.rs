@@ -37,7 +37,7 @@ pub struct Term {
     /// What predicts without a name, which no identification changes either.
     pub rest: Option<Arc<Rest>>,
     /// Coefficients that no fit moves.
-    pub held: Held,
+    pub held: FixedMask,
     /// Name of the setup or of the target that the term belongs to, where it belongs to one.
     pub label: Option<Arc<str>>,
 }
@@ -45,9 +45,9 @@ pub struct Term {
 /// Which coefficients of a term stay as they are: what the samples cannot tell from something
 /// else is zero, and is carried by that.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Held(u32);
+pub struct FixedMask(u32);
 
-impl Held {
+impl FixedMask {
     /// All of them.
     pub(crate) const ALL: Self = Self(u32::MAX);
 
@@ -87,7 +87,7 @@ impl Term {
             coefficients: vec![0.0; effect.about().form.coefficients()],
             curve: None,
             rest: None,
-            held: Held::default(),
+            held: FixedMask::default(),
             label: None,
         }
     }
@@ -219,12 +219,12 @@ pub(crate) fn setting_quantity(setting: Setting) -> Option<Quantity> {
     match setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
         Setting::Order { from, .. } => {
-            let unit = Unit::ONE.like(f64::from(from));
+            let unit = Unit::ONE.with_example(f64::from(from));
             Some(Quantity::new("order", unit))
         }
-        Setting::Time => Some(Quantity::new("time_s", Unit::SECOND.like(120.0))),
+        Setting::Time => Some(Quantity::new("time_s", Unit::SECOND.with_example(120.0))),
         Setting::Fade => {
-            let degrees = Quantity::new("fade_deg", Unit::DEGREE.like(5.0));
+            let degrees = Quantity::new("fade_deg", Unit::DEGREE.with_example(5.0));
             Some(degrees.sliding("fade_mm", Unit::MM))
         }
         Setting::Listed(listed) => Some(listed.quantity),

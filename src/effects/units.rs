@@ -43,7 +43,7 @@ impl Unit {
 
     /// The same with another size for a simulation.
     #[must_use]
-    pub const fn like(self, example: f64) -> Self {
+    pub const fn with_example(self, example: f64) -> Self {
         Self { example, ..self }
     }
 

@@ -19,7 +19,7 @@ use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::LANES;
 
-use super::rest::{At, Rest};
+use super::rest::{Rest, RestPoint};
 
 /// The name under which it is written in models.
 pub const UNNAMED: &str = "unnamed";
@@ -58,7 +58,7 @@ fn act(me: &Placed, block: &mut Block) {
     let Some(rest) = me.rest.clone() else { return };
     let robot = block.robot;
     let joints = robot.joints.len();
-    let mut poses: Vec<At> = (0..LANES)
+    let mut poses: Vec<RestPoint> = (0..LANES)
         .map(|lane| at(robot, block, me.joint, lane))
         .collect();
     let values: [[f64; 3]; LANES] = std::array::from_fn(|lane| rest.at(&poses[lane]));
@@ -115,7 +115,7 @@ impl Term {
 }
 
 /// Where the samples ask for the correction of a joint, sample by sample.
-pub(crate) fn asked_at<'r>(robot: &'r Robot, inputs: &Inputs, joint: usize) -> Vec<At<'r>> {
+pub(crate) fn asked_at<'r>(robot: &'r Robot, inputs: &Inputs, joint: usize) -> Vec<RestPoint<'r>> {
     let mut block = Block::new(robot, 0, false);
     let mut all = Vec::with_capacity(inputs.len());
     for start in (0..inputs.len()).step_by(LANES) {
@@ -125,8 +125,8 @@ pub(crate) fn asked_at<'r>(robot: &'r Robot, inputs: &Inputs, joint: usize) -> V
     all
 }
 
-fn at<'r>(robot: &'r Robot, block: &Block, joint: usize, lane: usize) -> At<'r> {
-    At {
+fn at<'r>(robot: &'r Robot, block: &Block, joint: usize, lane: usize) -> RestPoint<'r> {
+    RestPoint {
         robot,
         joint,
         q: (0..robot.joints.len())

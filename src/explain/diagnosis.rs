@@ -132,9 +132,9 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
 /// What there is to say of the noise.
 pub(crate) fn noise(d: &Diagnosis) -> Vec<Fact> {
     let stated = d.unexplained.noise.as_ref();
-    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(noise.says())));
+    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(noise.describe())));
     let slow = d.noise.slow.as_ref();
-    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(slow.says())));
+    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(slow.describe())));
     stated.into_iter().chain(slow).collect()
 }
 

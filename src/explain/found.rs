@@ -1,7 +1,7 @@
 //! What a search found: each effect with its size, its evidence and what to check on the machine.
 
 use super::{Block, Detail, Fact, Section, Topic, fact};
-use crate::diagnosis::{Diagnosis, Found};
+use crate::diagnosis::{Diagnosis, FoundEffect};
 use crate::effects;
 use crate::fit::Estimate;
 use crate::language::spoken as spoken_text;
@@ -17,7 +17,7 @@ pub(super) fn effects(d: &Diagnosis, detail: Detail) -> impl Iterator<Item = Sec
     found.map(move |(index, found)| effect(d, detail, index, found))
 }
 
-fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &Found) -> Section {
+fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &FoundEffect) -> Section {
     let title = title_on(found.effect, found.joint, d.model.robot.joints.len());
     let title = if detail.brief {
         // With its id, which is what options take.
@@ -71,7 +71,7 @@ fn implausible(one: &Estimate) -> Option<Block> {
 }
 
 /// Detail often noise alone looks like this.
-fn chance(found: &Found) -> String {
+fn chance(found: &FoundEffect) -> String {
     say!(
         "p {sign} {p} (chance that noise alone looks like this)",
         sign = if found.p_familywise.bound { '<' } else { '=' },
@@ -80,7 +80,7 @@ fn chance(found: &Found) -> String {
 }
 
 /// Detail much likelier it is than the next name.
-fn odds(found: &Found) -> String {
+fn odds(found: &FoundEffect) -> String {
     match found.next.as_ref().map(|next| title_of(next)) {
         None => say!("no other effect was a candidate").to_owned(),
         Some(next) if found.odds_over_next > MOST_ODDS => say!(
@@ -95,7 +95,7 @@ fn odds(found: &Found) -> String {
     }
 }
 
-fn evidence(detail: Detail, found: &Found) -> String {
+fn evidence(detail: Detail, found: &FoundEffect) -> String {
     let unseen = found
         .held_out_mm
         .map(|gap| say!("cross-validated RMS error {gap}", gap = detail.lengths(gap)));
@@ -104,7 +104,7 @@ fn evidence(detail: Detail, found: &Found) -> String {
     all.join("; ")
 }
 
-fn evidence_in_facts(detail: Detail, found: &Found) -> [Fact; 3] {
+fn evidence_in_facts(detail: Detail, found: &FoundEffect) -> [Fact; 3] {
     let fitted = detail.lengths(found.gap_mm);
     let errors = match found.held_out_mm {
         None => fitted,

@@ -9,7 +9,7 @@ use super::diagnosis::expected;
 use super::values;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::answers::noise::StatedNoise;
-use crate::fit::{Identification, Unusable};
+use crate::fit::{Identification, UnusableReason};
 #[cfg(feature = "cli")]
 use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
@@ -184,7 +184,7 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
         return Vec::new();
     };
     let stated = noise.against_stated(session).filter(StatedNoise::differs);
-    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.says())));
+    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.describe())));
     let slow = noise.slow.as_ref().map(|slow| {
         let says = slow.says_of_remaining_error();
         fact(say!("Slow noise"), spoken(&says))
@@ -195,11 +195,11 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
 /// Samples that could not be used, each with the reason.
 fn unusable(answer: &Identification, detail: Detail) -> Option<Section> {
     let lost = answer.left_out.iter();
-    let lost = lost.filter(|one| one.because != Unusable::Excluded);
+    let lost = lost.filter(|one| one.because != UnusableReason::Excluded);
     let facts: Vec<Fact> = lost
         .map(|one| {
             let sample = say!("sample {sample}", sample = one.sample + 1);
-            (sample, spoken(one.because.says()))
+            (sample, spoken(one.because.describe()))
         })
         .collect();
     (!facts.is_empty()).then(|| {

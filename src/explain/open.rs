@@ -60,7 +60,7 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
         facts.push(fact(say!("Size"), detail.length(left.rms_mm)));
         facts.push(fact(say!("Evidence"), cleaned(&left.says)));
         if let Some(place) = &left.place {
-            facts.push(fact(say!("Where"), cleaned(place.says())));
+            facts.push(fact(say!("Where"), cleaned(place.describe())));
         }
         if !left.resembles.is_empty() {
             let names = left.resembles.iter().map(|name| title_of(name));

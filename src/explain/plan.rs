@@ -161,7 +161,11 @@ fn needs(one: &Untestable) -> String {
     if one.needs.is_empty() {
         return say!("by the poses alone").to_owned();
     }
-    let says: Vec<_> = one.needs.iter().map(|need| spoken(need.says())).collect();
+    let says: Vec<_> = one
+        .needs
+        .iter()
+        .map(|need| spoken(need.describe()))
+        .collect();
     says.join("; ")
 }
 

@@ -4,11 +4,11 @@
 use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
 use crate::present::compensation_v1::{SAID_RAD, Summary};
 use crate::present::names::word;
-use crate::programs::{Answer, Left, Outcome, Written};
+use crate::programs::{Answer, Outcome, SkippedTarget, Written};
 use crate::text::Text;
 
 /// Where something is in the file: line and column, from 1.
-type At = (u64, u64);
+type LineColumn = (u64, u64);
 
 /// The whole answer; at most so many targets or remarks of a kind are listed, and the others counted.
 /// `orientation`: whether the robot could keep one, which fewer than six joints never can.
@@ -47,7 +47,7 @@ pub(crate) fn program(
 }
 
 /// Why a target was left as it is, with its name; where it is stands before it.
-pub(crate) fn left_as_it_is(target: &Outcome, left: &Left) -> String {
+pub(crate) fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
     let says = say!(
         "{target} is left as it is ({reason}): {left}",
         target = clean(&target.name),
@@ -141,7 +141,7 @@ fn mrad(rad: f64) -> String {
 }
 
 /// What is said of a place in the file.
-fn at((line, column): At, says: &str) -> String {
+fn at((line, column): LineColumn, says: &str) -> String {
     say!(
         "line {line}, column {column}: {says}",
         line = line,

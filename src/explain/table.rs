@@ -34,7 +34,7 @@ pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
         .map(|line| said(line, detail))
         .collect();
     // Notes are for places that show nothing else: they have the meaning and what no joint can correct in them.
-    let stays = of.remainder.map_or_else(Vec::new, Remainder::says);
+    let stays = of.remainder.map_or_else(Vec::new, Remainder::describe);
     let stays: Vec<String> = stays.iter().map(|line| said(line, detail)).collect();
     let more = of.export.notes.iter().map(|line| said(line, detail));
     let more = more.filter(|line| !meaning.contains(line) && !stays.contains(line));
@@ -94,7 +94,7 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     };
     if let Some(remainder) = cannot {
         let says: Vec<String> = remainder
-            .says()
+            .describe()
             .iter()
             .map(|line| said(line, detail))
             .collect();

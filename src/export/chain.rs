@@ -114,7 +114,7 @@ impl Chain {
     pub(super) fn farthest(&self, job: &Job, written: &Robot) -> f64 {
         let all = Compensation::new(job.calibration).robot;
         let known = Model::new(all.robot, self.corrected.carried.clone());
-        let off = apart(job, &known, &self.driven(written));
+        let off = differences_over_range(job, &known, &self.driven(written));
         let lengths = off.iter().map(|v| dot(*v, *v).sqrt());
         // NaN is the farthest.
         lengths.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
@@ -161,7 +161,7 @@ fn zero_offsets(job: &Job, corrected: &Corrected) -> Vec<f64> {
 }
 
 /// Model − chain over the measured range, from both sides.
-pub(super) fn apart(job: &Job, model: &Model, robot: &Robot) -> Vec<[f64; 3]> {
+pub(super) fn differences_over_range(job: &Job, model: &Model, robot: &Robot) -> Vec<[f64; 3]> {
     let sides = [Side::Forward, Side::Reverse];
     let both = sides.map(|side| differences(&poses(job, side), model, robot));
     both.concat()

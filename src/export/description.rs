@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::chain::{Chain, apart, rms};
+use super::chain::{Chain, differences_over_range, rms};
 use super::euler::Frame;
 use super::{Document, Export, ExportError, Job};
 use crate::compensation::Compensation;
@@ -31,7 +31,7 @@ named! {
         /// These, and the geometry of the links.
         Links = phrase!("zero offsets, base and tool frame, and the geometry of the links"),
     }
-    fn says -> Template;
+    fn describe -> Template;
 }
 
 /// A description as its format wrote it.
@@ -109,7 +109,7 @@ struct DescriptionSidecar<'a> {
     sign: Template,
     level: Level,
     level_in_words: Template,
-    zeros: ZerosTwin,
+    zeros: ZerosJson,
     example: DescriptionExample,
     #[serde(skip_serializing_if = "Option::is_none")]
     base_link: Option<String>,
@@ -132,15 +132,15 @@ struct DescriptionExample {
 
 /// Where the zero offsets are: in the file's geometry or in the controller, never in both.
 #[derive(Serialize)]
-struct ZerosTwin {
+struct ZerosJson {
     /// Who takes them.
     taken_by: &'static str,
     says: Text,
-    joints: Vec<ZeroTwin>,
+    joints: Vec<ZeroJson>,
 }
 
 #[derive(Serialize)]
-struct ZeroTwin {
+struct ZeroJson {
     joint: usize,
     name: String,
     /// How far the joint stands beyond its command.
@@ -169,12 +169,12 @@ struct Leaves {
 pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Export, ExportError> {
     let all = Compensation::new(job.calibration).robot;
     let driven = chain.driven(&written.robot);
-    let left = apart(job, &all, &driven);
+    let left = differences_over_range(job, &all, &driven);
     let nominal = &job.calibration.model.robot;
     let leaves = Leaves {
         rms_mm: rms(&left),
         max_mm: left.iter().map(|v| rms(&[*v])).fold(0.0, f64::max),
-        nominal_rms_mm: rms(&apart(job, &all, nominal)),
+        nominal_rms_mm: rms(&differences_over_range(job, &all, nominal)),
     };
     if !leaves.rms_mm.is_finite() {
         return Err(ExportError::ReadBack("it leads nowhere".to_owned()));
@@ -217,7 +217,7 @@ fn sidecar<'a>(
     let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
     let mut notes = vec![text!(
         "this robot carries {level}; it is {rms} from the model over the measured range (largest {largest}), the nominal one {nominal} (root mean square)",
-        level = written.level.says(),
+        level = written.level.describe(),
         rms = length(leaves.rms_mm, 4),
         largest = length(leaves.max_mm, 4),
         nominal = length(leaves.nominal_rms_mm, 4)
@@ -240,7 +240,7 @@ fn sidecar<'a>(
         units: written.units,
         sign: written.sign,
         level: written.level,
-        level_in_words: written.level.says(),
+        level_in_words: written.level.describe(),
         zeros: zeros(nominal, chain, written.zeros.clone()),
         example: DescriptionExample {
             says: text!(
@@ -293,7 +293,7 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
     };
     let leaves = |term: &Term| {
         let alone = Model::new(nominal.clone(), vec![term.clone()]);
-        let mm = rms(&apart(job, &alone, nominal));
+        let mm = rms(&differences_over_range(job, &alone, nominal));
         if mm < WORTH_A_NUMBER_MM {
             text!(
                 "{effect} has no place in {file}: at standstill, without load and at 20 °C it leaves nothing",
@@ -312,11 +312,11 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
     chain.corrected.left_out.iter().map(leaves).collect()
 }
 
-fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosTwin {
+fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosJson {
     let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
         let outer = |inner: f64| joint.kind.outer(inner) + 0.0;
         let offset = outer(chain.offsets[k]);
-        ZeroTwin {
+        ZeroJson {
             joint: k + 1,
             name: joint.name.clone(),
             offset_deg: (joint.kind == JointKind::Revolute).then_some(offset),
@@ -351,7 +351,7 @@ fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosTwin {
             joints = Text::listed(taken, ", ")
         ),
     };
-    ZerosTwin {
+    ZerosJson {
         taken_by: chain.zeros.name(),
         says: in_words.unwrap_or(says),
         joints: joints.collect(),

@@ -4,8 +4,8 @@ use crate::kinematics::Robot;
 use crate::text::{Template, Text};
 
 use super::job::{ExportError, Job};
-use super::left::Left;
 use super::read_back::ReadBack;
+use super::residual_error::ResidualError;
 use super::rules::Rules;
 
 /// A format that models are exported to.
@@ -73,7 +73,7 @@ pub struct Export {
     /// The robot that the first document describes, where it describes one.
     pub robot: Option<Robot>,
     /// What the controller leaves over the measured range; `None` for formats without a table.
-    pub left: Option<Left>,
+    pub left: Option<ResidualError>,
     /// What the numbers of the first document mean: their sign, an example, what to enter.
     pub meaning: Vec<Text>,
     /// What the user should know.

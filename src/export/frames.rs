@@ -32,7 +32,7 @@ struct FramesExport;
 const HEADING: &str = "what,convention,x_mm,y_mm,z_mm,a,b,c,d,unit";
 
 /// What the controller takes.
-struct Found {
+struct ControllerFrames {
     base: Pose,
     zeros: Vec<f64>,
     /// Behind the nominal tool.
@@ -87,7 +87,7 @@ impl Exporter for FramesExport {
     }
 }
 
-fn fitted(job: &Job, corrected: &Chain, offsets: &[f64]) -> Found {
+fn fitted(job: &Job, corrected: &Chain, offsets: &[f64]) -> ControllerFrames {
     let nominal: &Robot = &job.calibration.model.robot;
     let count = nominal.joints.len();
     let mut steps = Step::any_motion();
@@ -112,7 +112,7 @@ fn fitted(job: &Job, corrected: &Chain, offsets: &[f64]) -> Found {
     steps.extend(Step::any_motion());
     let ranges = ranges(nominal, &job.calibration.measured);
     fit(&mut steps, &corrected.robot, &ranges);
-    Found {
+    ControllerFrames {
         base: motion(&steps[..first], &[]),
         zeros: steps[first..last]
             .iter()
@@ -124,7 +124,7 @@ fn fitted(job: &Job, corrected: &Chain, offsets: &[f64]) -> Found {
     }
 }
 
-fn write(job: &Job, found: &Found) -> String {
+fn write(job: &Job, found: &ControllerFrames) -> String {
     let nominal = &job.calibration.model.robot;
     let mut text = format!("{HEADING}\n");
     let mut frame = |what: &str, pose: &Pose| {

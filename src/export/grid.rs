@@ -6,7 +6,7 @@
 //! small, a format that may have its entries anywhere gets them where they are needed
 //! ([`knots`](super::knots)), and another one as many as it takes. What is added then is said.
 
-use super::left::{Allowance, Exact};
+use super::residual_error::{Allowance, Exact};
 use super::rules::{Directions, Rules, Spacing};
 use super::sheet::Sheet;
 use super::{ExportError, Job, knots};
@@ -34,7 +34,7 @@ pub(super) fn choose(
             job,
             rules,
             exact,
-            allowance.beside(exact.between_sides_mm(rules)),
+            allowance.without_independent(exact.between_sides_mm(rules)),
         )?,
     };
     let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);

@@ -69,9 +69,9 @@ pub enum ExportError {
 
 impl ExportError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
-            Self::Table(given) => given.says(),
+            Self::Table(given) => given.describe(),
             Self::Refused(says) => says.clone(),
             Self::MakesWorse {
                 session,

@@ -19,7 +19,7 @@ mod calibration;
 
 use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 
-use super::chain::{Chain, apart, rms};
+use super::chain::{Chain, differences_over_range, rms};
 use super::description::{Written, finish};
 use super::names::Names;
 use super::options::{Motors, Zeros};
@@ -93,7 +93,11 @@ impl Exporter for LeRobot {
             ));
         }
         let all = Compensation::new(job.calibration).robot;
-        let alone = rms(&apart(job, &all, &nominal.rehomed(&chain.taken)));
+        let alone = rms(&differences_over_range(
+            job,
+            &all,
+            &nominal.rehomed(&chain.taken),
+        ));
         notes.push(text!(
             "the calibration by itself, with the nominal URDF, leaves {left} over the measured range (level: zeros)",
             left = length(alone, 4)
@@ -152,7 +156,7 @@ impl Exporter for LeRobot {
 fn present(job: &Job) -> Result<(Vec<Motor>, Vec<Text>), ExportError> {
     if let Some(reference) = job.options.reference {
         let motors = read_calibration(reference.bytes, reference.name)
-            .map_err(|rejected| ExportError::Refused(rejected.says()))?;
+            .map_err(|rejected| ExportError::Refused(rejected.describe()))?;
         return Ok((motors, Vec::new()));
     }
     let joints = job.calibration.model.robot.joints.iter().enumerate();

@@ -9,10 +9,10 @@
 //!
 //! # Signs
 //! The trap of every compensation table is its sign. Here everything starts from the correction:
-//! what to add to the command. [`Rules::says`] turns it into the file's numbers and back, and
+//! what to add to the command. [`Rules::describe`] turns it into the file's numbers and back, and
 //! nothing else does. Each format says in its sidecar what its numbers mean, with one worked line.
 //! And each reads its own bytes back: [`Export::reads_as`] is what the controller will make of them,
-//! [`gap_left`] the RMS error that it leaves on a session, [`Left`] what it leaves over the measured range.
+//! [`gap_left`] the RMS error that it leaves on a session, [`ResidualError`] what it leaves over the measured range.
 
 use crate::fit::gap::Spread;
 use crate::kinematics::Robot;
@@ -30,11 +30,11 @@ mod exporter;
 mod grid;
 mod job;
 mod knots;
-mod left;
 mod names;
 mod options;
 pub(crate) mod poses;
 mod read_back;
+mod residual_error;
 mod rules;
 mod sheet;
 pub(crate) mod sidecar;
@@ -45,10 +45,10 @@ mod table_file;
 pub(crate) use dh_rows::nominal_rows;
 pub use exporter::{Document, Export, Exporter, Format};
 pub use job::{ExportError, Job};
-pub use left::{Allowance, Left};
 pub use lerobot::lerobot_calibration;
 pub use options::{Motors, Options, Reference, Zeros};
 pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
+pub use residual_error::{Allowance, ResidualError};
 pub use rules::{Directions, Rules, Says, Spacing};
 pub use sheet::Sheet;
 

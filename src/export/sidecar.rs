@@ -3,8 +3,8 @@
 use sha2::{Digest, Sha256};
 
 use super::Job;
-use super::left::Left;
 use super::poses::measured_poses;
+use super::residual_error::ResidualError;
 use super::rules::{Rules, Says};
 use super::sheet::Sheet;
 use crate::compensation::conditions::Side;
@@ -20,7 +20,7 @@ pub(super) struct Sidecar<'a> {
     pub(super) job: &'a Job<'a>,
     pub(super) sheet: &'a Sheet,
     pub(super) rules: &'a Rules,
-    pub(super) left: &'a Left,
+    pub(super) left: &'a ResidualError,
     /// What to enter besides the table.
     pub(super) in_the_controller: Vec<Text>,
 }
@@ -105,7 +105,7 @@ impl Sidecar<'_> {
             "stays": object! {
                 "rms_mm": remainder.rms_mm,
                 "max_mm": remainder.max_mm,
-                "says": texts(&remainder.says()),
+                "says": texts(&remainder.describe()),
             },
             "notes": texts(&sheet.notes),
         };
@@ -134,7 +134,7 @@ impl Sidecar<'_> {
             "no joint removes {size} (root mean square over the measured range)",
             size = length(remainder.rms_mm, 4)
         ));
-        notes.extend(remainder.says());
+        notes.extend(remainder.describe());
         notes
     }
 }

@@ -6,7 +6,7 @@
 //! 4. what the controller will make of it ([`left`](super::left)), and the sidecar that says so.
 
 use super::exporter::any_robot;
-use super::left::{Allowance, Exact, Left};
+use super::residual_error::{Allowance, Exact, ResidualError};
 use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
@@ -45,10 +45,10 @@ impl Exporter for TableFile {
         let mut sheet = grid::choose(job, rules, &exact, &allowance)?;
         sheet.notes.extend(one_sided);
         let reads_as = self.read_back(&sheet, &(self.write)(job, &sheet, &[]))?;
-        let left = Left::new(job, &exact, &reads_as);
+        let left = ResidualError::new(job, &exact, &reads_as);
         sheet
             .notes
-            .push(left.says(rules, &sheet, job.step.is_some()));
+            .push(left.describe(rules, &sheet, job.step.is_some()));
         let sidecar = Sidecar {
             job,
             sheet: &sheet,

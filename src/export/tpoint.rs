@@ -104,14 +104,14 @@ struct PointingSidecar<'a> {
     model_hash: String,
     units: &'static str,
     sign: Template,
-    terms: Vec<TermTwin>,
+    terms: Vec<TermJson>,
     leaves_arcsec: f64,
     nominal_arcsec: f64,
     notes: Vec<Text>,
 }
 
 #[derive(Serialize)]
-struct TermTwin {
+struct TermJson {
     name: &'static str,
     arcsec: f64,
 }
@@ -172,7 +172,7 @@ impl Exporter for Tpoint {
             terms: TERMS
                 .iter()
                 .zip(&fitted.arcsec)
-                .map(|(name, arcsec)| TermTwin {
+                .map(|(name, arcsec)| TermJson {
                     name,
                     arcsec: *arcsec,
                 })

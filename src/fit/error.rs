@@ -21,7 +21,7 @@ pub enum IdentifyError {
 
 impl IdentifyError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",
@@ -34,8 +34,8 @@ impl IdentifyError {
                 "regional identification is for a single revolute joint; {because}",
                 because = because
             ),
-            Self::Regions(given) => given.says(),
-            Self::Rejected(inner) => inner.says(),
+            Self::Regions(given) => given.describe(),
+            Self::Rejected(inner) => inner.describe(),
             Self::Cancelled => text!("the identification was cancelled"),
         }
     }

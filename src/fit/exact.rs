@@ -82,10 +82,10 @@ pub(super) struct Fresh<'a> {
 
 impl<'a> Fresh<'a> {
     pub(super) fn fitted(
-        prepared: Prepared<'a>,
+        prepared: FitStart<'a>,
         go_on: &dyn Fn() -> bool,
     ) -> Result<Self, IdentifyError> {
-        let Prepared {
+        let FitStart {
             mut problem,
             start,
             nominal,
@@ -134,7 +134,7 @@ impl<'a> Fresh<'a> {
 }
 
 /// What a fit begins with.
-pub(super) struct Prepared<'a> {
+pub(super) struct FitStart<'a> {
     /// The samples.
     pub(super) problem: Problem<'a>,
     /// The terms to fit, with their best settings.
@@ -154,7 +154,7 @@ pub(super) fn prepare<'a>(
     known: &[Term],
     values: JointValues,
     go_on: &'a dyn Fn() -> bool,
-) -> Result<Prepared<'a>, IdentifyError> {
+) -> Result<FitStart<'a>, IdentifyError> {
     let mut problem = Problem::observing(session, values);
     problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
@@ -207,7 +207,7 @@ pub(super) fn prepare<'a>(
     let start = known
         .iter()
         .fold(start, |model, term| model.with_term(term.clone()));
-    Ok(Prepared {
+    Ok(FitStart {
         problem,
         start,
         nominal: placed,
@@ -259,7 +259,7 @@ pub(crate) fn report(
         kinds: observed::figures(problem, nominal, &solution.model),
         noise: problem.noise.clone(),
         quality: Quality {
-            stopped: solution.stopped.says(),
+            stopped: solution.stopped.describe(),
             converged: matches!(solution.stopped, Stopped::Converged | Stopped::NothingToDo),
             passes: solution.passes,
             coefficients: solution.model.coefficient_count(),

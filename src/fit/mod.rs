@@ -30,7 +30,7 @@ pub(crate) mod spread;
 mod unidentifiable;
 mod usual_noise;
 
-pub use crate::answers::errors::{Errors, Expected, Level, Spread, Unusable};
+pub use crate::answers::errors::{Errors, Expected, Level, Spread, UnusableReason};
 pub use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
     measured_ranges,

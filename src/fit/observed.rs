@@ -3,7 +3,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Held, PlaceKind, Role, Setting, TOOL_ORIENTATION, Term};
+use crate::effects::{FixedMask, PlaceKind, Role, Setting, TOOL_ORIENTATION, Term};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
@@ -144,7 +144,7 @@ pub(super) fn with_base_held(
 fn with_length_held(model: &Model) -> Model {
     model.with_each(|_, term| {
         if term.effect.about().role == Role::ToolRadius {
-            term.held = Held::default().with(0);
+            term.held = FixedMask::default().with(0);
         }
     })
 }

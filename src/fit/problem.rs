@@ -1,7 +1,7 @@
 //! A least-squares problem: the samples of a session, which of them count, and how much each
 //! axis weighs.
 
-pub(crate) use crate::answers::errors::Unusable;
+pub(crate) use crate::answers::errors::UnusableReason;
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
@@ -394,10 +394,10 @@ impl<'a> Problem<'a> {
 }
 
 /// Whether a sample cannot be used, and why; as a point, of whose coordinates none may be missing.
-pub(crate) fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
+pub(crate) fn unusable(session: &Session, sample: usize) -> Option<UnusableReason> {
     let samples = &session.samples;
     if samples.is_excluded(sample) {
-        return Some(Unusable::Excluded);
+        return Some(UnusableReason::Excluded);
     }
     let x = samples.x_mm[sample];
     let y = samples.y_mm[sample];
@@ -407,9 +407,9 @@ pub(crate) fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
         || z.is_some_and(f64::is_nan)
         || samples.q.iter().any(|q| q[sample].is_nan());
     if missing {
-        return Some(Unusable::MissingCell);
+        return Some(UnusableReason::MissingCell);
     }
-    (x == 0.0 && y == 0.0 && z.is_none_or(|z| z == 0.0)).then_some(Unusable::LostReflector)
+    (x == 0.0 && y == 0.0 && z.is_none_or(|z| z == 0.0)).then_some(UnusableReason::LostReflector)
 }
 
 #[cfg(test)]
@@ -424,13 +424,13 @@ mod tests {
     fn a_reflector_is_lost_where_all_coordinates_are_zero_and_nowhere_else() {
         let mut session = sweep([0.0, 0.0, 1.0]);
         let points = [
-            ([0.0, 0.0, 0.0], Some(Unusable::LostReflector)),
+            ([0.0, 0.0, 0.0], Some(UnusableReason::LostReflector)),
             ([1.0, 0.0, 0.0], None),
             ([0.0, 1.0, 0.0], None),
             ([0.0, 0.0, 1.0], None),
-            ([f64::NAN, 1.0, 1.0], Some(Unusable::MissingCell)),
-            ([1.0, f64::NAN, 1.0], Some(Unusable::MissingCell)),
-            ([1.0, 1.0, f64::NAN], Some(Unusable::MissingCell)),
+            ([f64::NAN, 1.0, 1.0], Some(UnusableReason::MissingCell)),
+            ([1.0, f64::NAN, 1.0], Some(UnusableReason::MissingCell)),
+            ([1.0, 1.0, f64::NAN], Some(UnusableReason::MissingCell)),
         ];
         for (sample, ([x, y, z], expected)) in points.into_iter().enumerate() {
             session.samples.x_mm[sample] = x;
@@ -440,9 +440,9 @@ mod tests {
         }
         // In the plane the third coordinate has no say.
         session.samples.z_mm = None;
-        assert_eq!(unusable(&session, 3), Some(Unusable::LostReflector));
+        assert_eq!(unusable(&session, 3), Some(UnusableReason::LostReflector));
         session.samples.q[0][1] = f64::NAN;
-        assert_eq!(unusable(&session, 1), Some(Unusable::MissingCell));
+        assert_eq!(unusable(&session, 1), Some(UnusableReason::MissingCell));
     }
 
     #[test]

@@ -39,7 +39,7 @@ pub enum Stopped {
 
 impl Stopped {
     /// In words.
-    pub fn says(self) -> Template {
+    pub fn describe(self) -> Template {
         match self {
             Self::Converged => phrase!("converged"),
             Self::NothingToDo => phrase!("there was nothing to solve for"),
@@ -441,7 +441,7 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
         .model
         .terms()
         .iter()
-        .flat_map(|term| term.effect.about().form.reaches())
+        .flat_map(|term| term.effect.about().form.max_magnitudes())
         .chain(shapes)
         .collect();
     let least = if problem.noise.is_some() {

@@ -132,7 +132,7 @@ impl SystemFace {
 
 /// Faces for characters, and what none has.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Found {
+pub struct FaceSelection {
     /// In the order in which they are to be asked.
     pub faces: Vec<SystemFace>,
     /// Characters that no face has, as far as a font is worth looking for.
@@ -187,10 +187,10 @@ impl Library {
     }
 
     /// The faces for these characters, chosen as the module above says.
-    pub fn covering(&self, missing: &BTreeSet<char>, purpose: Purpose) -> Found {
+    pub fn covering(&self, missing: &BTreeSet<char>, purpose: Purpose) -> FaceSelection {
         let mut left: BTreeSet<char> = missing.iter().copied().collect();
         left.retain(|c| is_worth_a_font(*c));
-        let mut found = Found::default();
+        let mut found = FaceSelection::default();
         if left.is_empty() {
             return found;
         }

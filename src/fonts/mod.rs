@@ -39,7 +39,7 @@ pub(crate) mod tiny_font;
 mod unshown;
 
 pub(crate) use face::{Face, cff_table};
-pub use library::{Found, Library, MOST_FACES, Purpose, SystemFace};
+pub use library::{FaceSelection, Library, MOST_FACES, Purpose, SystemFace};
 pub use unshown::{cannot_be_shown, is_worth_a_font};
 
 /// Inter, regular.

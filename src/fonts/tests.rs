@@ -3,17 +3,17 @@
 use std::collections::BTreeSet;
 
 use super::tiny_font::{Tiny, collection};
-use super::{Found, Library, Purpose};
+use super::{FaceSelection, Library, Purpose};
 
 fn set(text: &str) -> BTreeSet<char> {
     text.chars().collect()
 }
 
-fn among(fonts: &[Tiny], text: &str, purpose: Purpose) -> Found {
+fn among(fonts: &[Tiny], text: &str, purpose: Purpose) -> FaceSelection {
     Library::of(fonts.iter().map(Tiny::file)).covering(&set(text), purpose)
 }
 
-fn names(found: &Found) -> Vec<&str> {
+fn names(found: &FaceSelection) -> Vec<&str> {
     found.faces.iter().map(|face| &*face.name).collect()
 }
 
@@ -145,7 +145,7 @@ fn fonts_of_placeholders_and_characters_without_a_shape_are_left_alone() {
         "\u{E000}\u{FE0F}\n",
         Purpose::Screen,
     );
-    assert_eq!(found, Found::default());
+    assert_eq!(found, FaceSelection::default());
 }
 
 #[test]

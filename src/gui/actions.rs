@@ -8,19 +8,19 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
-use crate::gui::style::layout::Room;
+use crate::gui::style::layout::Layout;
 use crate::gui::view::{About, Edge, Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The window as it stands.
 #[derive(Clone, Copy)]
-pub(crate) struct Now<'a> {
+pub(crate) struct WindowState<'a> {
     pub(crate) ctx: &'a Context,
     pub(crate) workbench: &'a Workbench,
 }
 
-impl Now<'_> {
+impl WindowState<'_> {
     fn preferences(self) -> Preferences {
         self.workbench.view().preferences
     }
@@ -43,11 +43,11 @@ impl Now<'_> {
 /// What an action needs, and what to do where that is not there.
 #[derive(Clone, Copy)]
 struct Need {
-    there: fn(Now<'_>) -> bool,
+    there: fn(WindowState<'_>) -> bool,
     first: Template,
 }
 
-const fn need(there: fn(Now<'_>) -> bool, first: Template) -> Need {
+const fn need(there: fn(WindowState<'_>) -> bool, first: Template) -> Need {
     Need { there, first }
 }
 
@@ -66,11 +66,11 @@ pub(crate) struct Action {
     /// What the list of keys says.
     help: Template,
     /// What the menu says.
-    label: fn(Now<'_>) -> String,
+    label: fn(WindowState<'_>) -> String,
     needs: Need,
     /// One of several ways to look: whether it is this.
-    on: Option<fn(Now<'_>) -> bool>,
-    command: fn(Now<'_>) -> Command,
+    on: Option<fn(WindowState<'_>) -> bool>,
+    command: fn(WindowState<'_>) -> Command,
 }
 
 impl Action {
@@ -78,8 +78,8 @@ impl Action {
         modifiers: Modifiers,
         key: Key,
         help: Template,
-        label: fn(Now<'_>) -> String,
-        command: fn(Now<'_>) -> Command,
+        label: fn(WindowState<'_>) -> String,
+        command: fn(WindowState<'_>) -> Command,
     ) -> Self {
         Self {
             keys: KeyboardShortcut::new(modifiers, key),
@@ -95,18 +95,18 @@ impl Action {
         Self { needs, ..self }
     }
 
-    const fn on(self, on: fn(Now<'_>) -> bool) -> Self {
+    const fn on(self, on: fn(WindowState<'_>) -> bool) -> Self {
         Self {
             on: Some(on),
             ..self
         }
     }
 
-    pub(crate) fn label(&self, now: Now<'_>) -> String {
+    pub(crate) fn label(&self, now: WindowState<'_>) -> String {
         (self.label)(now)
     }
 
-    pub(crate) fn enabled(&self, now: Now<'_>) -> bool {
+    pub(crate) fn enabled(&self, now: WindowState<'_>) -> bool {
         (self.needs.there)(now)
     }
 
@@ -116,11 +116,11 @@ impl Action {
     }
 
     /// Whether it is chosen, where it is one of several ways to look.
-    pub(crate) fn chosen(&self, now: Now<'_>) -> Option<bool> {
+    pub(crate) fn chosen(&self, now: WindowState<'_>) -> Option<bool> {
         self.on.map(|on| on(now))
     }
 
-    pub(crate) fn command(&self, now: Now<'_>) -> Command {
+    pub(crate) fn command(&self, now: WindowState<'_>) -> Command {
         (self.command)(now)
     }
 
@@ -144,11 +144,11 @@ fn sheet(sheet: Sheet) -> Command {
     Command::Sheet(Some(sheet))
 }
 
-fn measured(now: Now<'_>) -> bool {
-    !now.workbench.subject().is_empty()
+fn measured(now: WindowState<'_>) -> bool {
+    !now.workbench.loaded_session().is_empty()
 }
 
-fn answered(now: Now<'_>) -> bool {
+fn answered(now: WindowState<'_>) -> bool {
     now.workbench.answer().is_some()
 }
 
@@ -229,8 +229,8 @@ actions! {
     OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| other_theme(now).1.into(),
         |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
     RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
-        |now| results_says(room(now.ctx, now.workbench).results()).into(),
-        |now| Command::Results(!room(now.ctx, now.workbench).results());
+        |now| results_says(layout(now.ctx, now.workbench).results()).into(),
+        |now| Command::Results(!layout(now.ctx, now.workbench).results());
     CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
         add_chart::<{ Edge::Bottom as usize }>, [when(ROOM)];
     CHART_BESIDE: COMMAND, E, phrase!("another chart beside this plot"), |_| say!("Add chart beside").into(),
@@ -288,30 +288,30 @@ pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] = [EXAMPLE_1, EXAMPLE_2,
 /// The steps, in their order; a robot without regions has no fifth.
 pub(crate) const STEPS: [Action; 5] = [STEP_1, STEP_2, STEP_3, STEP_4, STEP_5];
 
-fn step<const N: usize>(now: Now<'_>) -> Option<Step> {
+fn step<const N: usize>(now: WindowState<'_>) -> Option<Step> {
     now.workbench.steps().get(N).copied()
 }
 
-fn step_name<const N: usize>(now: Now<'_>) -> String {
+fn step_name<const N: usize>(now: WindowState<'_>) -> String {
     step::<N>(now).map_or("", Step::name).to_owned()
 }
 
-fn go_to<const N: usize>(now: Now<'_>) -> Command {
+fn go_to<const N: usize>(now: WindowState<'_>) -> Command {
     Command::GoTo(step::<N>(now).unwrap_or(now.workbench.view().step))
 }
 
-fn is_at<const N: usize>(now: Now<'_>) -> bool {
+fn is_at<const N: usize>(now: WindowState<'_>) -> bool {
     step::<N>(now) == Some(now.workbench.view().step)
 }
 
 /// At an edge of the active plot.
-fn add_chart<const EDGE: usize>(now: Now<'_>) -> Command {
+fn add_chart<const EDGE: usize>(now: WindowState<'_>) -> Command {
     let key = now.workbench.view().panes.active();
     Command::Panes(Box::new(now.workbench.with_chart(key, Edge::ALL[EDGE])))
 }
 
 /// The one that is active, or was so last.
-fn close_chart(now: Now<'_>) -> Command {
+fn close_chart(now: WindowState<'_>) -> Command {
     let mut panes = now.workbench.view().panes.clone();
     if let Some(key) = panes.active_chart().map(|(key, _)| key) {
         panes.close(key);
@@ -319,7 +319,7 @@ fn close_chart(now: Now<'_>) -> Command {
     Command::Panes(Box::new(panes))
 }
 
-fn open_latest(now: Now<'_>) -> Command {
+fn open_latest(now: WindowState<'_>) -> Command {
     match now.workbench.recent().find(|(_, there)| *there) {
         Some((path, _)) => Command::OpenFile(path.to_path_buf()),
         None => Command::ChooseFile,
@@ -327,7 +327,7 @@ fn open_latest(now: Now<'_>) -> Command {
 }
 
 /// The samples that are chosen.
-fn chosen(now: Now<'_>) -> Vec<usize> {
+fn chosen(now: WindowState<'_>) -> Vec<usize> {
     let view = now.workbench.view();
     if view.marked.is_empty() {
         view.selected.into_iter().collect()
@@ -336,14 +336,14 @@ fn chosen(now: Now<'_>) -> Vec<usize> {
     }
 }
 
-fn are_excluded(now: Now<'_>) -> bool {
-    let samples = &now.workbench.subject().session.samples;
+fn are_excluded(now: WindowState<'_>) -> bool {
+    let samples = &now.workbench.loaded_session().session.samples;
     chosen(now)
         .iter()
         .all(|sample| samples.is_excluded(*sample))
 }
 
-fn exclude_says(now: Now<'_>) -> String {
+fn exclude_says(now: WindowState<'_>) -> String {
     let what = match chosen(now)[..] {
         [] => say!("samples").to_owned(),
         [one] => say!("sample {sample}", sample = one + 1),
@@ -356,7 +356,7 @@ fn exclude_says(now: Now<'_>) -> String {
     }
 }
 
-fn follow_says(now: Now<'_>) -> String {
+fn follow_says(now: WindowState<'_>) -> String {
     let follows = now.workbench.following().is_some();
     let says = if follows {
         say!("Stop following the file")
@@ -366,7 +366,7 @@ fn follow_says(now: Now<'_>) -> String {
     says.to_owned()
 }
 
-fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
+fn next_length(now: WindowState<'_>) -> (LengthUnit, &'static str) {
     match now.preferences().length {
         LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
         LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
@@ -374,7 +374,7 @@ fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
     }
 }
 
-fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
+fn next_angle(now: WindowState<'_>) -> (AngleUnit, &'static str) {
     match now.preferences().angle {
         AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
         AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
@@ -383,7 +383,7 @@ fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
     }
 }
 
-fn other_theme(now: Now<'_>) -> (Theme, &'static str) {
+fn other_theme(now: WindowState<'_>) -> (Theme, &'static str) {
     if now.dark() {
         (Theme::Light, say!("Light"))
     } else {
@@ -414,11 +414,11 @@ pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
 }
 
 /// How the window is divided now.
-pub(crate) fn room(ctx: &Context, workbench: &Workbench) -> Room {
+pub(crate) fn layout(ctx: &Context, workbench: &Workbench) -> Layout {
     let size = ctx.content_rect().size();
     let view = workbench.view();
     let sizes = view.preferences.sizes;
-    Room::of(size.x, size.y, view.results, [sizes.left, sizes.right])
+    Layout::of(size.x, size.y, view.results, [sizes.left, sizes.right])
 }
 
 /// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text.
@@ -426,7 +426,7 @@ pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
         return Vec::new();
     }
-    let now = Now { ctx, workbench };
+    let now = WindowState { ctx, workbench };
     // A key by itself may mean something to the control with the focus.
     let meant = |action: &Action| action.keys.modifiers.any() || action.enabled(now);
     let pressed =

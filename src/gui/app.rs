@@ -176,7 +176,7 @@ impl App {
             self.workbench.execute(Command::FindLetters(letters));
             self.workbench.receive();
         }
-        let lacks = self.workbench.letters().lack(wanted.own_name());
+        let lacks = self.workbench.characters().lack(wanted.own_name());
         crate::text::choose(if lacks { Language::English } else { wanted });
         crate::text::name_by_titles(true);
     }
@@ -265,7 +265,7 @@ impl App {
             .resizable(false)
             .frame(bar(palette.surface))
             .show(ui, |ui| views::status::show(ui, workbench, commands));
-        let room = actions::room(ui.ctx(), workbench);
+        let room = actions::layout(ui.ctx(), workbench);
         Panel::left("steps")
             .exact_size(room.left)
             .resizable(false)
@@ -378,8 +378,8 @@ impl App {
         if !wanted.is_empty() {
             self.workbench.execute(Command::FindLetters(wanted));
         }
-        let drawn = alphabet.install(ctx, &self.workbench.letters().faces);
-        if drawn < self.workbench.letters().faces.len() {
+        let drawn = alphabet.install(ctx, &self.workbench.characters().faces);
+        if drawn < self.workbench.characters().faces.len() {
             ctx.request_repaint();
         }
         self.workbench.draws_with(drawn);

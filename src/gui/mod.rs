@@ -106,7 +106,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
     )
     .map_err(|error| {
         let error = error.to_string();
-        let because = plainly(&error);
+        let because = without_source_place(&error);
         anyhow!("the window cannot be opened: {because}\n{OTHERWISE}\n{instead}")
     })
 }
@@ -121,7 +121,7 @@ fn has_display() -> bool {
 }
 
 /// An error without the place in somebody's source code at which it came up.
-fn plainly(error: &str) -> &str {
+fn without_source_place(error: &str) -> &str {
     let after_place = error.rsplit_once(".rs:").map(|(_, rest)| rest);
     let reason = after_place.and_then(|rest| rest.split_once(": "));
     reason.map_or(error, |(_, reason)| reason.trim_end_matches('.'))
@@ -131,8 +131,8 @@ fn plainly(error: &str) -> &str {
 #[test]
 fn a_reason_comes_without_its_place_in_the_source() {
     let error = "winit EventLoopError: os error at src/linux/mod.rs:765: DISPLAY is not set.";
-    assert_eq!(plainly(error), "DISPLAY is not set");
-    assert_eq!(plainly("no adapter"), "no adapter");
+    assert_eq!(without_source_place(error), "DISPLAY is not set");
+    assert_eq!(without_source_place("no adapter"), "no adapter");
 }
 
 /// The window's icon; none where it cannot be read, which is not worth a message.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::simulation::unwatched;
 
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::{Chosen, Form};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::views::pictures::drawing;
@@ -18,7 +18,7 @@ pub(crate) fn workbench() -> Workbench {
         ..Form::default()
     };
     let (session, _) = form.session(unwatched).expect("the form is valid");
-    let subject = Subject::new(session, Vec::new(), Origin::Simulated);
+    let subject = LoadedSession::new(session, Vec::new(), Origin::Simulated);
     let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
     Workbench::new(Arc::new(subject), jobs, drawing)
 }

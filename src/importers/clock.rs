@@ -146,7 +146,7 @@ pub(crate) fn find(
 }
 
 /// Judges an offset that was given.
-pub(crate) fn given(
+pub(crate) fn offset_from(
     path: &Path,
     robot: &Robot,
     targets: &[Point3<f64>],

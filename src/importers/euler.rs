@@ -118,7 +118,7 @@ impl Convention {
     }
 
     /// The convention and its product, for a note.
-    pub(crate) fn says(self) -> Text {
+    pub(crate) fn describe(self) -> Text {
         match self {
             Self::RotationVector => {
                 text!(

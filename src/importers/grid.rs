@@ -12,7 +12,7 @@ use crate::importers::role::Role;
 use crate::importers::rows::{OpenQuote, Row, Rows, Separator};
 use crate::importers::settings::{About, Question};
 use crate::importers::units;
-use crate::progress::Part;
+use crate::progress::ProgressSpan;
 use crate::sessions::columns::Unit;
 use crate::text::Text;
 
@@ -36,7 +36,7 @@ pub(crate) struct Grid<'a> {
     /// Stands before the first row.
     body: Rows<'a>,
     /// The work that going through all rows belongs to.
-    part: Option<Part<'a>>,
+    part: Option<ProgressSpan<'a>>,
 }
 
 /// The complaint about an open quote.
@@ -175,7 +175,7 @@ impl<'a> Grid<'a> {
     }
 
     /// Going through all rows is told as a pass of this part of the work.
-    pub(crate) fn watched(self, part: Part<'a>) -> Self {
+    pub(crate) fn watched(self, part: ProgressSpan<'a>) -> Self {
         let part = Some(part);
         Self { part, ..self }
     }

@@ -1,7 +1,7 @@
 //! From the bytes of a file to its columns: which format it is, what was found out, and what is to be asked.
 
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::progress::{Cancelled, Part, Progress, unwatched};
+use crate::progress::{Cancelled, Progress, ProgressSpan, unwatched};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
@@ -39,7 +39,7 @@ pub fn inspect_watched(
 pub(super) fn read(
     bytes: &[u8],
     reading: &Reading,
-    part: Part<'_>,
+    part: ProgressSpan<'_>,
 ) -> (Inspection, Option<Columns>) {
     let place = reading.place();
     let mut found = Inspection::default();
@@ -85,7 +85,7 @@ pub(super) fn read(
 
 /// The format that a text looks like: each is asked whether it has anything against the file, the
 /// pickier ones first.
-pub(super) fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> &'static Importer {
+pub(super) fn proposed(text: &str, reading: &Reading, part: ProgressSpan<'_>) -> &'static Importer {
     let is_like = |importer: &&Importer| match importer.known_by {
         KnownBy::Text(is) => is(text),
         _ => false,

@@ -8,7 +8,7 @@ use crate::importers::matching::Matching;
 use crate::importers::reference::Alignment;
 use crate::importers::settings::{ColumnGuess, Inspection, Reading};
 use crate::kinematics::Robot;
-use crate::progress::Part;
+use crate::progress::ProgressSpan;
 use crate::sessions::Session;
 use crate::text::Text;
 use std::path::PathBuf;
@@ -125,7 +125,7 @@ pub(crate) struct Job<'s> {
     /// What the columns of the commands are taken for.
     pub(crate) commands_columns: Vec<ColumnGuess>,
     /// The work that reading the files beside it is a part of.
-    pub(crate) part: Part<'s>,
+    pub(crate) part: ProgressSpan<'s>,
 }
 
 impl Job<'_> {

@@ -88,7 +88,7 @@ pub(crate) fn by_time(
     let path = path_of(&commands, robot, commands_place)?;
     let points = timed(&measured, &time_s, targets.1);
     let clock = match timing.offset_s {
-        Some(offset_s) => clock::given(&path, robot, targets.0, &points, offset_s),
+        Some(offset_s) => clock::offset_from(&path, robot, targets.0, &points, offset_s),
         None => match clock::find(&path, robot, targets.0, &points) {
             Ok(clock) => clock,
             Err(why) => {

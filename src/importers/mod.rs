@@ -54,7 +54,7 @@ mod watched;
 pub use by_heading::ByHeading;
 pub use clock::ClockOffset;
 pub use decimals::Decimal;
-pub use formats::{Asks, IMPORTERS, Importer, Meanings, OwnOption, find};
+pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};
 pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
 pub use join::Motion;

@@ -30,7 +30,7 @@ const FORMAT: &str = "truepose-import-profile/1";
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ColumnTwin {
+struct ColumnJson {
     #[serde(default)]
     heading: String,
     is: String,
@@ -64,9 +64,9 @@ pub struct Profile {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     names: Vec<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    columns: Vec<ColumnTwin>,
+    columns: Vec<ColumnJson>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    commands: Vec<ColumnTwin>,
+    commands: Vec<ColumnJson>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     options: BTreeMap<String, String>,
 }
@@ -261,11 +261,11 @@ impl Profile {
             in_measuring_order,
             names: reading.names.clone(),
             columns: if table && !fixed {
-                twins(&found.columns)
+                column_json(&found.columns)
             } else {
                 Vec::new()
             },
-            commands: twins(&imported.commands_columns),
+            commands: column_json(&imported.commands_columns),
             options: reading
                 .options
                 .iter()
@@ -281,7 +281,7 @@ impl Profile {
     }
 }
 
-fn of_twins(columns: &[ColumnTwin]) -> ByHeading {
+fn of_twins(columns: &[ColumnJson]) -> ByHeading {
     ByHeading {
         columns: columns
             .iter()
@@ -290,8 +290,8 @@ fn of_twins(columns: &[ColumnTwin]) -> ByHeading {
     }
 }
 
-fn twins(columns: &[ColumnGuess]) -> Vec<ColumnTwin> {
-    let twin = |column: &ColumnGuess| ColumnTwin {
+fn column_json(columns: &[ColumnGuess]) -> Vec<ColumnJson> {
+    let twin = |column: &ColumnGuess| ColumnJson {
         heading: column.heading.clone(),
         is: column.meaning.clone(),
     };

@@ -222,7 +222,7 @@ impl<'a> ReadContext<'a> {
             directions: None,
         };
         if let Some(convention) = convention {
-            self.note(convention.says());
+            self.note(convention.describe());
             euler::to_quaternions(&mut columns, convention);
         }
         Some(columns)

@@ -9,7 +9,7 @@ use crate::text::Template;
 use std::borrow::Cow;
 use std::fmt;
 
-use crate::progress::Part;
+use crate::progress::ProgressSpan;
 
 /// What stands between two cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,7 +93,7 @@ pub(crate) struct Rows<'a> {
     separator: Separator,
     /// The last comment that was passed over, without its sign.
     pub(crate) comment: Option<(u64, &'a str)>,
-    pass: Option<Part<'a>>,
+    pass: Option<ProgressSpan<'a>>,
     /// Where whoever watches is told next.
     tell_at: usize,
 }
@@ -113,7 +113,7 @@ impl<'a> Rows<'a> {
 
     /// Goes through what is left as the next pass of this part of the work: tells how far it is,
     /// and is at its end where it was cancelled.
-    pub(crate) fn in_pass_of(mut self, part: Part<'a>) -> Self {
+    pub(crate) fn in_pass_of(mut self, part: ProgressSpan<'a>) -> Self {
         self.pass = Some(part.next_pass());
         self.tell_at = self.at;
         self

@@ -8,7 +8,7 @@ use crate::importers::matching::Matching;
 use crate::importers::settings::{Inspection, Question, Reading};
 use crate::importers::upwards;
 use crate::kinematics::{JointKind, Robot};
-use crate::progress::{Part, Progress, ReadError, unwatched};
+use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::columns::Quantity;
 use crate::text::Text;
 use std::ops::ControlFlow;
@@ -41,7 +41,11 @@ pub fn import_watched(
     Ok(imported)
 }
 
-fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Imported, ReadError> {
+fn import_in(
+    bytes: &[u8],
+    settings: &Settings<'_>,
+    part: ProgressSpan<'_>,
+) -> Result<Imported, ReadError> {
     let reading = suited(&settings.reading, settings.robot)?;
     let (inspection, columns) = read(bytes, &reading, part.part(0.0, 0.7));
     part.reached(0.7)?;

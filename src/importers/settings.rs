@@ -9,7 +9,7 @@ use crate::importers::role::Role;
 use crate::importers::rows::Separator;
 use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
-use crate::progress::Part;
+use crate::progress::ProgressSpan;
 use crate::text::{Template, Text};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -236,7 +236,7 @@ pub(crate) struct ReadContext<'a> {
     pub(crate) place: Place,
     pub(crate) found: Inspection,
     /// The work that reading it is a part of.
-    pub(crate) part: Part<'a>,
+    pub(crate) part: ProgressSpan<'a>,
 }
 
 /// A format that instruments write.
@@ -246,7 +246,7 @@ pub struct Importer {
     /// What it is, for somebody who has only the file.
     pub plainly: Template,
     /// What is asked about its files.
-    pub asks: Asks,
+    pub asks: Questions,
     /// Options that only this format has.
     pub options: &'static [OwnOption],
     /// How its files are known from others.
@@ -274,7 +274,7 @@ impl fmt::Debug for Importer {
     clippy::struct_excessive_bools,
     reason = "each is a question of the sheet by itself"
 )]
-pub struct Asks {
+pub struct Questions {
     /// The separator, the header and the decimal sign.
     pub table: bool,
     /// What the columns mean.
@@ -287,7 +287,7 @@ pub struct Asks {
     pub joint: bool,
 }
 
-impl Asks {
+impl Questions {
     /// As of any table.
     pub const TABLE: Self = Self {
         table: true,

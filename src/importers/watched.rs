@@ -8,7 +8,7 @@ use super::{Companion, Reading, Settings, import, import_watched};
 use super::{IMPORTERS, inspect, inspect_watched};
 use crate::kinematics::{Axis, Joint, JointKind, Robot, pose_from_parts};
 use crate::progress::ReadError;
-use crate::progress::testing::{assert_grows, no_at, told};
+use crate::progress::testing::{assert_grows, no_at, report_to};
 
 /// Rows enough for several looks at whoever watches.
 const ROWS: u32 = 12_000;
@@ -58,7 +58,7 @@ fn a_file_is_looked_at_with_or_without_its_kind() {
         let look = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
             inspect_watched(text.as_bytes(), &reading, watch)
         };
-        let (shares, found) = told(look);
+        let (shares, found) = report_to(look);
         assert_grows(&shares);
         assert_eq!(found.unwrap(), inspect(text.as_bytes(), &reading));
         for number in 0..shares.len() {
@@ -79,7 +79,7 @@ fn an_import_that_is_cancelled_is_no_import_that_is_refused() {
         }),
         ..Settings::new(Reading::default(), &robot)
     };
-    let (shares, imported) = told(|w| import_watched(measured.as_bytes(), &settings, w));
+    let (shares, imported) = report_to(|w| import_watched(measured.as_bytes(), &settings, w));
     assert_grows(&shares);
     assert!(shares.len() > 10, "{shares:?}");
     let unwatched = import(measured.as_bytes(), &settings).unwrap();
@@ -95,7 +95,7 @@ fn what_is_wrong_is_refused_with_or_without_somebody_who_watches() {
     let text = table("a,b,c", &[1.0, 250.0, 0.5]);
     let robot = robot();
     let settings = Settings::new(Reading::default(), &robot);
-    let (_, watched) = told(|w| import_watched(text.as_bytes(), &settings, w));
+    let (_, watched) = report_to(|w| import_watched(text.as_bytes(), &settings, w));
     let Err(ReadError::Rejected(watched)) = watched else {
         panic!("{watched:?}");
     };

@@ -81,7 +81,7 @@ fn potential_n_mm(robot: &Robot, q: &[f64], load_kg: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{beside, robot_and_pose};
+    use super::super::testing::{robot_and_pose, with_joint_moved};
     use super::super::{Axis, Joint, LinkMass};
     use super::*;
     use proptest::prelude::*;
@@ -94,7 +94,7 @@ mod tests {
             (robot, q) in robot_and_pose(), load in 0.0..20.0_f64,
         ) {
             for joint in 0..q.len() {
-                let energy = |by| potential_n_mm(&robot, &beside(&q, joint, by), load);
+                let energy = |by| potential_n_mm(&robot, &with_joint_moved(&q, joint, by), load);
                 let slope = (energy(STEP) - energy(-STEP)) / (2.0 * STEP);
                 let torque = robot.gravity_torque_nm(&q, load, joint).unwrap();
                 // N·mm per rad is a thousandth of a N·m; N·mm per mm is N.

@@ -77,7 +77,7 @@ fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{beside, robot_and_pose, space_twist_between};
+    use super::super::testing::{robot_and_pose, space_twist_between, with_joint_moved};
     use proptest::prelude::*;
 
     /// Central differences lose about h² and ε/h; this step balances the two at 1 m of reach.
@@ -88,8 +88,8 @@ mod tests {
         fn the_jacobian_agrees_with_central_differences((robot, q) in robot_and_pose()) {
             let space = robot.space_jacobian(&q);
             for joint in 0..q.len() {
-                let ahead = robot.base_from_tool(&beside(&q, joint, STEP));
-                let behind = robot.base_from_tool(&beside(&q, joint, -STEP));
+                let ahead = robot.base_from_tool(&with_joint_moved(&q, joint, STEP));
+                let behind = robot.base_from_tool(&with_joint_moved(&q, joint, -STEP));
                 let numerical = space_twist_between(&behind, &ahead).to_vector() / (2.0 * STEP);
                 prop_assert!((space.column(joint) - numerical).norm() < 5e-6);
             }

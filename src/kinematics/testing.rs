@@ -10,7 +10,7 @@ use super::robot::{Axis, Joint, LinkMass, Robot};
 use super::screw::Twist;
 
 /// The pose with one joint moved.
-pub(crate) fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
+pub(crate) fn with_joint_moved(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
     let mut q = q.to_vec();
     q[joint] += by;
     q

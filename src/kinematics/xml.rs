@@ -54,10 +54,10 @@ pub(super) struct Document {
 pub(super) const ROOT: usize = 0;
 
 /// What stands in the file where something else should.
-pub(super) type Mistake = (Text, Text);
+pub(super) type XmlProblem = (Text, Text);
 
 /// Finds the text of an included file by the name that the document gives it.
-pub(super) type Include<'a> = &'a dyn Fn(&str) -> Result<(PathBuf, String), Mistake>;
+pub(super) type Include<'a> = &'a dyn Fn(&str) -> Result<(PathBuf, String), XmlProblem>;
 
 impl Document {
     /// The document `text`, which came from `file`.
@@ -178,7 +178,7 @@ impl Document {
 
     fn included(&mut self, element: usize, include: Include<'_>) -> Result<usize, Rejected> {
         let name = self.required(element, "file")?.to_owned();
-        let refuse = |document: &Self, (found, expected): Mistake| {
+        let refuse = |document: &Self, (found, expected): XmlProblem| {
             let place = document.attribute_place(element, "file");
             Rejected::because(Diagnostic::error(place, found, expected))
         };
@@ -410,7 +410,7 @@ fn short(value: &str) -> String {
 }
 
 /// A robot description as text.
-pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
+pub(super) fn read_text(path: &Path) -> Result<String, XmlProblem> {
     let bytes = guard::read_regular(path, LARGEST_FILE).map_err(|(found, expected)| {
         let found = if expected.to_string() == "a regular file" {
             text!("{found}, not a regular file", found = found)
@@ -432,7 +432,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
 }
 
 /// The included file `name` of a document in `folder`: a file there or below.
-pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
+pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), XmlProblem> {
     let path = guard::below(folder, name, phrase!("the folder of the document"));
     let path = path.map_err(|(found, expected)| {
         let says = found.to_string();

@@ -37,7 +37,7 @@ impl Basis {
             extends: None,
         };
         for column in 0..p {
-            basis.take(column, a.column(column).into_owned());
+            basis.orthogonalize(column, a.column(column).into_owned());
         }
         basis.end()
     }
@@ -56,13 +56,13 @@ impl Basis {
         basis.q.columns_mut(0, rank).copy_from(&known.q);
         basis.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
         for column in (0..p).filter(|k| !own.contains(k)) {
-            basis.take(column, a.column(column).into_owned());
+            basis.orthogonalize(column, a.column(column).into_owned());
         }
         basis.end()
     }
 
     /// Takes one column more.
-    fn take(&mut self, column: usize, mut v: DVector<f64>) {
+    fn orthogonalize(&mut self, column: usize, mut v: DVector<f64>) {
         let m = self.q.nrows();
         let rank = self.kept.len();
         if rank >= m {

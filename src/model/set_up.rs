@@ -101,13 +101,13 @@ impl SetUp {
     }
 
     /// What the corrections of every session do, in words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let mut all = Text::default();
         for (index, one) in self.conventions.iter().enumerate() {
             if index > 0 {
                 all += Text::verbatim(", ");
             }
-            all += one.says();
+            all += one.describe();
         }
         all
     }

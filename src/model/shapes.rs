@@ -251,7 +251,7 @@ impl Shape {
     }
 
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         let along = match self.direction {
             Direction::Tangential(j) => text!("along the motion of joint {joint}", joint = j + 1),
             Direction::Radial => text!("along the radius"),

@@ -1,6 +1,6 @@
 //! A block of observations as rows: what is left of each, and how that follows every coefficient.
 
-use crate::effects::Held;
+use crate::effects::FixedMask;
 use crate::effects::place::MOST;
 use crate::lanes::{LANES, Lanes, Lanes3};
 
@@ -52,7 +52,7 @@ impl RowBlock {
         &mut self,
         lane: usize,
         first: usize,
-        held: Held,
+        held: FixedMask,
         residual: &Residual,
         unit: f64,
     ) {

@@ -56,7 +56,7 @@ pub struct KindFigures {
 }
 
 /// One row after the other of every item: whitened residuals and lengths.
-struct Left {
+struct WhitenedRows {
     /// In units of the noise.
     rows: Vec<[f64; 3]>,
     /// Inner units.
@@ -67,9 +67,9 @@ struct Left {
     along: Vec<[f64; 3]>,
 }
 
-fn left(layer: &Layer, model: &Model) -> Left {
+fn left(layer: &Layer, model: &Model) -> WhitenedRows {
     let n = layer.items.len();
-    let mut left = Left {
+    let mut left = WhitenedRows {
         rows: vec![[0.0; 3]; n],
         length: vec![f64::NAN; n],
         length_mm: vec![f64::NAN; n],
@@ -111,7 +111,7 @@ pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let as_seen: Vec<[f64; 3]> = seen
         .map(|(row, used)| if *used { *row } else { row.map(|e| e * factor) })
         .collect();
-    let marked = apart(layer, &as_seen);
+    let marked = outlying(layer, &as_seen);
     let kept = layer
         .fit
         .iter()
@@ -155,12 +155,12 @@ fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
 
 /// Which observations stand apart from their kind beside a model.
 pub(crate) fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
-    apart(layer, &left(layer, model).rows)
+    outlying(layer, &left(layer, model).rows)
 }
 
 /// Which observations stand apart from their kind, from what is left of each in units of its noise;
 /// those to be fitted make the bulk.
-pub(crate) fn apart(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
+pub(crate) fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
     let mut marked = vec![false; layer.items.len()];
     for kind in 0..KINDS.len() {
         for rows in 1..=3 {
@@ -191,14 +191,14 @@ pub(crate) fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
 }
 
 /// What is left of a kind whose noise is stated.
-pub(crate) struct LeftOfKind {
+pub(crate) struct ResidualsOfKind {
     pub(crate) name: &'static str,
     /// Squares of its rows that count, in units of the stated noise.
     pub(crate) squares: Vec<f64>,
 }
 
 /// What a model leaves of every kind whose noise is stated.
-pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<LeftOfKind> {
+pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
     let left = left(layer, model);
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {
@@ -214,14 +214,14 @@ pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<LeftOfKind> {
             .collect();
         if !squares.is_empty() {
             let name = own.about().name;
-            all.push(LeftOfKind { name, squares });
+            all.push(ResidualsOfKind { name, squares });
         }
     }
     all
 }
 
 /// Root mean square over the whitened rows of the items of a kind that count, and their number.
-fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<(f64, usize)> {
+fn spread(layer: &Layer, kind: usize, left: &WhitenedRows) -> Option<(f64, usize)> {
     let (mut sum, mut count) = (0.0, 0);
     for (i, item) in layer.items.iter().enumerate() {
         if item.kind == kind && layer.used[i] {
@@ -289,12 +289,13 @@ pub(crate) fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindF
                 .filter(|i| !layer.suspected[*i])
                 .collect();
             let counted = if clean.is_empty() { &own } else { &clean };
-            let rms = |left: &Left| {
+            let rms = |left: &WhitenedRows| {
                 let sum: f64 = counted.iter().map(|i| left.length[*i].powi(2)).sum();
                 (sum / counted.len() as f64).sqrt() * factor
             };
-            let max =
-                |left: &Left| own.iter().map(|i| left.length[*i]).fold(0.0, f64::max) * factor;
+            let max = |left: &WhitenedRows| {
+                own.iter().map(|i| left.length[*i]).fold(0.0, f64::max) * factor
+            };
             (!own.is_empty()).then(|| Errors {
                 count: own.len(),
                 before_rms: rms(&then),

@@ -6,7 +6,7 @@
 //! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
 //! mm to an estimator of points is one here too.
 
-use crate::effects::{Held, Inputs, JointValues, Place, PlaceKind};
+use crate::effects::{FixedMask, Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::{LANES, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
@@ -43,7 +43,7 @@ const SOCKET_DISTANCE_MM: f64 = 0.02;
 
 /// Where a model has the coefficients of every place.
 struct Placing {
-    own: Vec<(Place, [f64; MOST], Option<usize>, Held)>,
+    own: Vec<(Place, [f64; MOST], Option<usize>, FixedMask)>,
 }
 
 impl Placing {
@@ -70,12 +70,12 @@ impl Placing {
                 first += term.coefficients.len();
             }
             let known = stated(references, place).map(|v| v.unwrap_or(0.0));
-            (place, known, None, Held::default())
+            (place, known, None, FixedMask::default())
         });
         Self { own: own.collect() }
     }
 
-    fn get(&self, place: Place) -> Option<(&[f64; MOST], Option<usize>, Held)> {
+    fn get(&self, place: Place) -> Option<(&[f64; MOST], Option<usize>, FixedMask)> {
         let at = self.own.binary_search_by(|own| own.0.cmp(&place)).ok()?;
         let (_, values, first, held) = &self.own[at];
         Some((values, *first, *held))
@@ -309,7 +309,7 @@ impl<'a> Layer<'a> {
     ) {
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
-        let (raw, weighed, lever_mm) = self.beside(item, placing, point, attitude);
+        let (raw, weighed, lever_mm) = self.residual_of(item, placing, point, attitude);
         let lane = rows.items.len();
         rows.items.push(Some(item));
         rows.length[lane] = raw.length();
@@ -348,7 +348,7 @@ impl<'a> Layer<'a> {
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
-                let (_, weighed, _) = self.beside(item, &placing, point, UPRIGHT);
+                let (_, weighed, _) = self.residual_of(item, &placing, point, UPRIGHT);
                 all[item] = weighed.by_point.map(|row| scaled(row, self.unit_mm));
             }
         });
@@ -359,7 +359,7 @@ impl<'a> Layer<'a> {
     pub(super) fn weighed(&self, model: &Model) -> Vec<Residual> {
         let placing = Placing::of(model, self.session, &self.items);
         let seen = self.seen(model).into_iter().enumerate();
-        let own = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).1;
+        let own = |(item, (point, attitude))| self.residual_of(item, &placing, point, attitude).1;
         seen.map(own).collect()
     }
 
@@ -367,12 +367,12 @@ impl<'a> Layer<'a> {
     pub(super) fn levers_mm(&self, model: &Model) -> Vec<f64> {
         let placing = Placing::of(model, self.session, &self.items);
         let seen = self.seen(model).into_iter().enumerate();
-        let lever = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).2;
+        let lever = |(item, (point, attitude))| self.residual_of(item, &placing, point, attitude).2;
         seen.map(lever).collect()
     }
 
     /// What is left of one item, the same in units of its noise, and mm of an inner unit.
-    fn beside(
+    fn residual_of(
         &self,
         item: usize,
         placing: &Placing,

@@ -26,11 +26,11 @@
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
 //! it, with exact derivatives, and none has to say how.
 
-pub(crate) mod beside;
 pub(crate) mod block;
+pub(crate) mod compared;
+pub(crate) mod constrained;
 pub(crate) mod figures;
 pub(crate) mod gauge;
-pub(crate) mod held;
 pub(crate) mod layer;
 pub(crate) mod outliers;
 pub(crate) mod rows;

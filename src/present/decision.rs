@@ -1,7 +1,7 @@
 //! Whether a robot is within its tolerance, in words.
 
 use super::numbers::{mm, short};
-use crate::compensation::decision::{Measured, Outcome, Rule};
+use crate::compensation::decision::{MeasuredDeviation, Outcome, Rule};
 use crate::text::Template;
 
 /// What a rule says, in words.
@@ -14,7 +14,7 @@ pub fn title(outcome: Outcome) -> Template {
 }
 
 /// What a decision rests on.
-pub fn rests_on(measured: &Measured, rule: Rule, tolerance_mm: f64) -> String {
+pub fn rests_on(measured: &MeasuredDeviation, rule: Rule, tolerance_mm: f64) -> String {
     let of = if measured.predicted {
         say!("predicted with corrected commands")
     } else {

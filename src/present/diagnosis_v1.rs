@@ -1,7 +1,8 @@
 //! `truepose-diagnosis/1`: the answer as JSON. Samples count from 1, angles are in degrees.
 
 use crate::diagnosis::{
-    Correction, Detectability, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Unexplained,
+    Correction, Detectability, Diagnosis, FloorFrom, FoundEffect, Gaps, Limit, NextPose,
+    Unexplained,
 };
 use crate::document::degrees;
 use crate::fit::noise::Noise;
@@ -51,7 +52,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             "held_out_before_mm": u.held_out_mm[0],
             "held_out_after_mm": u.held_out_mm[1],
             "over": &u.over,
-            "says": u.says(),
+            "says": u.describe(),
         }),
         "expected_error": super::identification_v1::expected(&d.identification),
         "not_testable": list(&d.not_testable, |n| object! {
@@ -77,7 +78,7 @@ fn gap(gaps: Option<Gaps>) -> Json {
     }
 }
 
-fn found(f: &Found) -> Json {
+fn found(f: &FoundEffect) -> Json {
     let figures = f.figures.iter().map(|(name, value)| {
         object! { "name": *name, "value": *value, "ci95": Json::Null }
     });
@@ -176,7 +177,7 @@ fn noise(noise: &Noise) -> Json {
         "slow": noise.slow.map(|slow| object! {
             "rms_mm": slow.rms_mm,
             "time_constant_s": slow.time_constant_s,
-            "says": slow.says().to_string(),
+            "says": slow.describe().to_string(),
         }),
     }
 }

@@ -5,7 +5,9 @@
 use crate::numeric::extent;
 use std::path::Path;
 
-use super::chart::{Axis, Chart, Entry as Named, Form, Item, Mark, Sign, Stands, Ticks, shortened};
+use super::chart::{
+    Axis, Chart, ColourRole, Entry as Named, Form, Item, LegendSymbol, Mark, Ticks, shortened,
+};
 use super::names::{parameter, title_on};
 use super::numbers::{grouped, plain, with_interval};
 use super::table::{Cell, Column, Table};
@@ -147,14 +149,14 @@ pub fn parameters(robot: &RobotHistory, shown: &[usize]) -> Table {
     let mut table = Table::of(fixed.into_iter().chain(heads));
     for row in rows(robot) {
         let cells = shown.iter().map(|k| row.values.get(*k).copied().flatten());
-        let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| says(value)));
+        let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| describe(value)));
         let fixed = [row.name.into(), row.unit.into()];
         table.row(fixed.into_iter().chain(cells));
     }
     table
 }
 
-fn says(value: Option<Value>) -> String {
+fn describe(value: Option<Value>) -> String {
     let Some(value) = value else {
         return "–".to_owned();
     };
@@ -214,15 +216,15 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
         .iter()
         .flat_map(|(_, v)| v.ci95.unwrap_or([v.value; 2]));
     let range = extent(ends);
-    let [low, high] = super::chart::panel::room(range);
+    let [low, high] = super::chart::panel::padded(range);
     let by = 0.08 * (high - low);
     let way: Vec<[f64; 2]> = there.iter().map(|(x, v)| [*x, v.value]).collect();
-    let mut items = vec![Item::Line(way, Stands::Reference, 1.0, true)];
+    let mut items = vec![Item::Line(way, ColourRole::Reference, 1.0, true)];
     for (x, value) in &there {
         if let Some([from, to]) = value.ci95 {
             items.push(Item::Line(
                 vec![[*x, from], [*x, to]],
-                Stands::After,
+                ColourRole::After,
                 2.0,
                 false,
             ));
@@ -236,16 +238,20 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
         });
         marks.collect::<Vec<_>>()
     };
-    items.push(Item::Marks(marks(false, Form::Disc), Stands::After, true));
+    items.push(Item::Marks(
+        marks(false, Form::Disc),
+        ColourRole::After,
+        true,
+    ));
     items.push(Item::Marks(
         marks(true, Form::Diamond),
-        Stands::Before,
+        ColourRole::Before,
         true,
     ));
     let names = robot.entries.iter().enumerate();
     let names = names.map(|(k, entry)| (k as f64, shortened(&short_name(entry), 18)));
-    let disc = Sign::Mark(Form::Disc);
-    let diamond = Sign::Mark(Form::Diamond);
+    let disc = LegendSymbol::Mark(Form::Disc);
+    let diamond = LegendSymbol::Mark(Form::Diamond);
     Chart {
         title: row.name.clone(),
         across: Axis {
@@ -262,13 +268,13 @@ pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
             Named::new(
                 say!(in "chart-word", "value, 95 % interval"),
                 disc,
-                Stands::After,
+                ColourRole::After,
                 true,
             ),
             Named::new(
                 say!(in "chart-word", "changed"),
                 diamond,
-                Stands::Before,
+                ColourRole::Before,
                 true,
             ),
         ],

@@ -37,7 +37,7 @@ pub fn document(answer: &Identification, data_problems: &[DataProblem]) -> Json 
         "expected_error": expected(answer),
         "outliers": outliers(&answer.outliers),
         "left_out": list(&answer.left_out, |l| {
-            object! { "sample": l.sample + 1, "because": l.because.says() }
+            object! { "sample": l.sample + 1, "because": l.because.describe() }
         }),
         "noise_mm": answer.noise_mm,
         "solver": object! {

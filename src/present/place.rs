@@ -7,7 +7,7 @@ use crate::text::Text;
 
 impl Where {
     /// In words, as they stand behind "where".
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::Range { variable, from, to } => {
                 if let Some((group, name)) = of_a_group(variable) {
@@ -105,7 +105,7 @@ mod tests {
     fn a_place_is_said_without_names_of_columns() {
         let range = |variable: &str, from, to| {
             let variable = variable.to_owned();
-            Where::Range { variable, from, to }.says().to_string()
+            Where::Range { variable, from, to }.describe().to_string()
         };
         let cases = [
             (range("q1_deg", -31.592, 4.0), "joint 1 from −31.59° to 4°"),
@@ -138,7 +138,7 @@ mod tests {
                 variable,
                 cycles_per_turn,
             }
-            .says()
+            .describe()
             .to_string()
         };
         assert_eq!(cycles("q1_deg"), "7.5 cycles per turn of joint 1");

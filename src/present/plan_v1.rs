@@ -39,9 +39,9 @@
 
 use super::diagnosis_v1::poses;
 use super::json::{Json, given, keyed, list, object};
+use crate::design::forecast::ExpectedError;
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
-use crate::design::outlook::ExpectedError;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
 
@@ -115,6 +115,6 @@ fn separation(separation: &Separation) -> Json {
 fn untestable(one: &Untestable) -> Json {
     named(one.effect, one.joint.map(|j| j + 1)).with(object! {
         "because": &one.because,
-        "do": list(&one.needs, |need| need.says().into()),
+        "do": list(&one.needs, |need| need.describe().into()),
     })
 }

@@ -23,14 +23,14 @@ named! {
 
 /// A target that was left as it is.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Left {
+pub struct SkippedTarget {
     /// What kind of reason there is.
     pub reason: Reason,
     /// The reason in words.
     pub says: Text,
 }
 
-impl Left {
+impl SkippedTarget {
     pub(super) fn new(reason: Reason, says: impl Into<Text>) -> Self {
         let says = says.into();
         Self { reason, says }
@@ -64,7 +64,7 @@ pub struct Outcome {
     /// Whether it is a pose rather than joint values.
     pub is_pose: bool,
     /// What became of it.
-    pub result: Result<Written, Left>,
+    pub result: Result<Written, SkippedTarget>,
 }
 
 /// A corrected file, and what there is to say about it.

@@ -12,7 +12,7 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
 use crate::text::Text as Sentence;
 
-use super::answer::{Answer, Left, Outcome, Reason, Written};
+use super::answer::{Answer, Outcome, Reason, SkippedTarget, Written};
 use super::axes::Axes;
 use super::convention::Convention;
 use super::corrected::corrected;
@@ -83,7 +83,7 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     let at_run_time = placed(&program.at_run_time);
     drop(conditions);
     // What was read is not needed any more: a large file is not held twice.
-    let outcome = |(target, result): (Target, Result<Written, Left>)| {
+    let outcome = |(target, result): (Target, Result<Written, SkippedTarget>)| {
         let left = result.is_err().then(|| target.shape.values());
         let outcome = Outcome {
             name: target.name,
@@ -127,10 +127,15 @@ fn resolved(
     program: &Program,
     axes: &Axes,
     convention: Convention<'_>,
-) -> Vec<Result<Resolved, Left>> {
+) -> Vec<Result<Resolved, SkippedTarget>> {
     let robot = &request.calibration.model.robot;
     let mut resolver = Resolver::new(robot, axes, convention, request.start.clone());
-    let nothing = || Err(Left::new(Reason::Ambiguous, crate::text::Text::default()));
+    let nothing = || {
+        Err(SkippedTarget::new(
+            Reason::Ambiguous,
+            crate::text::Text::default(),
+        ))
+    };
     let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
     for k in program.order() {
         results[k] = resolver.resolve(&program.targets[k]);
@@ -173,7 +178,7 @@ fn written(
     program: &Program,
     robot: &Robot,
     convention: Convention<'_>,
-    corrected: &[Result<Written, Left>],
+    corrected: &[Result<Written, SkippedTarget>],
 ) -> Vec<u8> {
     let mut order: Vec<usize> = (0..corrected.len()).collect();
     order.sort_by_key(|k| program.targets[*k].at);
@@ -248,7 +253,7 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
     if set_up.moves_joints() {
         notes.push(text!(
             "joint values are read and written as the model's session has them: {conventions}",
-            conventions = set_up.says()
+            conventions = set_up.describe()
         ));
     }
     let poses = program

@@ -16,7 +16,7 @@ use crate::kinematics::configuration::Statement;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::text::length;
 
-use super::answer::{Left, Reason, Written};
+use super::answer::{Reason, SkippedTarget, Written};
 use super::axes::Axes;
 use super::configuration::leaves_its_sides;
 use super::program::Program;
@@ -51,8 +51,8 @@ pub(super) fn corrected(
     program: &Program,
     axes: &Axes,
     conditions: &Sequence,
-    results: Vec<Result<Resolved, Left>>,
-) -> Vec<Result<Written, Left>> {
+    results: Vec<Result<Resolved, SkippedTarget>>,
+) -> Vec<Result<Written, SkippedTarget>> {
     let robot = &request.calibration.model.robot;
     let mut compensation = Compensation::new(request.calibration);
     let frame = measured_frame(request.calibration).filter(|_| request.measured_frame);
@@ -109,8 +109,8 @@ impl Corrector<'_> {
     fn block(
         &self,
         first: usize,
-        results: Vec<Result<Resolved, Left>>,
-    ) -> Vec<Result<Written, Left>> {
+        results: Vec<Result<Resolved, SkippedTarget>>,
+    ) -> Vec<Result<Written, SkippedTarget>> {
         let good: Vec<usize> = (0..results.len()).filter(|k| results[*k].is_ok()).collect();
         let indices: Vec<usize> = good.iter().map(|k| first + k).collect();
         let all: Vec<&Resolved> = results.iter().flatten().collect();
@@ -131,12 +131,12 @@ impl Corrector<'_> {
             tool_poses(&self.compensation.robot, &inputs, &tools)
         };
         let mut reached = reached.into_iter().zip(before).zip(wanted);
-        let answer = |(k, result): (usize, Result<Resolved, Left>)| {
+        let answer = |(k, result): (usize, Result<Resolved, SkippedTarget>)| {
             let resolved = result?;
             let k = first + k;
             let next = reached.next();
             let ((reached, before), wanted) = next.ok_or_else(|| {
-                Left::new(
+                SkippedTarget::new(
                     Reason::Unreachable,
                     text!("no corrected commands were found"),
                 )
@@ -275,22 +275,22 @@ impl Corrector<'_> {
         commanded: &[f64],
         reached: &Reached,
         turned_before_rad: f64,
-    ) -> Result<(), Left> {
+    ) -> Result<(), SkippedTarget> {
         let robot = self.robot;
         if reached.singular {
             let says = text!(
                 "its position is singular: a small correction would take a large move of the joints"
             );
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         if !reached.settled {
             let says = text!(
                 "no correction of its position was found that settles: it is at the end of the reach"
             );
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         if let Some(says) = beyond_a_limit(robot, &reached.q) {
-            return Err(Left::new(
+            return Err(SkippedTarget::new(
                 Reason::Unreachable,
                 text!("{says} with its correction", says = says),
             ));
@@ -303,18 +303,18 @@ impl Corrector<'_> {
                 position_mm = length(reached.position_mm, 4),
                 rotation_rad = format!("{:.4}", 1e3 * reached.rotation_rad)
             );
-            return Err(Left::new(Reason::Unreachable, says));
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         if self.whole && reached.rotation_rad > turned_before_rad + MOST_TURNED {
             let says = text!(
                 "its position is nearly singular: the correction would turn the tool by {rotation_rad} mrad",
                 rotation_rad = format!("{:.1}", 1e3 * reached.rotation_rad)
             );
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         if leaves_its_sides(target, robot, commanded, &reached.q) {
             let says = text!("its correction would lead into another configuration");
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         let jump = robot.joints.iter().zip(commanded.iter().zip(&reached.q));
         let turned_over = jump
@@ -322,7 +322,7 @@ impl Corrector<'_> {
             .any(|(_, (from, to))| (to - from).abs() > MOST_TURN);
         if turned_over {
             let says = text!("its correction would turn a joint by more than a quarter turn");
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         Ok(())
     }

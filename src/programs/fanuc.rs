@@ -18,7 +18,7 @@ mod positions;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::answer::{Left, Reason};
+use super::answer::{Reason, SkippedTarget};
 use super::axes::Axes;
 use super::program::Program;
 use super::referred::{declare, declare_none};
@@ -162,7 +162,8 @@ fn motion(
                     "P[{number}] is a way from where the robot is (INC)",
                     number = number
                 );
-                program.targets[*index].left = Some(Box::new(Left::new(Reason::Relative, says)));
+                program.targets[*index].left =
+                    Some(Box::new(SkippedTarget::new(Reason::Relative, says)));
             }
             Some(offset) => {
                 let says = text!(

@@ -16,10 +16,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::kinematics::Pose;
 
-use super::answer::{Left, Reason};
+use super::answer::{Reason, SkippedTarget};
 use super::program::Program;
 use super::program_frames::{Reading, ToolReading};
-use super::referred::{Declared, Placed, Placement, Referred, Way, Ways};
+use super::referred::{Declared, FrameAndTool, Placed, Placement, Referred, UsedPairs};
 use super::target::{Remark, Shape};
 use super::used_frames::Used;
 
@@ -37,7 +37,7 @@ struct Known<'a> {
 pub(super) fn place(program: &mut Program, reading: &Reading) {
     let known = Known::of(program, reading);
     // Every pair of frame and tool is read once, however many targets there are.
-    let mut read: BTreeMap<(bool, Ways2), Result<Placed, Text>> = BTreeMap::new();
+    let mut read: BTreeMap<(bool, PairNumbers), Result<Placed, Text>> = BTreeMap::new();
     let mut all = Vec::with_capacity(program.targets.len());
     for target in &program.targets {
         let pose = matches!(target.shape, Shape::Pose(_));
@@ -50,13 +50,13 @@ pub(super) fn place(program: &mut Program, reading: &Reading) {
     for (target, placed) in program.targets.iter_mut().zip(all) {
         match placed {
             Ok(placed) => target.placed = placed,
-            Err(says) => target.left = Some(Box::new(Left::new(Reason::Frame, says))),
+            Err(says) => target.left = Some(Box::new(SkippedTarget::new(Reason::Frame, says))),
         }
     }
     program.notes.extend(notes);
 }
 
-type Ways2 = [Option<u32>; 2];
+type PairNumbers = [Option<u32>; 2];
 
 impl<'a> Known<'a> {
     fn of(program: &'a Program, reading: &'a Reading) -> Self {
@@ -120,7 +120,7 @@ impl<'a> Known<'a> {
 
     /// The reading of a target that motions go to so; in words where it is not known. Of joint values only
     /// the tool matters: it says which point is to be right.
-    fn placed(&self, ways: Ways, pose: bool) -> Result<Placement, Text> {
+    fn placed(&self, ways: UsedPairs, pose: bool) -> Result<Placement, Text> {
         let one = match ways.0.map(|way| way.map(|way| self.program.ways.get(way))) {
             [Some(one), None] => Some(one),
             [Some(one), Some(other)] if pose => {
@@ -146,7 +146,7 @@ impl<'a> Known<'a> {
                 tool_from_model: self.tool_of_joints(one),
             });
         }
-        let unsaid = Way {
+        let unsaid = FrameAndTool {
             frame: Referred::Unsaid,
             tool: Referred::Unsaid,
         };
@@ -235,7 +235,7 @@ impl<'a> Known<'a> {
     }
 
     /// The tool of joint values; where it is not known the model's.
-    fn tool_of_joints(&self, way: Option<&Way>) -> Pose {
+    fn tool_of_joints(&self, way: Option<&FrameAndTool>) -> Pose {
         let own = match (&self.reading.tool, way) {
             (ToolReading::Given(tool_from_model), _) => return *tool_from_model,
             (ToolReading::OnlyOne, _) | (_, None) => return Pose::identity(),
@@ -258,12 +258,12 @@ mod tests {
 
     #[test]
     fn two_ways_that_differ_are_kept_and_no_more() {
-        let mut ways = Ways::default();
+        let mut ways = UsedPairs::default();
         for way in [4, 4, 7, 9, 4] {
             ways.add(way);
         }
         assert_eq!(ways.iter().collect::<Vec<_>>(), [4, 7]);
-        let mut other = Ways::default();
+        let mut other = UsedPairs::default();
         other.join(ways);
         assert_eq!(other, ways);
     }

@@ -10,8 +10,8 @@
 //! same poses apart. A `FRAME` is no target. `$BASE` and `$TOOL` hold from where they are set to the end
 //! of the routine (`held`).
 
+mod active_frames;
 mod aggregates;
-mod held;
 
 use std::collections::BTreeMap;
 
@@ -26,8 +26,8 @@ use super::target::{Mark, Problem, Remark, Shape, Signs, Target};
 use super::text::Text;
 use super::tokens::{Dialect, Source, Words};
 
+use active_frames::ActiveFrames;
 use aggregates::{Aggregate, Type, aggregate, axis_name, kind_of, type_of};
-use held::Held;
 
 const DIALECT: Dialect = Dialect {
     comment: Some(b';'),
@@ -70,13 +70,13 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         }
     }
     let mut program = Program::default();
-    let held = Held::of(&lines, &mut program);
+    let held = ActiveFrames::of(&lines, &mut program);
     let mut reader = KrlReader {
         axes,
         types: declared_types(&lines),
         program,
         moves: Moves::default(),
-        held: Held::default(),
+        held: ActiveFrames::default(),
     };
     for (line, held) in lines.iter().zip(held) {
         reader.held = held;
@@ -125,7 +125,7 @@ struct KrlReader<'x> {
     program: Program,
     moves: Moves,
     /// Base and tool at the line that is read.
-    held: Held,
+    held: ActiveFrames,
 }
 
 impl KrlReader<'_> {
@@ -181,7 +181,7 @@ impl KrlReader<'_> {
     }
 
     fn go(&mut self, at: usize, goal: Goal) {
-        let Held { base, tool } = self.held.clone();
+        let ActiveFrames { base, tool } = self.held.clone();
         self.moves.push(&mut self.program, at, goal, &base, &tool);
     }
 

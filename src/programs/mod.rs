@@ -46,14 +46,16 @@ mod urscript;
 mod used_frames;
 mod write;
 
-pub use answer::{Answer, Left, Outcome, Reason, Written};
+pub use answer::{Answer, Outcome, Reason, SkippedTarget, Written};
 pub use axes::{Axes, Slot};
 pub use compensate::compensate;
 pub use language::Language;
 pub use number::Number;
 pub use pose::{Frame, Orientation};
 pub use program::Program;
-pub use program_frames::{Difference, Differences, Differing, Holds, ModelTool, ProgramFrames};
+pub use program_frames::{
+    Difference, Differences, DifferingNumber, ModelTool, Precedence, ProgramFrames,
+};
 pub use request::{CompensateError, Request};
 pub use target::{Circumstances, Remark, Shape, Target};
 pub use text::Text;

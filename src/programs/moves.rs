@@ -8,7 +8,7 @@ use crate::text::Template;
 use std::collections::BTreeMap;
 
 use super::program::Program;
-use super::referred::{Referred, Way, Ways};
+use super::referred::{FrameAndTool, Referred, UsedPairs};
 use super::target::{Remark, Target};
 
 /// What a motion goes to.
@@ -44,7 +44,7 @@ struct Named {
     /// The first of its values; nearly every name has just this one.
     first: Option<usize>,
     others: Vec<usize>,
-    ways: Ways,
+    ways: UsedPairs,
 }
 
 impl Named {
@@ -107,7 +107,7 @@ impl Moves {
         frame: &Referred,
         tool: &Referred,
     ) {
-        let way = program.ways.of(Way {
+        let way = program.ways.of(FrameAndTool {
             frame: frame.clone(),
             tool: tool.clone(),
         });

@@ -32,7 +32,7 @@ pub struct Number {
     /// Its value, in the file's unit.
     pub value: f64,
     span: Span,
-    apart: Option<NonZero<u32>>,
+    detached_digits: Option<NonZero<u32>>,
     decimals: u8,
     comma: bool,
 }
@@ -113,7 +113,7 @@ impl Number {
             value,
             span: Span::of(&range).ok_or(NoNumber::TooLarge)?,
             // It is before the end, which has a place.
-            apart: apart.and_then(|at| NonZero::new(u32::try_from(at).ok()?)),
+            detached_digits: apart.and_then(|at| NonZero::new(u32::try_from(at).ok()?)),
             decimals: u8::try_from(decimals).unwrap_or(u8::MAX),
             comma,
         })
@@ -125,7 +125,7 @@ impl Number {
         Self {
             value,
             span: Span { start: 0, end: 0 },
-            apart: None,
+            detached_digits: None,
             decimals,
             comma: false,
         }
@@ -142,7 +142,7 @@ impl Number {
 
     /// Where its digits begin, if they stand off its sign.
     pub fn apart(&self) -> Option<usize> {
-        self.apart.map(|at| at.get() as usize)
+        self.detached_digits.map(|at| at.get() as usize)
     }
 
     /// How another value is written in its place: with the digits that it had, at least `least`

@@ -1,6 +1,6 @@
 //! What a reader finds in a file as a whole: its targets, and the frames, tools and loads that hold for them.
 
-use super::referred::{AllWays, Names};
+use super::referred::{FrameToolPairs, Names};
 use super::stated_load::StatedLoads;
 use super::target::{Remark, Target};
 
@@ -16,7 +16,7 @@ pub struct Program {
     /// What else there is to know.
     pub notes: Vec<Remark>,
     /// In which frames and with which tools motions go to the targets.
-    pub(super) ways: AllWays,
+    pub(super) ways: FrameToolPairs,
     /// Loads that the file states.
     pub(super) loads: StatedLoads,
     /// Frames that the file declares, in the robot's base.

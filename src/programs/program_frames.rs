@@ -21,7 +21,7 @@ use crate::text::Text as Sentence;
 
 /// What holds where the program's number is not the model's.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Holds<T> {
+pub enum Precedence<T> {
     /// It is not settled: a difference is refused.
     #[default]
     Unsettled,
@@ -37,12 +37,12 @@ pub enum Holds<T> {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProgramFrames {
     /// Pose of the tool (TCP) on the flange. `Model`: the program's tool is the model's.
-    pub tool: Holds<Pose>,
+    pub tool: Precedence<Pose>,
     /// Pose of the frame of the poses (work object, base, user frame) in the robot's base. `Model`: the
     /// base itself.
-    pub frame: Holds<Pose>,
+    pub frame: Precedence<Pose>,
     /// Load at the tool's origin, kg. `Model`: [`crate::programs::Request::load_kg`].
-    pub load: Holds<f64>,
+    pub load: Precedence<f64>,
 }
 
 impl ProgramFrames {
@@ -50,27 +50,27 @@ impl ProgramFrames {
     /// nothing is compared.
     pub fn as_declared() -> Self {
         Self {
-            tool: Holds::Model,
-            frame: Holds::Program,
-            load: Holds::Model,
+            tool: Precedence::Model,
+            frame: Precedence::Program,
+            load: Precedence::Model,
         }
     }
 
     /// Everything as in the model.
     pub fn as_modelled() -> Self {
         Self {
-            tool: Holds::Model,
-            frame: Holds::Model,
-            load: Holds::Model,
+            tool: Precedence::Model,
+            frame: Precedence::Model,
+            load: Precedence::Model,
         }
     }
 
     /// Everything as the program writes it.
     pub fn as_programmed() -> Self {
         Self {
-            tool: Holds::Program,
-            frame: Holds::Program,
-            load: Holds::Program,
+            tool: Precedence::Program,
+            frame: Precedence::Program,
+            load: Precedence::Program,
         }
     }
 }
@@ -78,7 +78,7 @@ impl ProgramFrames {
 named! {
     /// What of a program can differ from the model.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Differing {
+    pub enum DifferingNumber {
         /// The tool on the flange.
         Tool = "tool",
         /// The frame of the poses in the base.
@@ -94,7 +94,7 @@ named! {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
     /// What differs.
-    pub what: Differing,
+    pub what: DifferingNumber,
     /// Where the program says it: line and column, from 1.
     pub place: (u64, u64),
     /// What the program calls it.
@@ -107,7 +107,7 @@ pub struct Difference {
 
 impl Difference {
     /// In a sentence.
-    pub fn says(&self) -> Sentence {
+    pub fn describe(&self) -> Sentence {
         let (line, column) = self.place;
         // A name that is only the numbers again says nothing.
         let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
@@ -118,19 +118,19 @@ impl Difference {
         };
         let (program, model) = (&self.program, &self.model);
         let says = match self.what {
-            Differing::Tool => text!(
+            DifferingNumber::Tool => text!(
                 "the program's tool{name} is {program}; the model's is {model}",
                 name = name,
                 program = program,
                 model = model
             ),
-            Differing::Frame => text!(
+            DifferingNumber::Frame => text!(
                 "the program's frame{name} is {program}; the model's is {model}",
                 name = name,
                 program = program,
                 model = model
             ),
-            Differing::Load => text!(
+            DifferingNumber::Load => text!(
                 "the program's load{name} is {program}; the model's is {model}",
                 name = name,
                 program = program,
@@ -186,12 +186,12 @@ pub struct Differences(pub Vec<Difference>);
 
 impl Differences {
     /// A line for each, and how to settle them.
-    pub fn says(&self) -> Sentence {
+    pub fn describe(&self) -> Sentence {
         let any = |what| self.0.iter().any(|d| d.what == what);
         let options = [
-            (Differing::Tool, "--tool X,Y,Z,A,B,C"),
-            (Differing::Frame, "--frame X,Y,Z,A,B,C"),
-            (Differing::Load, "--load KG"),
+            (DifferingNumber::Tool, "--tool X,Y,Z,A,B,C"),
+            (DifferingNumber::Frame, "--frame X,Y,Z,A,B,C"),
+            (DifferingNumber::Load, "--load KG"),
         ];
         let own = options.into_iter().filter(|(what, _)| any(*what));
         let own: Vec<&str> = own.map(|(_, option)| option).collect();
@@ -199,7 +199,7 @@ impl Differences {
             "say which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
             options = own.join(", ")
         );
-        let each = self.0.iter().map(Difference::says);
+        let each = self.0.iter().map(Difference::describe);
         Sentence::listed(each.chain([how]), "\n")
     }
 }

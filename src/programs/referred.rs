@@ -42,21 +42,21 @@ impl std::fmt::Display for Referred {
 
 /// The frame and the tool of a motion.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Way {
+pub(super) struct FrameAndTool {
     pub(super) frame: Referred,
     pub(super) tool: Referred,
 }
 
 /// Every frame and tool that motions of a program have, each pair once.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct AllWays {
-    pub(super) all: Vec<Way>,
-    pub(super) index: BTreeMap<Way, u32>,
+pub(super) struct FrameToolPairs {
+    pub(super) all: Vec<FrameAndTool>,
+    pub(super) index: BTreeMap<FrameAndTool, u32>,
 }
 
-impl AllWays {
+impl FrameToolPairs {
     /// The number of a frame and a tool.
-    pub(super) fn of(&mut self, way: Way) -> u32 {
+    pub(super) fn of(&mut self, way: FrameAndTool) -> u32 {
         if let Some(index) = self.index.get(&way) {
             return *index;
         }
@@ -66,7 +66,7 @@ impl AllWays {
         index
     }
 
-    pub(super) fn get(&self, index: u32) -> &Way {
+    pub(super) fn get(&self, index: u32) -> &FrameAndTool {
         &self.all[index as usize]
     }
 
@@ -80,9 +80,9 @@ impl AllWays {
 
 /// In which ways motions go to a target: the first two that differ tell whether it is one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Ways(pub(super) [Option<u32>; 2]);
+pub(super) struct UsedPairs(pub(super) [Option<u32>; 2]);
 
-impl Ways {
+impl UsedPairs {
     pub(super) fn add(&mut self, way: u32) {
         match self.0 {
             [None, _] => self.0[0] = Some(way),

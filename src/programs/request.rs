@@ -10,7 +10,7 @@ use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 use std::path::Path;
 
 use super::Language;
-use super::program_frames::{Differences, Holds, ModelTool, ProgramFrames};
+use super::program_frames::{Differences, ModelTool, Precedence, ProgramFrames};
 
 /// What is to be corrected, and with what.
 #[derive(Debug, Clone)]
@@ -79,10 +79,10 @@ pub enum CompensateError {
 
 impl CompensateError {
     /// In words.
-    pub fn says(&self) -> Sentence {
+    pub fn describe(&self) -> Sentence {
         match self {
-            Self::Rejected(inner) => inner.says(),
-            Self::Model(inner) => inner.says(),
+            Self::Rejected(inner) => inner.describe(),
+            Self::Model(inner) => inner.describe(),
             Self::Start { found, expected } => text!(
                 "{found} joint values to start from; expected {expected}, one for each joint of the model",
                 found = found,
@@ -95,7 +95,7 @@ impl CompensateError {
             Self::NoMeasuredFrame => text!(
                 "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
             ),
-            Self::Differs(differences) => differences.says(),
+            Self::Differs(differences) => differences.describe(),
             Self::Several { what, names } => text!(
                 "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the program declares it",
                 what = what,
@@ -144,12 +144,12 @@ impl Request<'_> {
             Some(ModelTool::OnFlange(tool)) => pose(tool),
             _ => true,
         };
-        let given = |holds: &Holds<Pose>| match holds {
-            Holds::Given(own) => pose(own),
+        let given = |holds: &Precedence<Pose>| match holds {
+            Precedence::Given(own) => pose(own),
             _ => true,
         };
         let given_load = match self.frames.load {
-            Holds::Given(kg) => load(kg),
+            Precedence::Given(kg) => load(kg),
             _ => true,
         };
         let all = [

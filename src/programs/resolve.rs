@@ -7,7 +7,7 @@ use crate::kinematics::configuration::{Statement, turns_of};
 use crate::kinematics::inverse::{Goal, Inverse};
 use crate::kinematics::{JointKind, Pose, Robot};
 
-use super::answer::{Left, Reason};
+use super::answer::{Reason, SkippedTarget};
 use super::axes::Axes;
 use super::convention::Convention;
 use super::target::{Shape, Target};
@@ -61,7 +61,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    pub(super) fn resolve(&mut self, target: &Target) -> Result<Resolved, Left> {
+    pub(super) fn resolve(&mut self, target: &Target) -> Result<Resolved, SkippedTarget> {
         if let Some(left) = &target.left {
             return Err((**left).clone());
         }
@@ -77,7 +77,7 @@ impl<'a> Resolver<'a> {
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
                     let says = text!("its orientation is none");
-                    return Err(Left::new(Reason::Unreachable, says));
+                    return Err(SkippedTarget::new(Reason::Unreachable, says));
                 };
                 let goal = target.placed.goal(&goal);
                 let q = self.solution(target, &goal)?;
@@ -93,16 +93,16 @@ impl<'a> Resolver<'a> {
         Ok(Resolved { q, pose })
     }
 
-    fn check_limits(&self, q: &[f64]) -> Result<(), Left> {
+    fn check_limits(&self, q: &[f64]) -> Result<(), SkippedTarget> {
         beyond_a_limit(self.robot, q).map_or(Ok(()), |says| {
-            Err(Left::new(
+            Err(SkippedTarget::new(
                 Reason::Unreachable,
                 text!("{says} in the file", says = says),
             ))
         })
     }
 
-    fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, Left> {
+    fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, SkippedTarget> {
         let mut fixed = vec![0.0; self.robot.joints.len()];
         for (joint, value) in &target.external {
             fixed[*joint] = *value;
@@ -125,7 +125,7 @@ impl<'a> Resolver<'a> {
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
             let says = text!("no joint values within the limits reach it");
-            return Err(Left::new(Reason::Unreachable, says));
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         let possible = self.as_stated(target, &all)?;
         // Solutions that differ by whole turns lead to the same ones.
@@ -151,15 +151,19 @@ impl<'a> Resolver<'a> {
     }
 
     /// A robot with more joints than the pose asks for goes there from where it is.
-    fn nearest_of_a_line(&self, goal: &Goal, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
+    fn nearest_of_a_line(
+        &self,
+        goal: &Goal,
+        near: Option<&[f64]>,
+    ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
             let says =
                 text!("endlessly many joint values reach it, and no target before it says which");
-            return Err(Left::new(Reason::Ambiguous, says));
+            return Err(SkippedTarget::new(Reason::Ambiguous, says));
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
             let says = text!("no joint values near those of the target before reach it");
-            return Err(Left::new(Reason::Unreachable, says));
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         };
         self.check_limits(&q)?;
         Ok(q)
@@ -167,7 +171,7 @@ impl<'a> Resolver<'a> {
 
     /// The solutions that have the stated configuration. What is certain has to be met; what makers
     /// define each for their own arms decides between what is left.
-    fn as_stated(&self, target: &Target, all: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Left> {
+    fn as_stated(&self, target: &Target, all: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, SkippedTarget> {
         let meets = |q: &[f64], s: &Statement| s.agrees(self.robot, q) != Some(false);
         let (certain, sides): (Vec<&Statement>, Vec<&Statement>) =
             target.configuration.iter().partition(|s| s.is_certain());
@@ -178,7 +182,7 @@ impl<'a> Resolver<'a> {
             .collect();
         if possible.is_empty() {
             let says = text!("joint values reach it, but none with its configuration");
-            return Err(Left::new(Reason::Unreachable, says));
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         for side in sides {
             let fewer: Vec<Vec<f64>> = possible
@@ -215,7 +219,11 @@ impl<'a> Resolver<'a> {
         kept
     }
 
-    fn nearest(&self, mut possible: Vec<Vec<f64>>, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
+    fn nearest(
+        &self,
+        mut possible: Vec<Vec<f64>>,
+        near: Option<&[f64]>,
+    ) -> Result<Vec<f64>, SkippedTarget> {
         if let Some(near) = near {
             let far = |q: &Vec<f64>| self.inverse.distance(q, near);
             possible.sort_by(|a, b| far(a).total_cmp(&far(b)));
@@ -238,9 +246,9 @@ impl<'a> Resolver<'a> {
         };
         if !possible.is_empty() && singular() {
             let says = text!("it is singular: lines of joint values reach it");
-            return Err(Left::new(Reason::Singular, says));
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
-        Err(Left::new(Reason::Ambiguous, says))
+        Err(SkippedTarget::new(Reason::Ambiguous, says))
     }
 }
 

@@ -10,7 +10,7 @@ use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
 
-use super::answer::Left;
+use super::answer::SkippedTarget;
 use super::convention::Convention;
 use super::program::Program;
 use super::resolve::Resolved;
@@ -45,7 +45,7 @@ impl<'m> Sequence<'m> {
     /// The circumstances of a program's targets; `load_kg` where the file says none.
     pub(super) fn new(
         program: &Program,
-        resolved: &[Result<Resolved, Left>],
+        resolved: &[Result<Resolved, SkippedTarget>],
         joints: usize,
         convention: Convention<'m>,
         load_kg: f64,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use super::pose::Orientation;
 use super::program::Program;
 use super::program_frames::{
-    Difference, Differences, Differing, Holds, ModelTool, Reading, ToolReading,
+    Difference, Differences, DifferingNumber, ModelTool, Precedence, Reading, ToolReading,
 };
 use super::referred::{Declared, Referred};
 use super::request::{CompensateError, Request};
@@ -90,7 +90,7 @@ pub(super) fn settled(
     };
 
     let tool = match (&request.tool, request.frames.tool) {
-        (_, Holds::Given(given)) => {
+        (_, Precedence::Given(given)) => {
             one_only("tool", &tools, &given)?;
             ToolReading::Given(given.inverse() * model)
         }
@@ -98,16 +98,16 @@ pub(super) fn settled(
             check_name(name, program, &used)?;
             ToolReading::Named(name.clone())
         }
-        (_, Holds::Program) => ToolReading::Declared {
+        (_, Precedence::Program) => ToolReading::Declared {
             model,
             lenient: true,
         },
-        (Some(ModelTool::OnFlange(_)), Holds::Model) => ToolReading::Declared {
+        (Some(ModelTool::OnFlange(_)), Precedence::Model) => ToolReading::Declared {
             model,
             lenient: false,
         },
-        (None, Holds::Model) => ToolReading::OnlyOne,
-        (tool, Holds::Unsettled) => {
+        (None, Precedence::Model) => ToolReading::OnlyOne,
+        (tool, Precedence::Unsettled) => {
             let others = tools.iter().filter(|(_, (_, pose))| !same(pose, &model));
             differ.extend(others.map(|(name, found)| {
                 let words = in_words(&model, turns);
@@ -119,7 +119,7 @@ pub(super) fn settled(
                         pose = words
                     )
                 };
-                says(Differing::Tool, name, found, own)
+                says(DifferingNumber::Tool, name, found, own)
             }));
             ToolReading::Declared {
                 model,
@@ -131,14 +131,14 @@ pub(super) fn settled(
     let identity = Pose::identity();
     let mut stated = request.frame;
     let all_frames = match request.frames.frame {
-        Holds::Given(given) => {
+        Precedence::Given(given) => {
             one_only("frame", &frames, &given)?;
             stated = Some(given);
             Some(given)
         }
-        Holds::Model => Some(identity),
-        Holds::Program => None,
-        Holds::Unsettled => {
+        Precedence::Model => Some(identity),
+        Precedence::Program => None,
+        Precedence::Unsettled => {
             let others = frames
                 .iter()
                 .filter(|(_, (_, pose))| !same(pose, &identity));
@@ -147,7 +147,7 @@ pub(super) fn settled(
                     "the robot's base, {pose}",
                     pose = in_words(&identity, turns)
                 );
-                says(Differing::Frame, name, found, own)
+                says(DifferingNumber::Frame, name, found, own)
             }));
             None
         }
@@ -184,12 +184,12 @@ fn taken_for_others(request: &Request, tools: &Numeric<'_>, model: &Pose) -> Vec
     for (name, (_, pose)) in tools {
         let shown = in_words(pose, turns);
         match request.frames.tool {
-            Holds::Model if !same(pose, model) => notes.push(text!(
+            Precedence::Model if !same(pose, model) => notes.push(text!(
                 "the program's tool {name} ({pose}) is taken for the model's",
                 name = name,
                 pose = shown
             )),
-            Holds::Given(given) if !same(pose, &given) => notes.push(text!(
+            Precedence::Given(given) if !same(pose, &given) => notes.push(text!(
                 "the poses are taken of the tool {tool} and not of the program's {name} ({pose})",
                 tool = in_words(&given, turns),
                 name = name,
@@ -271,7 +271,7 @@ pub(super) fn load(
         None => text!("not in the model"),
     };
     match (request.frames.load, &stated[..]) {
-        (Holds::Given(kg), _) => {
+        (Precedence::Given(kg), _) => {
             if !inside(kg) {
                 notes.push(text!(
                     "a load of {load} kg is beyond those of the model's session ({range})",
@@ -281,7 +281,7 @@ pub(super) fn load(
             }
             return kg;
         }
-        (Holds::Model, _) => return modelled,
+        (Precedence::Model, _) => return modelled,
         (_, []) => return request.load_kg,
         _ => {}
     }
@@ -289,7 +289,7 @@ pub(super) fn load(
     let several = stated.len() > 1 && matters;
     let refused = if several {
         stated.iter().collect::<Vec<_>>()
-    } else if request.frames.load == Holds::Program {
+    } else if request.frames.load == Precedence::Program {
         Vec::new()
     } else {
         let unknown = own.is_none() && matters;
@@ -299,7 +299,7 @@ pub(super) fn load(
         outside.collect()
     };
     differ.extend(refused.into_iter().map(|(kg, load)| Difference {
-        what: Differing::Load,
+        what: DifferingNumber::Load,
         place: text.place(load.at),
         name: load.name.clone(),
         program: Sentence::verbatim(format!("{kg} kg")),

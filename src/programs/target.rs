@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use crate::kinematics::configuration::Statement;
 
-use super::answer::Left;
+use super::answer::SkippedTarget;
 use super::number::{Number, Span};
 use super::pose::Frame;
-use super::referred::{Placed, Ways};
+use super::referred::{Placed, UsedPairs};
 
 /// Something broken in a file: at which byte, what is there and what should be.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -120,10 +120,10 @@ pub struct Target {
     pub external: Vec<(usize, f64)>,
     known: Option<Box<Circumstances>>,
     /// Why it cannot be corrected, whatever its numbers.
-    pub left: Option<Box<Left>>,
+    pub left: Option<Box<SkippedTarget>>,
     pub(super) marks: Vec<Mark>,
     /// In which frames and with which tools motions go to it.
-    pub(super) ways: Ways,
+    pub(super) ways: UsedPairs,
     /// How its pose is to be read.
     pub(super) placed: Placed,
 }
@@ -140,7 +140,7 @@ impl Target {
             known: None,
             left: None,
             marks: Vec::new(),
-            ways: Ways::default(),
+            ways: UsedPairs::default(),
             placed: Placed::default(),
         }
     }

@@ -3,15 +3,15 @@
 use std::collections::BTreeSet;
 
 use super::program::Program;
-use super::referred::Way;
+use super::referred::FrameAndTool;
 use super::target::Shape;
 
 /// The ways in which motions go to poses, and to targets of joint values.
 pub(super) struct Used<'p> {
     /// Of poses.
-    pub(super) poses: Vec<&'p Way>,
+    pub(super) poses: Vec<&'p FrameAndTool>,
     /// Of joint values.
-    pub(super) joints: Vec<&'p Way>,
+    pub(super) joints: Vec<&'p FrameAndTool>,
 }
 
 impl<'p> Used<'p> {

@@ -46,7 +46,7 @@ pub enum WriteError {
 
 impl WriteError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::Language(language) => text!(
                 "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",

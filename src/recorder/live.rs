@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::thread::sleep;
 use std::time::Duration;
 
-use super::source::{Address, Came, Connection};
+use super::source::{Address, Connection, Received};
 use super::{RecordError, Recorder};
 
 /// First and longest wait before the next attempt.
@@ -46,7 +46,7 @@ pub struct Standing {
 }
 
 /// Hears how the recording stands, several times a second, and says whether it goes on.
-pub type Hear<'a> = &'a mut dyn FnMut(&Standing) -> ControlFlow<()>;
+pub type Listener<'a> = &'a mut dyn FnMut(&Standing) -> ControlFlow<()>;
 
 /// Records until `hear` ends it, or as many lines as are wanted are in the file.
 ///
@@ -56,7 +56,7 @@ pub fn record<F: FnOnce() -> io::Result<W>, W: Write>(
     address: &Address,
     recorder: &mut Recorder<F, W>,
     most: u64,
-    hear: Hear<'_>,
+    hear: Listener<'_>,
 ) -> Result<Standing, RecordError> {
     recorder.tolerate();
     let mut standing = Standing::default();
@@ -112,23 +112,23 @@ pub fn connected<F: FnOnce() -> io::Result<W>, W: Write>(
     recorder: &mut Recorder<F, W>,
     most: u64,
     standing: &mut Standing,
-    hear: Hear<'_>,
+    hear: Listener<'_>,
 ) -> Result<End, RecordError> {
     let mut bytes = vec![0; BLOCK];
     loop {
         let came = connection.read(&mut bytes);
         let over = match came {
-            Ok(Came::Nothing) => None,
-            Ok(Came::Bytes(count)) => {
+            Ok(Received::Nothing) => None,
+            Ok(Received::Bytes(count)) => {
                 recorder.take(&bytes[..count], most)?;
                 None
             }
-            Ok(Came::Message(count)) => {
+            Ok(Received::Message(count)) => {
                 recorder.take(&bytes[..count], most)?;
                 recorder.end_of_message(most)?;
                 None
             }
-            Ok(Came::End) => Some(End::Closed),
+            Ok(Received::End) => Some(End::Closed),
             Err(error) => Some(End::Broken(error)),
         };
         if over.is_some() {
@@ -149,7 +149,7 @@ pub fn connected<F: FnOnce() -> io::Result<W>, W: Write>(
 }
 
 /// Waits, unless it is not wanted any more.
-fn pause(mut wait: Duration, standing: &Standing, hear: Hear<'_>) -> ControlFlow<()> {
+fn pause(mut wait: Duration, standing: &Standing, hear: Listener<'_>) -> ControlFlow<()> {
     while !wait.is_zero() {
         hear(standing)?;
         let part = wait.min(LOOK);

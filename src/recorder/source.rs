@@ -87,7 +87,7 @@ pub enum Connection {
 
 /// What came.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Came {
+pub(crate) enum Received {
     /// So many bytes of a stream.
     Bytes(usize),
     /// A message of so many bytes.
@@ -107,18 +107,18 @@ impl Connection {
         }
     }
 
-    pub(super) fn read(&mut self, bytes: &mut [u8]) -> io::Result<Came> {
+    pub(super) fn read(&mut self, bytes: &mut [u8]) -> io::Result<Received> {
         let read = match self {
             Self::Tcp(stream) => stream.read(bytes).map(|count| match count {
-                0 => Came::End,
-                count => Came::Bytes(count),
+                0 => Received::End,
+                count => Received::Bytes(count),
             }),
-            Self::Udp(socket) => socket.recv(bytes).map(Came::Message),
+            Self::Udp(socket) => socket.recv(bytes).map(Received::Message),
         };
         match read {
             Err(error) => match error.kind() {
                 ErrorKind::Interrupted | ErrorKind::WouldBlock | ErrorKind::TimedOut => {
-                    Ok(Came::Nothing)
+                    Ok(Received::Nothing)
                 }
                 _ => Err(error),
             },

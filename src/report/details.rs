@@ -10,7 +10,7 @@ use super::logo::Logo;
 use crate::compensation::decision::Rule;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{TEXT, positive};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Path, Value, text_of};
 use crate::guard::{below, read_regular};
 
@@ -91,7 +91,7 @@ impl Details {
         let expected = phrase!("report details: an object with the key \"format\"");
         let mut own = Self::default();
         if fields.of_format(&root, FORMAT, expected).is_some() {
-            let mut at = At {
+            let mut at = Cursor {
                 fields: &mut fields,
                 node: &root,
                 path: &Path::Root,
@@ -136,7 +136,7 @@ impl Details {
 }
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Details) {
-    o.says("format", FORMAT);
+    o.describe("format", FORMAT);
     for line in Details::LINES {
         if o.is_read() || !(line.of)(own).is_empty() {
             o.usual(line.key, (line.of)(own), &TEXT);

@@ -21,11 +21,11 @@ pub enum ReportError {
 
 impl ReportError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
-            Self::Diagnose(error) => error.says(),
-            Self::Verify(error) => error.says(),
-            Self::NotHandedOut(error) => error.says(),
+            Self::Diagnose(error) => error.describe(),
+            Self::Verify(error) => error.describe(),
+            Self::NotHandedOut(error) => error.describe(),
         }
     }
 }

@@ -56,7 +56,7 @@ pub enum TableFileError {
 
 impl TableFileError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::Unreadable { path, because } => of_file(path, because.clone()),
             Self::NoSidecar {

@@ -2,10 +2,10 @@
 //! headings of a report.
 
 use super::document::{Block, Section};
-use super::session::Told;
+use super::session::ReportContext;
 use crate::explain::{self, Detail, Topic};
 
-impl Told<'_> {
+impl ReportContext<'_> {
     /// Effects, open points, and what could not be seen.
     pub(super) fn findings(&self) -> Findings {
         let (mut effects, mut open, mut sight) = (Vec::new(), Vec::new(), Vec::new());

@@ -1,6 +1,6 @@
 //! The report of a session: everything that its diagnosis, verification and standards say.
 
-use crate::compensation::decision::{Fitted, Measured, Outcome, Rule};
+use crate::compensation::decision::{FittedErrors, MeasuredDeviation, Outcome, Rule};
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::Diagnosis;
@@ -74,7 +74,7 @@ impl Report {
         let calibration = in_use.unwrap_or(all_found);
         let verification = &evidence.verification;
         let hash = hash_of_samples(given);
-        let known = Told {
+        let known = ReportContext {
             session,
             given,
             found,
@@ -145,7 +145,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
 }
 
 /// Everything that is there to be translated.
-pub(super) struct Told<'a> {
+pub(super) struct ReportContext<'a> {
     pub(super) session: &'a Session,
     pub(super) given: &'a Session,
     pub(super) found: &'a Diagnosis,
@@ -156,7 +156,7 @@ pub(super) struct Told<'a> {
     model_hash: String,
 }
 
-impl Told<'_> {
+impl ReportContext<'_> {
     pub(super) fn robot(&self) -> &Robot {
         &self.session.robot
     }
@@ -177,7 +177,7 @@ impl Told<'_> {
     /// Whether the robot is within its tolerance, and what that rests on.
     fn decision(&self, rule: Rule) -> (Outcome, String) {
         let d = self.found;
-        let fitted = Fitted {
+        let fitted = FittedErrors {
             fit_mm: d.gap.end_mm,
             held_out_mm: d.held_out.gaps.map(|g| g.end_mm),
             floor_mm: Some(d.floor.mm),
@@ -189,7 +189,7 @@ impl Told<'_> {
         let Some(tolerance) = self.session.tolerance_mm else {
             return none(say!("no tolerance is stated"));
         };
-        match Measured::of(self.session, self.verification, fitted) {
+        match MeasuredDeviation::of(self.session, self.verification, fitted) {
             Err(because) => none(&spoken(because)),
             Ok(measured) => (
                 measured.decided(rule, tolerance),
@@ -450,7 +450,7 @@ impl Told<'_> {
             let homes = measured_poses(&Job::new(self.calibration, "report"));
             remarks.extend(
                 Remainder::new(self.calibration, &homes)
-                    .says()
+                    .describe()
                     .iter()
                     .map(cleaned),
             );

@@ -8,7 +8,7 @@ use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::numeric::extent;
-use crate::present::chart::{Stands, shortened};
+use crate::present::chart::{ColourRole, shortened};
 use crate::sessions::Session;
 
 use super::ReportError;
@@ -55,13 +55,13 @@ pub fn stages(
         }
         more.push(Stage {
             name: say!("With corrected commands").to_owned(),
-            stands: Stands::Corrected,
+            stands: ColourRole::Corrected,
             deviations: corrected,
         });
     }
     more.push(Stage {
         name: say!(in "chart-word", "Against the model").to_owned(),
-        stands: Stands::After,
+        stands: ColourRole::After,
         deviations: verification.after.clone(),
     });
     all.stages.extend(more);
@@ -107,7 +107,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             .collect(),
         stages: vec![Stage {
             name: say!(in "chart-word", "As measured").to_owned(),
-            stands: Stands::Before,
+            stands: ColourRole::Before,
             deviations: deviations(&problem, &nominal),
         }],
         floor_mm,
@@ -124,7 +124,7 @@ fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
         side: Vec::new(),
         stages: vec![Stage {
             name: say!(in "chart-word", "As measured").to_owned(),
-            stands: Stands::Before,
+            stands: ColourRole::Before,
             deviations: Deviations::default(),
         }],
         floor_mm,

@@ -30,16 +30,16 @@ struct SourceEntry {
 
 /// A source's key, and the place in it.
 #[derive(Deserialize)]
-struct At(String, String);
+struct SourceLocation(String, String);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Sources {
-    geometry: At,
-    figures: Option<At>,
-    gears: Option<At>,
-    checked_positions: Option<At>,
-    checked_reach: Option<At>,
+    geometry: SourceLocation,
+    figures: Option<SourceLocation>,
+    gears: Option<SourceLocation>,
+    checked_positions: Option<SourceLocation>,
+    checked_reach: Option<SourceLocation>,
 }
 
 #[derive(Deserialize)]
@@ -91,7 +91,7 @@ fn robot(entry: Entry) -> LibraryRobot {
     let kind = RobotKind::ALL
         .into_iter()
         .find(|kind| kind.name() == entry.kind);
-    let reference = |At(source, place): At| Reference { source, place };
+    let reference = |SourceLocation(source, place): SourceLocation| Reference { source, place };
     LibraryRobot {
         id: entry.id,
         maker: entry.maker,

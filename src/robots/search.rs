@@ -21,7 +21,7 @@ pub struct NoSuchRobot {
 
 impl NoSuchRobot {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         text!(
             "no robot of the library is called '{name}'; nearest: {nearest}",
             name = &self.text,

@@ -30,7 +30,7 @@ const FINEST_MM: f64 = 1e-9;
 
 pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
-    let twins = twins(samples);
+    let twins = exact_copies(samples);
     if twins.is_empty() {
         return Vec::new();
     }
@@ -80,13 +80,13 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
 }
 
 /// A row that agrees with an earlier one in everything.
-struct Twin {
+struct RowCopy {
     row: usize,
     of: usize,
 }
 
 /// Rows that agree with an earlier one, each with the last such, in the order of the file.
-fn twins(samples: &Samples) -> Vec<Twin> {
+fn exact_copies(samples: &Samples) -> Vec<RowCopy> {
     let n = samples.len();
     let mut prints: Vec<(u64, usize)> = Vec::with_capacity(n);
     prints.extend(
@@ -103,16 +103,16 @@ fn twins(samples: &Samples) -> Vec<Twin> {
     };
     let pairs = prints.windows(2).filter(|pair| pair[0].0 == pair[1].0);
     let pairs = pairs.map(|pair| (pair[0].1, pair[1].1));
-    let mut twins: Vec<Twin> = pairs
+    let mut twins: Vec<RowCopy> = pairs
         .filter(|(of, row)| same(*of, *row))
-        .map(|(of, row)| Twin { row, of })
+        .map(|(of, row)| RowCopy { row, of })
         .collect();
     twins.sort_unstable_by_key(|twin| twin.row);
     twins
 }
 
 /// Twins at the same distance, one row after the other.
-fn runs(twins: &[Twin]) -> Vec<&[Twin]> {
+fn runs(twins: &[RowCopy]) -> Vec<&[RowCopy]> {
     twins
         .chunk_by(|a, b| b.row == a.row + 1 && b.of == a.of + 1)
         .collect()

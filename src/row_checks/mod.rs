@@ -30,7 +30,7 @@ use crate::sessions::Session;
 
 /// A session without the mistakes of its rows, and what they were.
 #[derive(Debug, Clone)]
-pub struct Checked<'a> {
+pub struct CheckedRows<'a> {
     /// The session to go on with, its rows at their places.
     pub session: Cow<'a, Session>,
     /// What was wrong.
@@ -38,10 +38,10 @@ pub struct Checked<'a> {
 }
 
 /// A check: what it found in a session. A correction that it proposes is made before the next check.
-type Check = fn(&Session, JointValues) -> Vec<DataProblem>;
+type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
 
 /// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [Check; 6] = [
+const CHECKS: [RowCheck; 6] = [
     copies::copied,
     order::out_of_order,
     conditions::in_other_units,
@@ -53,17 +53,17 @@ const CHECKS: [Check; 6] = [
 /// Makes every check, one after the other.
 ///
 /// A session that cannot be computed with ([`Session::checked`] says why) has none.
-pub fn check(session: &Session, values: JointValues) -> Checked<'_> {
+pub fn check(session: &Session, values: JointValues) -> CheckedRows<'_> {
     match session.whole() {
         Ok(Cow::Borrowed(session)) => checked(session, values),
         Ok(Cow::Owned(completed)) => {
-            let Checked { session, problems } = checked(&completed, values);
-            Checked {
+            let CheckedRows { session, problems } = checked(&completed, values);
+            CheckedRows {
                 session: Cow::Owned(session.into_owned()),
                 problems,
             }
         }
-        Err(_) => Checked {
+        Err(_) => CheckedRows {
             session: Cow::Borrowed(session),
             problems: Vec::new(),
         },
@@ -71,8 +71,8 @@ pub fn check(session: &Session, values: JointValues) -> Checked<'_> {
 }
 
 /// The same of a session that is whole.
-pub(crate) fn checked(session: &Session, values: JointValues) -> Checked<'_> {
-    let mut checked = Checked {
+pub(crate) fn checked(session: &Session, values: JointValues) -> CheckedRows<'_> {
+    let mut checked = CheckedRows {
         session: Cow::Borrowed(session),
         problems: Vec::new(),
     };

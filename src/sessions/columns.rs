@@ -46,7 +46,7 @@ pub(crate) enum Quantity {
 struct ColumnDeclaration {
     /// Its heading: `#` stands for the number of a joint, `~` for a unit.
     heading: &'static str,
-    takes: Takes,
+    takes: AcceptedUnits,
     cells: CellKind,
     /// What it holds, for a joint where it is one's.
     of: fn(usize) -> Quantity,
@@ -54,7 +54,7 @@ struct ColumnDeclaration {
 
 /// The units that a heading may end in.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Takes {
+enum AcceptedUnits {
     Length,
     Angle,
     /// A length or an angle, as the joint slides or turns.
@@ -64,11 +64,11 @@ enum Takes {
 }
 
 const COLUMNS: &[ColumnDeclaration] = &{
+    use AcceptedUnits::{Angle, Fixed, Length, OfJoint};
     use CellKind::{Name, Number};
-    use Takes::{Angle, Fixed, Length, OfJoint};
     const fn column(
         heading: &'static str,
-        takes: Takes,
+        takes: AcceptedUnits,
         cells: CellKind,
         of: fn(usize) -> Quantity,
     ) -> ColumnDeclaration {
@@ -124,9 +124,9 @@ impl ColumnDeclaration {
             None => (name == own).then_some(0)?,
         };
         let fits = match self.takes {
-            Takes::Length => matches!(unit, Unit::Length(_)),
-            Takes::Angle => matches!(unit, Unit::Angle(_)),
-            Takes::OfJoint | Takes::Fixed => true,
+            AcceptedUnits::Length => matches!(unit, Unit::Length(_)),
+            AcceptedUnits::Angle => matches!(unit, Unit::Angle(_)),
+            AcceptedUnits::OfJoint | AcceptedUnits::Fixed => true,
         };
         fits.then(|| ((self.of)(joint), unit))
     }
@@ -218,12 +218,12 @@ impl Quantity {
     /// The unit in which files are written: degrees for angles, mm for lengths.
     pub(crate) fn written_in(self, joints: &[Joint]) -> Unit {
         let turns = match self.declared().takes {
-            Takes::Length => false,
-            Takes::Angle => true,
-            Takes::OfJoint => self
+            AcceptedUnits::Length => false,
+            AcceptedUnits::Angle => true,
+            AcceptedUnits::OfJoint => self
                 .joint()
                 .is_some_and(|k| joints[k].kind == JointKind::Revolute),
-            Takes::Fixed => return Unit::Fixed,
+            AcceptedUnits::Fixed => return Unit::Fixed,
         };
         if turns {
             Unit::Angle(rad_from_deg(1.0))

@@ -26,7 +26,7 @@ impl SessionCorrection {
     }
 
     /// What it does, as a button says it.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::ScaleJoint { joint, factor } if *factor < 0.0 => {
                 text!("Reverse joint {joint}", joint = joint + 1)

@@ -40,7 +40,7 @@ pub enum RegionError {
 
 impl RegionError {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::Number(regions) => text!(
                 "{regions} regions; expected a number from 1 to {most}",

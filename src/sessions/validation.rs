@@ -440,7 +440,7 @@ fn which(samples: &Samples, rows: &[usize]) -> String {
 mod tests {
     use crate::sessions::parse_with_csv;
 
-    fn says(extra: &str, csv: &str) -> Vec<String> {
+    fn describe(extra: &str, csv: &str) -> Vec<String> {
         let document = format!(
             r#"{{"format":"truepose-session/1","name":"s","robot":{{"name":"r","joints":[{{"name":"pan",
             "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-90,90]}}],
@@ -454,7 +454,7 @@ mod tests {
     #[test]
     fn a_sound_session_has_nothing_to_say() {
         assert_eq!(
-            says("", "q1_deg,x_mm,y_mm,z_mm\n-90,0,-250,300\n90,0,250,300\n"),
+            describe("", "q1_deg,x_mm,y_mm,z_mm\n-90,0,-250,300\n90,0,250,300\n"),
             [""; 0]
         );
     }
@@ -463,7 +463,7 @@ mod tests {
     fn regions_that_overlap_are_named() {
         let regions = r#""regions":[{"name":"a","from_deg":0,"to_deg":30},{"name":"b","from_deg":20,"to_deg":50},
             {"name":"c","from_deg":50,"to_deg":60}],"#;
-        let findings = says(regions, "q1_deg,x_mm,y_mm,z_mm\n1,2,3,4\n");
+        let findings = describe(regions, "q1_deg,x_mm,y_mm,z_mm\n1,2,3,4\n");
         assert_eq!(findings.len(), 1, "{findings:?}");
         assert!(
             findings[0].contains("regions 'a'") && findings[0].contains("'b'"),
@@ -473,7 +473,7 @@ mod tests {
 
     #[test]
     fn samples_that_cannot_be_used_are_reported_once_with_their_lines() {
-        let findings = says(
+        let findings = describe(
             "",
             "q1_deg,x_mm,y_mm,z_mm\n1,,3,4\n2,2,3,4\n3,2,,4\n,2,3,4\n",
         );
@@ -495,7 +495,7 @@ mod tests {
     fn strange_conditions_are_said() {
         let csv = "q1_deg,x_mm,y_mm,z_mm,time_s,load_kg,temperature_c,use,setup\n\
                    100,0,0,0,5,-1,-300,held-out,a\n2,2,3,4,3,0,20,held-out,b\n";
-        let findings = says("", csv).join("\n");
+        let findings = describe("", csv).join("\n");
         for part in [
             "beyond the limits of joint 1: line 2",
             "negative loads: line 2",

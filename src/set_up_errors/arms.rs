@@ -75,7 +75,7 @@ fn spread_mm(session: &Session) -> f64 {
 }
 
 /// One change of the samples and what it leaves.
-struct Tried {
+struct TriedChange {
     change: Change,
     /// Median error in the units of the samples as they stand, mm.
     left_mm: f64,
@@ -99,7 +99,7 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
         let proved = as_it_stands::predicts(part, values, &mends, most);
         return if proved { vec![problem] } else { Vec::new() };
     }
-    let mut nearest: Vec<&Tried> = tried.iter().filter(|t| t.left_mm < before).collect();
+    let mut nearest: Vec<&TriedChange> = tried.iter().filter(|t| t.left_mm < before).collect();
     nearest.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
     let mut best: Option<(f64, [DataProblem; 2])> = None;
     for first in nearest.into_iter().take(MOST_PAIRED) {
@@ -123,7 +123,7 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
 }
 
 /// Every change that ends where a robot may be.
-fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
+fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
     let spread = spread_mm(part);
     let all = changes(part).into_iter().filter_map(|change| {
         let mut trial_of = part.clone();
@@ -140,7 +140,7 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
         }
         // A change of unit changes the measure as well.
         let scale = (spread / spread_mm(&trial_of).max(1e-12)).min(1.0);
-        Some(Tried {
+        Some(TriedChange {
             change,
             left_mm: left * scale,
         })
@@ -151,7 +151,7 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
 /// The change that leaves least, if that is little enough, with those that say the same; and what it
 /// leaves, mm, behind the changes.
 fn named(
-    tried: &[Tried],
+    tried: &[TriedChange],
     before: f64,
     most: f64,
 ) -> Option<(DataProblem, Vec<SessionCorrection>, f64)> {
@@ -166,7 +166,7 @@ fn named(
     let main = tried
         .iter()
         .find(|t| t.left_mm <= EQUAL * least && t.change.mends.len() == 1)?;
-    let same = |t: &&Tried| t.left_mm <= ALIKE * least && t.change.what != main.change.what;
+    let same = |t: &&TriedChange| t.left_mm <= ALIKE * least && t.change.what != main.change.what;
     let twins: Vec<&Text> = tried.iter().filter(same).map(|t| &t.change.what).collect();
     let problem = problem_of(&main.change, &twins, before, main.left_mm);
     Some((problem, main.change.mends.clone(), main.left_mm))

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use super::DataProblem;
 
-impl<'a> Mended<'a> {
+impl<'a> CorrectedSession<'a> {
     /// A session as it is, or with the corrections that were `made`; `raw` is what was read.
     pub(super) fn new(
         raw: &Session,
@@ -33,7 +33,7 @@ pub(super) fn made_for(problems: &[DataProblem]) -> impl Iterator<Item = Session
 
 /// A session with its set-up errors corrected, and what they were.
 #[derive(Debug, Clone)]
-pub struct Mended<'a> {
+pub struct CorrectedSession<'a> {
     /// The session to go on with.
     pub session: Cow<'a, Session>,
     /// What was wrong.

@@ -17,9 +17,9 @@ use super::DataProblem;
 
 /// Samples where the instrument lost the reflector.
 pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
-    use crate::fit::problem::Unusable;
+    use crate::fit::problem::UnusableReason;
     let lost: Vec<usize> = (0..session.samples.len())
-        .filter(|i| unusable(session, *i) == Some(Unusable::LostReflector))
+        .filter(|i| unusable(session, *i) == Some(UnusableReason::LostReflector))
         .collect();
     if lost.is_empty() {
         return;

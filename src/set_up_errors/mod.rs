@@ -30,7 +30,7 @@ use crate::row_checks;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 use crate::units::rad_from_deg;
-pub use corrected::Mended;
+pub use corrected::CorrectedSession;
 
 use crate::fit::base_model;
 
@@ -55,17 +55,17 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 /// Checks the rows, tries the set-up errors and corrects what it finds.
 ///
 /// A session that cannot be computed with ([`Session::checked`] says why) stays as it is.
-pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
+pub fn mend(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     match raw.whole() {
         Ok(Cow::Borrowed(raw)) => mended(raw, joint_values),
         Ok(Cow::Owned(completed)) => {
-            let Mended { session, problems } = mended(&completed, joint_values);
-            Mended {
+            let CorrectedSession { session, problems } = mended(&completed, joint_values);
+            CorrectedSession {
                 session: Cow::Owned(session.into_owned()),
                 problems,
             }
         }
-        Err(_) => Mended {
+        Err(_) => CorrectedSession {
             session: Cow::Borrowed(raw),
             problems: Vec::new(),
         },
@@ -73,7 +73,7 @@ pub fn mend(raw: &Session, joint_values: JointValues) -> Mended<'_> {
 }
 
 /// The same of a session that is whole.
-pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> Mended<'_> {
+pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
     let mut made: Vec<SessionCorrection> = made_for(&problems).collect();
@@ -110,12 +110,12 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> Mended<'_> {
     if whole_points {
         mislocked(&session, joint_values, &mut problems);
     }
-    Mended::new(raw, session, problems, made)
+    CorrectedSession::new(raw, session, problems, made)
 }
 
 /// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
 /// joints is identified without set-up errors, one joint as it is.
-pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
+pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
     let of_one_joint = if base_model::is_arm(&session) {
@@ -130,7 +130,7 @@ pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> Mended<'_> {
         session = Cow::Owned(freed);
     }
     let made = made_for(&problems).collect();
-    let mut mended = Mended::new(raw, session, problems, made);
+    let mut mended = CorrectedSession::new(raw, session, problems, made);
     mended.problems.extend(of_one_joint.map(|found| found.1));
     mended
 }

@@ -100,14 +100,14 @@ pub(crate) fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8R
 
 /// What one stop is dealt.
 #[derive(Debug, Clone, Copy)]
-struct Hand {
+struct StopConditions {
     speed: f64,
     load_kg: f64,
     /// `None`: the machine warms up.
     temperature_c: Option<f64>,
 }
 
-fn deal(c: &Circumstances, stops: usize, random: &mut ChaCha8Rng) -> Vec<Hand> {
+fn deal(c: &Circumstances, stops: usize, random: &mut ChaCha8Rng) -> Vec<StopConditions> {
     let or_zero = |values: &[f64]| {
         if values.is_empty() {
             vec![0.0]
@@ -124,7 +124,7 @@ fn deal(c: &Circumstances, stops: usize, random: &mut ChaCha8Rng) -> Vec<Hand> {
     let mut deck = Vec::new();
     for speed in or_zero(&c.speeds) {
         for load_kg in or_zero(&c.loads_kg) {
-            deck.extend(temperatures.iter().map(|temperature_c| Hand {
+            deck.extend(temperatures.iter().map(|temperature_c| StopConditions {
                 speed,
                 load_kg,
                 temperature_c: *temperature_c,

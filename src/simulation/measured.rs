@@ -17,7 +17,7 @@ use crate::effects::places::stated;
 use crate::effects::{Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::dot;
 use crate::model::Model;
-use crate::observations::held::{Missing, bring};
+use crate::observations::constrained::{Missing, bring};
 use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};

@@ -4,7 +4,7 @@ use crate::text::{Template, Text};
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::effects::{Offered, PlaceKind, Term};
+use crate::effects::{AvailableColumns, PlaceKind, Term};
 use crate::kinematics::Robot;
 use crate::sessions::{Instrument, Region, Target};
 
@@ -510,9 +510,9 @@ impl Scenario {
     }
 
     /// What its conditions offer to effects.
-    fn offered(&self) -> Offered {
+    fn offered(&self) -> AvailableColumns {
         let c = &self.circumstances;
-        Offered {
+        AvailableColumns {
             time: c.seconds_per_pose.is_some(),
             temperature: c.temperature.is_some()
                 || c.joint_temperatures.iter().any(Option::is_some),

@@ -127,7 +127,7 @@ impl<'p, 'a> CommandedSeries<'p, 'a> {
                 let ways = around
                     .into_iter()
                     .flatten()
-                    .map(|j| apart(&series.q[k], &series.q[j]));
+                    .map(|j| largest_difference(&series.q[k], &series.q[j]));
                 ways.fold(0.0, f64::max)
             })
             .collect();
@@ -201,7 +201,9 @@ impl<'p, 'a> CommandedSeries<'p, 'a> {
             }
             if *k >= last + FEWEST_POINTS {
                 starts.push(*k);
-            } else if last != s && apart(&self.q[*k], &self.q[s]) < apart(&self.q[last], &self.q[s])
+            } else if last != s
+                && largest_difference(&self.q[*k], &self.q[s])
+                    < largest_difference(&self.q[last], &self.q[s])
             {
                 // Of neighbours the nearer one.
                 if let Some(last) = starts.last_mut() {
@@ -231,7 +233,7 @@ impl<'p, 'a> CommandedSeries<'p, 'a> {
         target
             && same(inputs.load_kg.as_deref())
             && same(inputs.setup.as_deref())
-            && apart(&self.q[a], &self.q[b]) <= HALF * self.step[a]
+            && largest_difference(&self.q[a], &self.q[b]) <= HALF * self.step[a]
     }
 
     /// Whether commanded points follow a line, rather than being positions far from each other.
@@ -263,7 +265,7 @@ impl<'p, 'a> CommandedSeries<'p, 'a> {
     }
 }
 
-fn apart(a: &[f64], b: &[f64]) -> f64 {
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter()
         .zip(b)
         .map(|(a, b)| (a - b).abs())

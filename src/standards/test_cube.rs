@@ -93,7 +93,7 @@ pub enum NoCube {
 
 impl NoCube {
     /// In words.
-    pub fn says(&self) -> Text {
+    pub fn describe(&self) -> Text {
         match self {
             Self::OneAxis => text!(
                 "the robot has one joint: ISO 9283 tests the poses of arms; a single axis is tested after ISO 230-2 (positions along its travel, approached from both sides: truepose plan without --iso9283, then truepose standards)"
@@ -111,7 +111,7 @@ impl NoCube {
                 joints = joints,
                 most = MOST_JOINTS
             ),
-            Self::Rejected(inner) => inner.says(),
+            Self::Rejected(inner) => inner.describe(),
         }
     }
 }

@@ -76,7 +76,7 @@ macro_rules! displays_what_it_says {
     ($what:ty) => {
         impl ::std::fmt::Display for $what {
             fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
-                ::std::fmt::Display::fmt(&self.says(), f)
+                ::std::fmt::Display::fmt(&self.describe(), f)
             }
         }
     };

@@ -162,7 +162,7 @@ fn a_turn_of_the_whole_set_up_turns_the_parameters_and_nothing_else() {
             assert!((a.value - b.value).abs() < 1e-6, "{id}: {a:?} {b:?}");
         }
         for (a, b) in before.found.iter().zip(&after.found) {
-            let values = |f: &truepose::diagnosis::Found| -> Vec<f64> {
+            let values = |f: &truepose::diagnosis::FoundEffect| -> Vec<f64> {
                 f.parameters.iter().map(|p| p.value).collect()
             };
             let expected = turned_parameters(a.effect, &values(a), by);

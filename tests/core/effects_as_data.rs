@@ -5,7 +5,7 @@
 
 use std::path::PathBuf;
 
-use truepose::diagnosis::{Diagnosis, Found, Options};
+use truepose::diagnosis::{Diagnosis, FoundEffect, Options};
 use truepose::effects::JointValues;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, identify_exact};
 use truepose::model::Model;
@@ -24,7 +24,7 @@ fn diagnosed(session: &Session) -> Diagnosis {
 }
 
 /// The only name that was found.
-fn only(answer: &Diagnosis) -> &Found {
+fn only(answer: &Diagnosis) -> &FoundEffect {
     let names: Vec<_> = answer.found.iter().map(|f| (f.effect, f.joint)).collect();
     assert_eq!(names.len(), 1, "{names:?}");
     assert!(!answer.unexplained.present, "{:?}", answer.unexplained);
@@ -32,7 +32,7 @@ fn only(answer: &Diagnosis) -> &Found {
 }
 
 /// A parameter with its interval; the truth lies within one and a half times of it.
-fn agrees(found: &Found, name: &str, truth: f64) {
+fn agrees(found: &FoundEffect, name: &str, truth: f64) {
     let own = found.parameters.iter().find(|p| p.name == name).unwrap();
     let half = own.ci95.map_or(0.0, |[low, high]| 0.5 * (high - low));
     let off = (own.value - truth).abs();

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use crate::unnamed::{diagnosed, session};
-use truepose::diagnosis::{Diagnosis, Found, Options};
+use truepose::diagnosis::{Diagnosis, FoundEffect, Options};
 use truepose::model::read_model;
 use truepose::pipeline;
 use truepose::sessions::{parse_robot, robot_document};
@@ -19,12 +19,12 @@ fn geared(q: &[f64]) -> Vec<f64> {
     q
 }
 
-fn of_joint_2(found: &Diagnosis) -> Vec<&Found> {
-    let own = |f: &&Found| f.effect == "gear-transmission-error" && f.joint == Some(2);
+fn of_joint_2(found: &Diagnosis) -> Vec<&FoundEffect> {
+    let own = |f: &&FoundEffect| f.effect == "gear-transmission-error" && f.joint == Some(2);
     found.found.iter().filter(own).collect()
 }
 
-fn order(found: &Found) -> f64 {
+fn order(found: &FoundEffect) -> f64 {
     found
         .parameters
         .iter()

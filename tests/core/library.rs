@@ -34,7 +34,7 @@ fn answers(session: &Session, good: &Calibration) {
         }
         let _ = good.model.predict(&inputs);
         let _ = Compensation::new(good).joint_corrections(&inputs);
-        let _ = Remainder::new(good, &inputs).says();
+        let _ = Remainder::new(good, &inputs).describe();
         let _ = truepose::row_checks::check(session, values);
         let _ = truepose::set_up_errors::mend(session, values);
         let _ = Layer::new(session, values).is_empty();

@@ -287,7 +287,10 @@ fn a_calibration_that_cannot_be_is_not_handed_out() {
             gap_to(&c, &session, &session.robot),
             model_hash(&c),
         );
-        let _ = (c.model.predict(&inputs), Remainder::new(&c, &inputs).says());
+        let _ = (
+            c.model.predict(&inputs),
+            Remainder::new(&c, &inputs).describe(),
+        );
         let compensation = Compensation::new(&c);
         let corrections = compensation.joint_corrections(&inputs);
         let _ = compensation.reached(&inputs, &corrections);

@@ -13,7 +13,7 @@ use truepose::fit::identify_exact;
 use truepose::kinematics::{Pose, pose_from_parts};
 use truepose::pipeline;
 use truepose::programs::{
-    Answer, CompensateError, Differing, Holds, ModelTool, ProgramFrames, Request, find,
+    Answer, CompensateError, DifferingNumber, ModelTool, Precedence, ProgramFrames, Request, find,
 };
 use truepose::sessions::load;
 
@@ -150,7 +150,7 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
     assert_eq!(found.0.len(), 1);
     assert_eq!(
         (found.0[0].what, found.0[0].place),
-        (Differing::Tool, (2, 7))
+        (DifferingNumber::Tool, (2, 7))
     );
     for part in [
         "X 40, Y 0, Z 120 mm",
@@ -163,7 +163,7 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
     }
     // As the program writes it, or as it is given: the gun goes where the nominal robot would put it.
     let given = ProgramFrames {
-        tool: Holds::Given(gun().1),
+        tool: Precedence::Given(gun().1),
         ..ProgramFrames::default()
     };
     for frames in [given, ProgramFrames::as_programmed()] {
@@ -195,7 +195,7 @@ fn a_foreign_tool_is_a_question_and_every_answer_to_it_is_kept() {
 fn a_base_that_is_not_the_robots_is_a_question() {
     let (robot, q) = hidden();
     let text = program(&robot, &q, "$BASE={X 100,Y -20,Z 5,A 90,B 0,C 0}\n");
-    let tool = Holds::Given(gun().1);
+    let tool = Precedence::Given(gun().1);
     let only_tool = ProgramFrames {
         tool,
         ..ProgramFrames::default()
@@ -204,9 +204,13 @@ fn a_base_that_is_not_the_robots_is_a_question() {
     let Err(CompensateError::Differs(found)) = refused else {
         panic!("{refused:?}");
     };
-    assert_eq!(found.0[0].what, Differing::Frame);
+    assert_eq!(found.0[0].what, DifferingNumber::Frame);
     assert!(found.to_string().contains("--frame"), "{found}");
-    for frame in [Holds::Program, Holds::Model, Holds::Given(Pose::identity())] {
+    for frame in [
+        Precedence::Program,
+        Precedence::Model,
+        Precedence::Given(Pose::identity()),
+    ] {
         let settled = ProgramFrames { frame, ..only_tool };
         assert!(corrected("krl", &text, settled, None).is_ok(), "{frame:?}");
     }
@@ -239,7 +243,7 @@ fn a_load_beyond_those_of_the_session_is_a_question_and_one_of_them_is_taken() {
         "{says}"
     );
     let given = ProgramFrames {
-        load: Holds::Given(3.0),
+        load: Precedence::Given(3.0),
         ..unsettled
     };
     assert_eq!(load_kg(&text(12.0), given).unwrap(), 3.0);

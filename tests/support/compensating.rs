@@ -13,7 +13,7 @@ use truepose::kinematics::{Pose, Range, pose_from_parts};
 use truepose::model::{Calibration, Model};
 use truepose::pipeline;
 use truepose::programs::{
-    Answer, CompensateError, Holds, Language, ModelTool, ProgramFrames, Request, Text,
+    Answer, CompensateError, Language, ModelTool, Precedence, ProgramFrames, Request, Text,
 };
 use truepose::sessions::parse_robot;
 
@@ -106,12 +106,12 @@ pub fn compensated(
         2 => ProgramFrames::as_programmed(),
         3 => ProgramFrames::as_modelled(),
         4 => ProgramFrames {
-            tool: Holds::Given(placed([1.0, 2.0, 3.0])),
-            frame: Holds::Given(placed([10.0, -20.0, 30.0])),
-            load: Holds::Given(2.0),
+            tool: Precedence::Given(placed([1.0, 2.0, 3.0])),
+            frame: Precedence::Given(placed([10.0, -20.0, 30.0])),
+            load: Precedence::Given(2.0),
         },
         _ => ProgramFrames {
-            tool: Holds::Given(placed([40.0, 0.0, 120.0])),
+            tool: Precedence::Given(placed([40.0, 0.0, 120.0])),
             ..ProgramFrames::as_programmed()
         },
     };

@@ -5,7 +5,7 @@
 //! share_i = i / n,      |e|_1 ≤ |e|_2 ≤ …
 //! ```
 
-use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands};
@@ -18,7 +18,7 @@ pub(crate) static CUMULATIVE: Cumulative = Cumulative;
 /// Lengths in ascending order, mm.
 struct Sorted(Vec<f64>);
 
-impl Kind for Cumulative {
+impl ChartKind for Cumulative {
     fn about(&self) -> About {
         About {
             id: "cumulative deviations",
@@ -30,7 +30,7 @@ impl Kind for Cumulative {
                     "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
                 ),
             },
-            of: Of::Component,
+            of: ChartChoice::Component,
         }
     }
 
@@ -42,10 +42,10 @@ impl Kind for Cumulative {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-        let sorted: &Sorted = scene.found().ok_or_else(Missing::yet)?;
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+        let sorted: &Sorted = scene.found().ok_or_else(ChartPlaceholder::yet)?;
         if sorted.0.is_empty() {
-            return Err(Missing::new(
+            return Err(ChartPlaceholder::new(
                 say!("No sample can be counted"),
                 say!("Every sample lacks a joint value or a coordinate"),
             ));
@@ -55,7 +55,7 @@ impl Kind for Cumulative {
             chart: sorted.drawn(scene),
             name: say!("cumulative deviations").to_owned(),
             says: say!("95 % of the samples deviate by {at} or less", at = at),
-            pointed: Pointed::Nothing,
+            pointed: HoverTarget::Nothing,
         })
     }
 

@@ -41,7 +41,7 @@ struct Group {
 
 /// Which of the candidates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Among {
+pub(crate) enum CandidateSubset {
     Names,
     /// Those without a name.
     Shapes,
@@ -57,16 +57,16 @@ pub(crate) struct Columns {
 }
 
 /// Columns that are put together.
-pub(crate) struct Gathering {
+pub(crate) struct ColumnBuilder {
     rows: usize,
     samples: usize,
     /// The first is kept row by row.
-    groups: Vec<Growing>,
+    groups: Vec<GroupBuilder>,
 }
 
 /// A group that still grows.
 #[derive(Default)]
-struct Growing {
+struct GroupBuilder {
     direction: Option<DVector<f64>>,
     values: Vec<f64>,
     /// Columns so far, and how many of them have names.
@@ -78,17 +78,19 @@ struct Growing {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slot(usize, usize);
 
-impl Gathering {
+impl ColumnBuilder {
     /// None yet, for rows of so many samples, axis by axis; `directions` are how the rows may move.
     pub(crate) fn new(rows: usize, samples: usize, directions: &[DVector<f64>]) -> Self {
-        let along = directions.iter().map(|d| Growing {
+        let along = directions.iter().map(|d| GroupBuilder {
             direction: Some(d.clone()),
-            ..Growing::default()
+            ..GroupBuilder::default()
         });
         Self {
             rows,
             samples,
-            groups: std::iter::once(Growing::default()).chain(along).collect(),
+            groups: std::iter::once(GroupBuilder::default())
+                .chain(along)
+                .collect(),
         }
     }
 
@@ -236,7 +238,7 @@ impl Columns {
         &self,
         filter: &Filter,
         z: &DMatrix<f64>,
-        among: Among,
+        among: CandidateSubset,
         threads: Threads,
     ) -> DMatrix<f64> {
         let of_samples = self.of_samples(filter, z);
@@ -279,7 +281,7 @@ impl Columns {
     }
 
     /// Copies the products of some columns into rows that are as many or more.
-    pub(crate) fn copy(&self, from: &DMatrix<f64>, to: &mut DMatrix<f64>, among: Among) {
+    pub(crate) fn copy(&self, from: &DMatrix<f64>, to: &mut DMatrix<f64>, among: CandidateSubset) {
         for group in &self.groups {
             let (first, count) = group.part(among);
             let at = (0, group.first + first);
@@ -327,12 +329,12 @@ impl Columns {
 
 impl Group {
     /// The first of some columns in the group, and how many.
-    fn part(&self, among: Among) -> (usize, usize) {
+    fn part(&self, among: CandidateSubset) -> (usize, usize) {
         let all = self.values.ncols();
         match among {
-            Among::Names => (0, self.named),
-            Among::Shapes => (self.named, all - self.named),
-            Among::All => (0, all),
+            CandidateSubset::Names => (0, self.named),
+            CandidateSubset::Shapes => (self.named, all - self.named),
+            CandidateSubset::All => (0, all),
         }
     }
 
@@ -387,7 +389,7 @@ mod tests {
             DMatrix::from_columns(&[over(2)]),
             DMatrix::from_columns(&[over(3), free(1)]),
         ];
-        let mut gathering = Gathering::new(n * axes, n, &[free(9), direction.clone()]);
+        let mut gathering = ColumnBuilder::new(n * axes, n, &[free(9), direction.clone()]);
         let mut slots = vec![
             gathering.push(&candidates[0]),
             gathering.push(&candidates[1]),
@@ -414,11 +416,11 @@ mod tests {
         let times: Vec<f64> = (0..n).map(|k| k as f64).collect();
         let filter = noise.filter_over(&times, &[0, 1, 2]);
         let z = DMatrix::from_fn(n * axes + 2, 5, |i, k| value(i, k + 70));
-        let all = columns.products(&filter, &z, Among::All, Threads::ONE);
+        let all = columns.products(&filter, &z, CandidateSubset::All, Threads::ONE);
         let one = z.columns(3, 1).into_owned();
-        let one = columns.products(&filter, &one, Among::All, Threads::ONE);
-        let names = columns.products(&filter, &z, Among::Names, Threads::ONE);
-        let shapes = columns.products(&filter, &z, Among::Shapes, Threads::ONE);
+        let one = columns.products(&filter, &one, CandidateSubset::All, Threads::ONE);
+        let names = columns.products(&filter, &z, CandidateSubset::Names, Threads::ONE);
+        let shapes = columns.products(&filter, &z, CandidateSubset::Shapes, Threads::ONE);
         assert!((&names + &shapes - &all).norm() < 1e-12);
         let named = names.column_iter().map(|c| c.norm() > 0.0);
         let both = named.zip(shapes.column_iter().map(|c| c.norm() > 0.0));

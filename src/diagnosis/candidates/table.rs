@@ -11,7 +11,7 @@ use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
-use super::columns::{Columns, Gathering};
+use super::columns::{ColumnBuilder, Columns};
 use super::shape_space::{ShapeSpace, shape_space, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
@@ -19,14 +19,14 @@ use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What a candidate is.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum What {
+pub(crate) enum CandidateKind {
     /// An effect of the catalogue, absent so far.
     Named(Term),
     /// A shape without a name.
     Anonymous(Shape),
 }
 
-impl What {
+impl CandidateKind {
     /// The term of a name.
     pub(crate) fn term(&self) -> Option<&Term> {
         match self {
@@ -40,7 +40,7 @@ impl What {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Candidate {
     /// What it is.
-    pub what: What,
+    pub what: CandidateKind,
     /// Its first column in the table.
     pub first: usize,
     /// Number of its columns.
@@ -52,7 +52,7 @@ pub(crate) struct Candidate {
 impl Candidate {
     /// Whether it has a name.
     pub(crate) fn named(&self) -> bool {
-        matches!(self.what, What::Named(_))
+        matches!(self.what, CandidateKind::Named(_))
     }
 }
 
@@ -127,11 +127,11 @@ impl Table {
         let shapes = shapes(&space, survey, rows, missing);
         let of_names = names.iter().map(|(term, tried)| {
             let size = term.effect.about().form.coefficients_at_zero();
-            (What::Named(term.clone()), size, *tried)
+            (CandidateKind::Named(term.clone()), size, *tried)
         });
         let of_shapes = shapes.into_iter().map(|shape| {
             let size = space.width(&shape);
-            (What::Anonymous(shape), size, shape.tried)
+            (CandidateKind::Anonymous(shape), size, shape.tried)
         });
         let mut candidates: Vec<Candidate> = of_names
             .chain(of_shapes)
@@ -147,7 +147,7 @@ impl Table {
             let across = across.into_iter().flatten();
             space.tangential.iter().chain(across).cloned().collect()
         };
-        let mut gathering = Gathering::new(rows.len(), rows.samples.len(), &directions);
+        let mut gathering = ColumnBuilder::new(rows.len(), rows.samples.len(), &directions);
         let mut slots = Vec::new();
         let (named, anonymous) = candidates.split_at(names.len());
         for some in named.chunks(AT_ONCE) {
@@ -156,7 +156,7 @@ impl Table {
         }
         gathering.names_end();
         for candidate in anonymous {
-            if let What::Anonymous(shape) = &candidate.what {
+            if let CandidateKind::Anonymous(shape) = &candidate.what {
                 slots.push(gathering.push(&space.columns(shape)));
             }
         }
@@ -202,7 +202,7 @@ impl Table {
                 continue;
             }
             match &candidate.what {
-                What::Named(term) => {
+                CandidateKind::Named(term) => {
                     let first: usize = {
                         let with = base.with_term(term.clone());
                         let before = with.terms().iter().take_while(|t| !t.same_column(term));
@@ -212,7 +212,7 @@ impl Table {
                     let size = candidate.size;
                     push(&columns.columns(first, size).into_owned(), &keep);
                 }
-                What::Anonymous(shape) => push(&space.columns(shape), &keep),
+                CandidateKind::Anonymous(shape) => push(&space.columns(shape), &keep),
             }
         }
         all
@@ -310,14 +310,14 @@ fn rich(table: &Table, rows: usize) -> Vec<usize> {
     for candidate in &table.candidates {
         let own = candidate.first..candidate.first + candidate.size;
         match &candidate.what {
-            What::Named(term) if low_order(term) => tiers[0].extend(own),
-            What::Named(term) if term.effect.about().setting == Setting::Time => {
+            CandidateKind::Named(term) if low_order(term) => tiers[0].extend(own),
+            CandidateKind::Named(term) if term.effect.about().setting == Setting::Time => {
                 times += 1;
                 if times % 8 == 1 {
                     tiers[2].extend(own);
                 }
             }
-            What::Anonymous(shape) => match (shape.profile, shape.direction) {
+            CandidateKind::Anonymous(shape) => match (shape.profile, shape.direction) {
                 (Profile::Bump { width, .. }, Direction::Tangential(j)) => {
                     let (low, high) = table.space.range(Variable::Joint(j));
                     let fine = (0.03..0.06).contains(&(width / (high - low)));
@@ -336,7 +336,7 @@ fn rich(table: &Table, rows: usize) -> Vec<usize> {
                 }
                 _ => {}
             },
-            What::Named(_) => {}
+            CandidateKind::Named(_) => {}
         }
     }
     let mut chosen: Vec<usize> = tiers.into_iter().flatten().collect();

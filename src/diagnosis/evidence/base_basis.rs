@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use crate::diagnosis::candidates::columns::{Among, Columns};
+use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::fit::noise::Filter;
 use crate::linear::Basis;
 use crate::model::Model;
@@ -67,7 +67,7 @@ impl BaseBasis {
         &self,
         (columns, filter): (&Columns, &Filter),
         basis: &Basis,
-        among: Among,
+        among: CandidateSubset,
         threads: Threads,
     ) -> DMatrix<f64> {
         let extends = basis.extends.as_ref();
@@ -81,8 +81,11 @@ impl BaseBasis {
         let mut all = DMatrix::zeros(basis.rank(), columns.count());
         all.rows_mut(known, more)
             .copy_from(&columns.products(filter, &new, among, threads));
-        for (at, part) in [Among::Names, Among::Shapes].into_iter().enumerate() {
-            if among == part || among == Among::All {
+        for (at, part) in [CandidateSubset::Names, CandidateSubset::Shapes]
+            .into_iter()
+            .enumerate()
+        {
+            if among == part || among == CandidateSubset::All {
                 let make = || columns.products(filter, &self.basis.q, part, threads);
                 let own = self.along[at].get_or_init(make);
                 columns.copy(own, &mut all, part);
@@ -114,7 +117,7 @@ fn places(base: &Model, model: &Model) -> Option<Vec<usize>> {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::two_axes;
 
     /// Two axes, the second with an eccentric encoder.
@@ -123,7 +126,7 @@ mod tests {
         let session = two_axes(
             r#"{"effect":"encoder-eccentricity","joint":2,"parameters":{"amplitude_deg":0.1,"phase_deg":20}}"#,
         );
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
         let mut candidates = regression.table.candidates.iter();

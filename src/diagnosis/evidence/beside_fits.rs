@@ -9,20 +9,20 @@ use super::likelihood::{EFFECT_PRIOR_PENALTY, price_of};
 use super::regression::Regression;
 use super::score::Score;
 use super::surroundings::{Surroundings, Without};
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
 
 impl Regression<'_> {
     /// The candidates beside a fit.
-    pub(crate) fn surroundings(&self, fit: &Fit, among: Among) -> Rc<Surroundings> {
+    pub(crate) fn surroundings(&self, fit: &Fit, among: CandidateSubset) -> Rc<Surroundings> {
         let work = || Rc::new(self.surroundings_anew(fit, among));
         match among {
-            Among::Names => self.surroundings.of(fit, work),
-            Among::Shapes | Among::All => work(),
+            CandidateSubset::Names => self.surroundings.of(fit, work),
+            CandidateSubset::Shapes | CandidateSubset::All => work(),
         }
     }
 
-    fn surroundings_anew(&self, fit: &Fit, among: Among) -> Surroundings {
+    fn surroundings_anew(&self, fit: &Fit, among: CandidateSubset) -> Surroundings {
         let projected = self.projected(&fit.basis, among);
         let pulls = projected.pulls(&fit.residual);
         Surroundings {

@@ -13,7 +13,7 @@
 
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
-use super::left_out::LeftOut;
+use super::reduced_basis::ReducedBasis;
 use crate::linear::{Basis, cross, own_products, small_cholesky, small_gain};
 
 /// A setting has to be better than the fit's by this share of its gain.
@@ -46,12 +46,12 @@ impl Scanned {
 pub(super) type Exchanged = (usize, usize, DVector<f64>);
 
 /// The columns of a fit and of its terms' settings, with what does not depend on the rows that are left out.
-pub(super) struct Told {
+pub(super) struct FittedColumns {
     basis: Basis,
-    of_terms: Vec<OfTerm>,
+    of_terms: Vec<TermColumns>,
 }
 
-struct OfTerm {
+struct TermColumns {
     /// What it alone spans of the basis.
     alone: DMatrix<f64>,
     /// `QᵀF` of its settings.
@@ -60,7 +60,7 @@ struct OfTerm {
     grams: Vec<DMatrix<f64>>,
 }
 
-impl Told {
+impl FittedColumns {
     /// Of a fit's columns, and the terms that are scanned.
     pub(crate) fn new(basis: Basis, terms: &[Scanned]) -> Self {
         let transposed = basis.q.transpose();
@@ -68,7 +68,7 @@ impl Told {
             let own: Vec<usize> = (term.first..term.first + term.size).collect();
             let alone = basis.only_of(&own);
             let gram = |setting| own_products(&term.columns(setting).into_owned());
-            OfTerm {
+            TermColumns {
                 alone: alone.map_or_else(|| DMatrix::zeros(basis.rank(), 0), |(alone, _)| alone),
                 along: &transposed * &term.white,
                 grams: (0..=term.candidates.len()).map(gram).collect(),
@@ -93,8 +93,8 @@ impl Told {
         residual: &DVector<f64>,
         rows: &[usize],
     ) -> Option<(DVector<f64>, Vec<Exchanged>)> {
-        let left_out = LeftOut::new(&self.basis, rows)?;
-        let mut seen = Seen {
+        let left_out = ReducedBasis::new(&self.basis, rows)?;
+        let mut seen = RetainedRows {
             told: self,
             terms,
             left_out: &left_out,
@@ -112,17 +112,17 @@ impl Told {
 }
 
 /// The rows that stay, with the settings that were exchanged so far.
-struct Seen<'s> {
-    told: &'s Told,
+struct RetainedRows<'s> {
+    told: &'s FittedColumns,
     terms: &'s [Scanned],
-    left_out: &'s LeftOut<'s>,
+    left_out: &'s ReducedBasis<'s>,
     /// What there is to explain: with what the terms whose setting was exchanged do.
     y: DVector<f64>,
     exchanged: Vec<(usize, usize)>,
 }
 
 /// The columns that took the place of others beside those that stayed.
-struct Taken {
+struct ExchangedColumns {
     /// `V` of all terms that are out, and the factor `K` of its products.
     out: DMatrix<f64>,
     root: Vec<f64>,
@@ -133,14 +133,14 @@ struct Taken {
     factor: Vec<f64>,
 }
 
-impl Taken {
+impl ExchangedColumns {
     /// `U` of columns with this `W`.
     fn back(&self, along: &DMatrix<f64>) -> DMatrix<f64> {
         solve_lower(&self.root, self.out.tr_mul(along))
     }
 
     /// What there is of these columns beside those that were taken, as products with them.
-    fn beside(
+    fn orthogonal_products(
         &self,
         seen: DMatrix<f64>,
         along: &DMatrix<f64>,
@@ -151,7 +151,7 @@ impl Taken {
     }
 }
 
-impl Seen<'_> {
+impl RetainedRows<'_> {
     /// Products of columns in the rows that stay.
     fn products(&self, a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
         let rows = self.left_out.rows();
@@ -166,7 +166,7 @@ impl Seen<'_> {
     }
 
     /// With the terms that were exchanged, and this one, out.
-    fn taken(&self, more: Option<usize>) -> Option<Taken> {
+    fn taken(&self, more: Option<usize>) -> Option<ExchangedColumns> {
         let out = self.exchanged.iter().map(|e| e.0).chain(more);
         let out: Vec<&DMatrix<f64>> = out.map(|at| &self.told.of_terms[at].alone).collect();
         let mut directions =
@@ -206,7 +206,7 @@ impl Seen<'_> {
         }
         let without = columns.select_rows(self.left_out.rows());
         let along = self.left_out.along(&along, &without);
-        let mut taken = Taken {
+        let mut taken = ExchangedColumns {
             back: DMatrix::zeros(0, 0),
             factor: Vec::new(),
             out,
@@ -233,13 +233,13 @@ impl Seen<'_> {
         let y_along = self.along(&y);
         let y_back = taken.back(&y_along);
         let seen = self.products(&taken.columns, &y);
-        let y_beside = taken.beside(seen, &y_along, &y_back);
+        let y_beside = taken.orthogonal_products(seen, &y_along, &y_back);
 
         let without = term.white.select_rows(self.left_out.rows());
         let along = self.left_out.along(&of_term.along, &without);
         let back = taken.back(&along);
         let seen = self.products(&taken.columns, &term.white);
-        let beside = taken.beside(seen, &along, &back);
+        let beside = taken.orthogonal_products(seen, &along, &back);
         let mut pulls = self.products(&term.white, &y);
         pulls.gemm_tr(-1.0, &along, &y_along, 1.0);
         pulls.gemm_tr(1.0, &back, &y_back, 1.0);
@@ -286,7 +286,10 @@ impl Seen<'_> {
         let along = self.along(&y);
         let back = taken.back(&along);
         let seen = self.products(&taken.columns, &y);
-        let instead = solve_upper(&taken.factor, taken.beside(seen, &along, &back));
+        let instead = solve_upper(
+            &taken.factor,
+            taken.orthogonal_products(seen, &along, &back),
+        );
         // Of the basis, what is left for it, without what the terms that are out alone span.
         let mut along = along;
         along.gemm(-1.0, &taken.along, &instead, 1.0);
@@ -386,7 +389,7 @@ mod tests {
         let (a, y, terms) = fit();
         let basis = Basis::new(&a);
         let residual = basis.reject(&y);
-        let told = Told::new(basis, &terms);
+        let told = FittedColumns::new(basis, &terms);
         let mut others = 0;
         for fold in 0..5 {
             let out: Vec<usize> = (0..60).filter(|row| row / 4 % 5 == fold).collect();
@@ -438,7 +441,7 @@ mod tests {
         }
         let basis = Basis::new(&a);
         let residual = basis.reject(&y);
-        let told = Told::new(basis, &terms);
+        let told = FittedColumns::new(basis, &terms);
         let out: Vec<usize> = (0..10).collect();
         assert!(told.step(&terms, &residual, &out).is_none());
         let stay: Vec<usize> = (10..60).collect();
@@ -449,7 +452,7 @@ mod tests {
         });
         let terms: Vec<Scanned> = terms.collect();
         let residual = residual.select_rows(&stay);
-        let told = Told::new(seen, &terms);
+        let told = FittedColumns::new(seen, &terms);
         let step = told.step(&terms, &residual, &[]);
         let (step, _) = step.expect("of the rows alone");
         assert_eq!(step[0], 0.0);

@@ -20,7 +20,7 @@ use super::noise_alone::Null;
 use super::regression::Regression;
 use super::score::weight_of;
 use super::trials::{CHUNK, Trials};
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::effects::rank as rank_in_catalogue;
 
 /// Simulations of a short session.
@@ -59,7 +59,7 @@ impl Regression<'_> {
     /// Whether noise alone reaches it with more than this chance: as [`family_p`](Self::family_p) has it, which
     /// need not be known closer.
     pub(crate) fn is_improbable(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
-        self.reaches(minus_ln_p, chance, fit, false)
+        self.exceeds_chance(minus_ln_p, chance, fit, false)
     }
 
     /// The same on the way there, where the null of any model of the same size is good enough.
@@ -67,10 +67,10 @@ impl Regression<'_> {
         // One candidate alone does already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
-        (-minus_ln_p - least).exp() > chance || self.reaches(minus_ln_p, chance, fit, true)
+        (-minus_ln_p - least).exp() > chance || self.exceeds_chance(minus_ln_p, chance, fit, true)
     }
 
-    fn reaches(&self, minus_ln_p: f64, chance: f64, fit: &Fit, rough: bool) -> bool {
+    fn exceeds_chance(&self, minus_ln_p: f64, chance: f64, fit: &Fit, rough: bool) -> bool {
         if let Some(known) = self.without_simulation(minus_ln_p) {
             return known.p > chance;
         }
@@ -166,7 +166,7 @@ impl Regression<'_> {
             return;
         }
         let basis = Arc::clone(&null.basis);
-        let projected = self.projected(&basis, Among::All);
+        let projected = self.projected(&basis, CandidateSubset::All);
         let trials = Trials::new(
             &projected,
             &self.table.candidates,
@@ -183,7 +183,7 @@ impl Regression<'_> {
             let columns = self.table.columns.count() * self.rows.samples.len();
             self.work.did(OF_NOISE * (columns * (end - within)) as f64);
             let noise = null.flipped.as_ref();
-            null.take(trials.simulated(noise, seed, chunk, within..end));
+            null.add_simulated(trials.simulated(noise, seed, chunk, within..end));
             if null.largest.len() == CHUNK && null.flipped.is_none() {
                 null.tail = trials.tail(seed);
             }
@@ -221,7 +221,7 @@ mod tests {
 
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::linear::Basis;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
@@ -240,7 +240,7 @@ mod tests {
         );
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         let session = simulate(&scenario, 1, unwatched).unwrap().0;
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
         // e⁻⁵ alone is 0.007.
@@ -265,7 +265,7 @@ mod tests {
                 largest: Vec::new(),
                 tail: None,
             };
-            null.take(largest);
+            null.add_simulated(largest);
             null
         };
         let of = |reach: usize, count: usize| {

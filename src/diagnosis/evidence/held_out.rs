@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::text::Text;
 
 use super::fit::Fit;
-use super::left_out::LeftOut;
+use super::reduced_basis::ReducedBasis;
 use super::regression::Regression;
 use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
 use super::surroundings::Without;
@@ -28,7 +28,7 @@ pub(crate) struct Folds {
 }
 
 /// What a fit leaves of samples that it has not seen.
-pub(crate) struct Unseen {
+pub(crate) struct HeldOutResiduals {
     /// Root mean square length, in the unit of the rows.
     pub(crate) rms: f64,
     /// The same in mm.
@@ -204,7 +204,7 @@ impl Folds {
         let mut without = vec![0.0; rests.len()];
         for fold in 0..self.count {
             let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
-            let Some(left_out) = LeftOut::new(&fit.basis, &unseen) else {
+            let Some(left_out) = ReducedBasis::new(&fit.basis, &unseen) else {
                 return none;
             };
             let left = fit.residual.select_rows(&unseen);
@@ -234,16 +234,16 @@ impl Folds {
     }
 
     /// What is left of samples that the fit has not seen.
-    pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
+    pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> HeldOutResiduals {
         self.predicted_by(regression, fit, usize::MAX)
     }
 
     /// The same where the first so many columns of the fit predict.
-    fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> Unseen {
+    fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> HeldOutResiduals {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
-            return Unseen {
+            return HeldOutResiduals {
                 rms: fit.rss.sqrt(),
                 rms_mm: fit.rss.sqrt(),
                 rows: DVector::zeros(regression.rows.len()),
@@ -268,7 +268,7 @@ impl Folds {
             }
         }
         let lengths = regression.rows.lengths();
-        Unseen {
+        HeldOutResiduals {
             rms: (sum / n as f64).sqrt(),
             rms_mm: (sum_mm / lengths as f64).sqrt(),
             rows: left,

@@ -133,17 +133,17 @@ impl KnownFits {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::candidates::table::What;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::candidates::table::CandidateKind;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::eccentric;
 
     #[test]
     fn a_fit_that_comes_again_has_the_bits_that_it_had_and_counts_as_if_it_were_made_again() {
         let session = eccentric(5, 0.05);
-        let mut prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let mut prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         prepared.regression.fits = KnownFits::new(1, 2);
         let regression = &prepared.regression;
-        let eccentric = |what: &What| {
+        let eccentric = |what: &CandidateKind| {
             what.term()
                 .is_some_and(|t| t.effect.about().id == "encoder-eccentricity")
         };

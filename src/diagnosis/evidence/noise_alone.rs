@@ -97,7 +97,7 @@ impl Null {
     }
 
     /// Takes what some more simulated residuals reached.
-    pub(crate) fn take(&mut self, largest: Vec<f64>) {
+    pub(crate) fn add_simulated(&mut self, largest: Vec<f64>) {
         self.largest.extend(largest);
         self.largest.sort_by(|a, b| b.total_cmp(a));
     }

@@ -9,7 +9,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::diagnosis::candidates::columns::{Among, Columns};
+use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::fit::noise::Filter;
 use crate::linear::{Basis, along, own_products, reject_all, small_cholesky, subtract};
@@ -24,7 +24,7 @@ pub(crate) struct Projected<'r> {
     grams: &'r Grams,
     basis: &'r Basis,
     along: DMatrix<f64>,
-    among: Among,
+    among: CandidateSubset,
 }
 
 /// Gram matrices of every candidate's own columns, one after the other.
@@ -40,7 +40,7 @@ pub(super) fn least_seen(square: f64) -> f64 {
     (SEEN * square).max(1e-300)
 }
 
-impl Among {
+impl CandidateSubset {
     /// Whether a candidate is one of them.
     pub(crate) fn has(self, candidate: &Candidate) -> bool {
         match self {
@@ -139,7 +139,7 @@ impl<'r> Projected<'r> {
         (columns, filter, grams): (&'r Columns, &'r Filter, &'r Grams),
         basis: &'r Basis,
         along: DMatrix<f64>,
-        among: Among,
+        among: CandidateSubset,
     ) -> Self {
         Self {
             columns,
@@ -152,7 +152,7 @@ impl<'r> Projected<'r> {
     }
 
     /// Which candidates it knows anything of.
-    pub(crate) fn among(&self) -> Among {
+    pub(crate) fn among(&self) -> CandidateSubset {
         self.among
     }
 

@@ -10,17 +10,19 @@ use crate::model::shapes::{Profile, Shape};
 use super::fit::Fit;
 use super::regression::Regression;
 use crate::diagnosis::candidates::Placed;
-use crate::diagnosis::candidates::table::What;
+use crate::diagnosis::candidates::table::CandidateKind;
 
 impl Regression<'_> {
     /// A candidate with its shape fitted finely to what is left.
-    pub(crate) fn refined(&self, fit: &Fit, candidate: usize) -> What {
+    pub(crate) fn refined(&self, fit: &Fit, candidate: usize) -> CandidateKind {
         match &self.table.candidates[candidate].what {
-            What::Anonymous(shape) => What::Anonymous(self.refined_shape(fit, *shape)),
-            What::Named(term) if term.effect.about().setting.takes_fractions() => {
-                What::Named(self.refined_order(fit, term))
+            CandidateKind::Anonymous(shape) => {
+                CandidateKind::Anonymous(self.refined_shape(fit, *shape))
             }
-            named @ What::Named(_) => named.clone(),
+            CandidateKind::Named(term) if term.effect.about().setting.takes_fractions() => {
+                CandidateKind::Named(self.refined_order(fit, term))
+            }
+            named @ CandidateKind::Named(_) => named.clone(),
         }
     }
 

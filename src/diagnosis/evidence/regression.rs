@@ -23,7 +23,7 @@ use super::significance::Tests;
 use super::surroundings::Surroundings;
 use super::work::Work;
 use crate::diagnosis::candidates::columns::pad_rows;
-use crate::diagnosis::candidates::table::{Table, What};
+use crate::diagnosis::candidates::table::{CandidateKind, Table};
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::side_by_side::Threads;
@@ -232,10 +232,10 @@ impl<'a> Regression<'a> {
     }
 
     /// The fit with a candidate more.
-    pub(crate) fn with(&self, fit: &Fit, what: &What) -> Fit {
+    pub(crate) fn with(&self, fit: &Fit, what: &CandidateKind) -> Fit {
         match what {
-            What::Named(term) => self.fit(&fit.model.with_term(term.clone()), &fit.shapes),
-            What::Anonymous(shape) => {
+            CandidateKind::Named(term) => self.fit(&fit.model.with_term(term.clone()), &fit.shapes),
+            CandidateKind::Anonymous(shape) => {
                 let mut shapes = fit.shapes.clone();
                 shapes.push(self.placed(*shape));
                 self.fit(&fit.model, &shapes)

@@ -10,11 +10,11 @@ use crate::linear::Basis;
 use nalgebra::{DMatrix, DVector};
 use std::cell::OnceCell;
 
-use super::exchanged::{Exchanged, Scanned, Told};
+use super::exchanged::{Exchanged, FittedColumns, Scanned};
 use super::fit::Fit;
 use super::regression::Regression;
 use super::surroundings::Without;
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 
 /// Another setting rivals the term's own from this share of what that does on.
 const RIVALS: f64 = 0.6;
@@ -54,7 +54,7 @@ fn near_its_own(
     share: f64,
 ) -> Vec<usize> {
     let own = rest.rss - fit.rss;
-    let around = regression.surroundings(fit, Among::Names);
+    let around = regression.surroundings(fit, CandidateSubset::Names);
     let gain = |index: usize| around.gain(rest, &regression.table.candidates[index]);
     let setting = |index: &usize| {
         let term = regression.table.candidates[*index].what.term();
@@ -88,9 +88,9 @@ pub(super) struct Rescanned<'f, 'a> {
     regression: &'f Regression<'a>,
     whole: Whole,
     terms: Vec<Scanned>,
-    told: Told,
+    told: FittedColumns,
     /// The same where no column is the base's.
-    exact: OnceCell<Told>,
+    exact: OnceCell<FittedColumns>,
 }
 
 /// What a fit leaves and its columns, its shapes at the end, whitened and as they are measured.
@@ -137,7 +137,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let basis = base_basis.extended(&regression.base, &fit.model, &whole.white);
         let basis = basis.unwrap_or_else(|| Basis::new(&whole.white));
         Self {
-            told: Told::new(basis, &terms),
+            told: FittedColumns::new(basis, &terms),
             exact: OnceCell::new(),
             regression,
             whole,
@@ -181,7 +181,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     /// The steps without each of these sets of rows, and the terms with another setting.
     fn steps(&self, folds: &[Vec<usize>]) -> Vec<(DVector<f64>, Vec<Exchanged>)> {
         let (terms, residual) = (&self.terms, &self.whole.residual);
-        let of = |told: &Told, which: &[usize]| {
+        let of = |told: &FittedColumns, which: &[usize]| {
             let step = |k: usize| told.step(terms, residual, &folds[which[k]]);
             self.regression.threads.each(which.len(), step)
         };
@@ -191,7 +191,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             let others = |k: &usize| steps[*k].as_ref().is_none_or(|step| !step.1.is_empty());
             let anew: Vec<usize> = all.into_iter().filter(others).collect();
             if !anew.is_empty() {
-                let exact = || Told::new(Basis::new(&self.whole.white), &self.terms);
+                let exact = || FittedColumns::new(Basis::new(&self.whole.white), &self.terms);
                 let exact = of(self.exact.get_or_init(exact), &anew);
                 for (k, step) in anew.into_iter().zip(exact) {
                     steps[k] = step;
@@ -220,7 +220,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let terms: Vec<Scanned> = terms.collect();
         let white = self.whole.white.select_rows(&stay);
         let residual = self.whole.residual.select_rows(&stay);
-        let told = Told::new(Basis::new(&white), &terms);
+        let told = FittedColumns::new(Basis::new(&white), &terms);
         let step = told.step(&terms, &residual, &[]);
         step.unwrap_or_else(|| (DVector::zeros(white.ncols()), Vec::new()))
     }
@@ -270,14 +270,14 @@ pub(crate) const FEW: usize = 60;
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::eccentric;
 
     /// One axis with an eccentric encoder, fitted with nothing and with a shape.
     #[test]
     fn what_is_left_of_a_fold_is_what_a_fit_of_the_other_rows_leaves() {
         let session = eccentric(5, 0.05);
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
         let mut candidates = regression.table.candidates.iter();

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Form, Held, Term};
+use crate::effects::{FixedMask, Form, Term};
 use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
@@ -14,8 +14,8 @@ use super::projected::{Grams, Projected};
 use super::regression::Regression;
 use super::score::{Score, weight_of};
 use super::significance::Significance;
-use crate::diagnosis::candidates::columns::{Among, pad_rows};
-use crate::diagnosis::candidates::table::{Candidate, What};
+use crate::diagnosis::candidates::columns::{CandidateSubset, pad_rows};
+use crate::diagnosis::candidates::table::{Candidate, CandidateKind};
 
 /// By how much a candidate lowers the sum of squares.
 struct Gain {
@@ -27,14 +27,19 @@ struct Gain {
 
 impl Regression<'_> {
     /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
-    pub(crate) fn scan(&self, fit: &Fit, among: Among) -> Vec<Score> {
-        let beside = |among: Among| self.scan_beside(&self.projected(&fit.basis, among), fit);
+    pub(crate) fn scan(&self, fit: &Fit, among: CandidateSubset) -> Vec<Score> {
+        let beside =
+            |among: CandidateSubset| self.scan_beside(&self.projected(&fit.basis, among), fit);
         match among {
-            Among::Names => self.scores_of_names.of(fit, || beside(Among::Names)),
-            Among::Shapes => self.scores_of_shapes.of(fit, || beside(Among::Shapes)),
-            Among::All => {
-                let mut all = self.scan(fit, Among::Names);
-                all.extend(self.scan(fit, Among::Shapes));
+            CandidateSubset::Names => self
+                .scores_of_names
+                .of(fit, || beside(CandidateSubset::Names)),
+            CandidateSubset::Shapes => self
+                .scores_of_shapes
+                .of(fit, || beside(CandidateSubset::Shapes)),
+            CandidateSubset::All => {
+                let mut all = self.scan(fit, CandidateSubset::Names);
+                all.extend(self.scan(fit, CandidateSubset::Shapes));
                 all
             }
         }
@@ -53,7 +58,7 @@ impl Regression<'_> {
     pub(crate) fn scores(
         &self,
         (rank_beside, rss): (usize, f64),
-        among: Among,
+        among: CandidateSubset,
         factor: impl Fn(&Candidate) -> (Vec<f64>, usize),
         pulls: &[f64],
     ) -> Vec<Score> {
@@ -94,8 +99,8 @@ impl Regression<'_> {
                 ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
-                        What::Named(_) => EFFECT_PRIOR_PENALTY,
-                        What::Anonymous(shape) => price_of(shape),
+                        CandidateKind::Named(_) => EFFECT_PRIOR_PENALTY,
+                        CandidateKind::Anonymous(shape) => price_of(shape),
                     },
             });
         }
@@ -103,7 +108,11 @@ impl Regression<'_> {
     }
 
     /// The table's columns without what a basis explains.
-    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis, among: Among) -> Projected<'r> {
+    pub(crate) fn projected<'r>(
+        &'r self,
+        basis: &'r Basis,
+        among: CandidateSubset,
+    ) -> Projected<'r> {
         let (columns, filter) = (&self.table.columns, &self.filter);
         let make = || Grams::new(columns, filter, &self.table.candidates);
         let table = (columns, filter, self.grams.get_or_init(make));
@@ -130,7 +139,7 @@ impl Regression<'_> {
             held: if t.same_column(&absent) {
                 t.held
             } else {
-                Held::ALL
+                FixedMask::ALL
             },
             ..t.clone()
         });

@@ -13,13 +13,13 @@
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
 use super::projected::Grams;
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::linear::{small_cholesky, small_gain};
 
 /// The candidates beside a fit.
 pub(crate) struct Surroundings {
-    pub(crate) among: Among,
+    pub(crate) among: CandidateSubset,
     /// Products of the fit's orthonormal columns with the candidates'.
     pub(crate) along: DMatrix<f64>,
     /// What the fit leaves of every candidate's own products.
@@ -91,7 +91,7 @@ impl Surroundings {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::two_axes;
 
     /// Two axes: the second with an eccentric encoder and a gear, the first with backlash.
@@ -102,7 +102,7 @@ mod tests {
             {"effect":"gear-transmission-error","joint":2,"parameters":{"order":17,"amplitude_deg":0.02,"phase_deg":70}},
             {"effect":"backlash","joint":1,"parameters":{"width_deg":0.03}}"#,
         );
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let mut fit = regression.fit(&regression.base, &[]);
         for (id, joint, order) in [
@@ -119,7 +119,7 @@ mod tests {
             let candidates = &regression.table.candidates;
             fit = regression.with(&fit, &candidates.iter().find(wanted).unwrap().what);
         }
-        let around = regression.surroundings(&fit, Among::Names);
+        let around = regression.surroundings(&fit, CandidateSubset::Names);
         for term in regression.added(&fit) {
             let known = regression.without(&fit, term).unwrap();
             let rest = regression.without_term(&fit, term);
@@ -132,7 +132,7 @@ mod tests {
             assert_eq!(known.rank, rest.basis.rank());
             assert!((known.ln_evidence - rest.ln_evidence).abs() < 1.0);
             let by_table = regression.scan_without(&around, &known);
-            let by_fit = regression.scan(&rest, Among::Names);
+            let by_fit = regression.scan(&rest, CandidateSubset::Names);
             assert_eq!(by_table.len(), by_fit.len());
             for (a, b) in by_table.iter().zip(&by_fit) {
                 assert_eq!(a.candidate, b.candidate);

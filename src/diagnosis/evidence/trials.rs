@@ -47,7 +47,7 @@ struct Trial<'c> {
 }
 
 /// Candidates of one rank and weight.
-struct Kind {
+struct CandidateClass {
     rank: usize,
     weight: f64,
     test: Rc<Significance>,
@@ -58,7 +58,7 @@ struct Kind {
 pub(super) struct Trials<'p> {
     projected: &'p Projected<'p>,
     all: Vec<Trial<'p>>,
-    kinds: Vec<Kind>,
+    kinds: Vec<CandidateClass>,
     height: usize,
     threads: Threads,
 }
@@ -76,7 +76,7 @@ impl<'p> Trials<'p> {
     ) -> Self {
         let (height, inside) = projected.basis().q.shape();
         let freedom = rows - inside as f64;
-        let mut kinds: Vec<Kind> = Vec::new();
+        let mut kinds: Vec<CandidateClass> = Vec::new();
         let mut all = Vec::new();
         for candidate in candidates {
             let (factor, rank) = projected.factor(candidate);
@@ -88,7 +88,7 @@ impl<'p> Trials<'p> {
                 .iter()
                 .position(|k| k.rank == rank && k.weight == weight);
             let kind = known.unwrap_or_else(|| {
-                kinds.push(Kind {
+                kinds.push(CandidateClass {
                     rank,
                     weight,
                     test: tests.of(rank, freedom - rank as f64),
@@ -211,7 +211,7 @@ impl<'p> Trials<'p> {
 
     /// Simulates one chunk of residuals that reach the tail; see the module.
     pub(super) fn tail(&self, seed: u64) -> Option<Tail> {
-        let chance = |kind: &Kind| kind.count as f64 * (-kind.weight).exp();
+        let chance = |kind: &CandidateClass| kind.count as f64 * (-kind.weight).exp();
         let total: f64 = self.kinds.iter().map(chance).sum();
         if total <= 0.0 {
             return None;
@@ -305,8 +305,8 @@ impl Tail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnosis::candidates::columns::{Among, Gathering};
-    use crate::diagnosis::candidates::table::What;
+    use crate::diagnosis::candidates::columns::{CandidateSubset, ColumnBuilder};
+    use crate::diagnosis::candidates::table::CandidateKind;
     use crate::diagnosis::evidence::projected::Grams;
     use crate::effects::{Term, joint_zero};
     use crate::fit::noise::Noise;
@@ -314,9 +314,9 @@ mod tests {
     const ROWS: usize = 300;
 
     /// Correlated candidates over so many rows, of three sizes and weights.
-    fn candidates() -> (Gathering, Vec<Candidate>) {
+    fn candidates() -> (ColumnBuilder, Vec<Candidate>) {
         let mut random = ChaCha8Rng::seed_from_u64(1);
-        let mut gathering = Gathering::new(ROWS, ROWS, &[]);
+        let mut gathering = ColumnBuilder::new(ROWS, ROWS, &[]);
         let mut candidates = Vec::new();
         for (size, count, weight) in [(1, 40, 0.5), (2, 60, 2.0), (3, 20, 0.0_f64)] {
             let mut before = DMatrix::zeros(ROWS, size);
@@ -332,7 +332,7 @@ mod tests {
                     .last()
                     .map_or(0, |c: &Candidate| c.first + c.size);
                 candidates.push(Candidate {
-                    what: What::Named(Term::absent(joint_zero(), 0, 0.0)),
+                    what: CandidateKind::Named(Term::absent(joint_zero(), 0, 0.0)),
                     first,
                     size,
                     tried: (2.0 * weight).exp(),
@@ -351,7 +351,7 @@ mod tests {
         let nothing = Basis::new(&DMatrix::zeros(ROWS, 0));
         let along = DMatrix::zeros(0, columns.count());
         let table = (&columns, &filter, &grams);
-        let projected = Projected::new(table, &nothing, along, Among::All);
+        let projected = Projected::new(table, &nothing, along, CandidateSubset::All);
         let trials = Trials::new(
             &projected,
             &candidates,

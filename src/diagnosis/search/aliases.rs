@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
@@ -144,10 +144,10 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     // By the table beside the whole fit; what comes close is refitted.
     let mut scores = match regression.without_all(fit, removed) {
         Some(without) => {
-            let around = regression.surroundings(fit, Among::Names);
+            let around = regression.surroundings(fit, CandidateSubset::Names);
             regression.scan_without(&around, &without)
         }
-        None => regression.scan(&rest, Among::Names),
+        None => regression.scan(&rest, CandidateSubset::Names),
     };
     let is_new = |s: &Score| {
         let term = regression.table.candidates[s.candidate].what.term();
@@ -187,7 +187,7 @@ pub(crate) fn with_pairs<'f>(
     enough: f64,
 ) -> impl Iterator<Item = Fit> + use<'f> {
     let there = regression.added(fit);
-    let mut scores = regression.scan(fit, Among::Names);
+    let mut scores = regression.scan(fit, CandidateSubset::Names);
     scores.retain(|s| {
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t))

@@ -6,8 +6,8 @@ use crate::fit::base_model;
 
 use super::floor::floor;
 use super::forward::mean_sigma_mm;
-use super::found::Found;
-use super::prepare::Prepared;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
 use super::{aliases, final_set};
 use crate::answers::diagnosis::FloorFrom;
 use crate::diagnosis::evidence::Fit;
@@ -22,7 +22,7 @@ const MOST_OVER_THE_FLOOR: f64 = 1.5;
 const MOST_HELD_AGAINST: usize = 6;
 
 /// Withdraws the names of a robot with several joints whose base model does not fit.
-pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
+pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     found.fit = likeliest(prepared, found.fit.clone());
     let names = regression.added(&found.fit).len();
@@ -54,7 +54,7 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
 /// The likeliest set of names that can be said of a robot with several joints: others take the place of those
 /// in hand where they are likelier and stand when they are held against what is said of them. A rival that
 /// does not stand itself is no reason to doubt.
-fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
+fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
     let regression = &prepared.regression;
     if !base_model::is_arm(prepared.problem.session) {
         return fit;
@@ -84,7 +84,7 @@ fn likeliest(prepared: &Prepared, mut fit: Fit) -> Fit {
 }
 
 /// Root mean square length of what a fit leaves, mm.
-pub(crate) fn left_mm(prepared: &Prepared, fit: &Fit) -> f64 {
+pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
     let regression = &prepared.regression;
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return regression.scale(fit) * noise_mm;

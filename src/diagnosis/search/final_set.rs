@@ -4,8 +4,8 @@
 use crate::effects::{Over, Term};
 
 use super::forward::{CHANCE, mean_sigma_mm, needed};
-use super::found::Found;
-use super::prepare::Prepared;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
 use super::steps::{Next, Step, steps};
 use super::worth::worth;
 use super::{aliases, own_evidence};
@@ -17,13 +17,21 @@ use crate::diagnosis::{Cancelled, Progress, Watch};
 const BEYOND_DOUBT: f64 = 40.0;
 
 /// Takes out, worst first, every name that does not carry itself.
-pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
+pub(crate) fn test(
+    prepared: &PreparedSearch,
+    found: &mut SearchResult,
+    watch: Watch,
+) -> Result<(), Cancelled> {
     found.fit = tested(prepared, found.fit.clone(), watch)?;
     Ok(())
 }
 
 /// A fit without the names that do not carry themselves in it.
-pub(crate) fn tested(prepared: &Prepared, mut fit: Fit, watch: Watch) -> Result<Fit, Cancelled> {
+pub(crate) fn tested(
+    prepared: &PreparedSearch,
+    mut fit: Fit,
+    watch: Watch,
+) -> Result<Fit, Cancelled> {
     let regression = &prepared.regression;
     loop {
         if !watch(&Progress::Comparing) {
@@ -61,14 +69,14 @@ pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
 
 /// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
 /// doubt what does.
-pub(crate) fn stands_above(prepared: &Prepared, rival: &Fit, fit: &Fit) -> bool {
+pub(crate) fn stands_above(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
     let tested = || tested(prepared, rival.clone(), &|_| true);
     is_above(rival, fit) && tested().is_ok_and(|rival| is_above(&rival, fit))
 }
 
 /// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
 /// taken out may have made of them; whether it did.
-pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
+pub(crate) fn exchanged(prepared: &PreparedSearch, found: &mut SearchResult) -> bool {
     let regression = &prepared.regression;
     let mut changed = false;
     for _ in 0..3 {
@@ -91,8 +99,8 @@ pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
 /// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
 /// to it, and one with which the error on unseen samples does not fall is taken out.
 pub(crate) fn test_as_reported(
-    prepared: &Prepared,
-    found: &mut Found,
+    prepared: &PreparedSearch,
+    found: &mut SearchResult,
     watch: Watch,
 ) -> Result<(), Cancelled> {
     let regression = &prepared.regression;
@@ -146,7 +154,7 @@ const CLEARLY_DENIED: f64 = 6.0;
 /// The fit without the name over the joint's value that predicts stretches of it which no fit has seen worst,
 /// where they are predicted clearly better without it. Between turns that were seen a wrong order predicts as well as the right
 /// one.
-fn denied_by_stretches(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+fn denied_by_stretches(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;
     let of_angle = |t: &&Term| t.effect.about().over == Over::Angle;
     let terms: Vec<&Term> = regression.added(fit).into_iter().filter(of_angle).collect();
@@ -167,9 +175,9 @@ fn denied_by_stretches(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
 
 /// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
 /// place.
-pub(crate) fn said(prepared: &Prepared, fit: Fit) -> Option<Fit> {
+pub(crate) fn said(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
-    let mut found = Found {
+    let mut found = SearchResult {
         named_effects_only: fit.clone(),
         fit: tested(prepared, fit, watch).ok()?,
         base_misfit: false,
@@ -180,7 +188,7 @@ pub(crate) fn said(prepared: &Prepared, fit: Fit) -> Option<Fit> {
 }
 
 /// The fit with the likeliest other name in the place of one, where that is likelier.
-fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
+fn one_exchanged(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;
     let likelier = regression.added(fit).into_iter().filter_map(|term| {
         let worth = worth(prepared, fit, term);
@@ -194,22 +202,23 @@ fn one_exchanged(prepared: &Prepared, fit: &Fit) -> Option<Fit> {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::candidates::table::What;
+    use crate::diagnosis::candidates::table::CandidateKind;
     use crate::diagnosis::tests::eccentric;
 
     /// What is said of a set of these names that a search would have ended with.
     fn said_of(names: &[&str]) -> Vec<&'static str> {
         let session = eccentric(15, 0.03);
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let mut fit = regression.fit(&regression.base, &[]);
         for name in names {
-            let named = |what: &What| what.term().is_some_and(|t| t.effect.about().id == *name);
+            let named =
+                |what: &CandidateKind| what.term().is_some_and(|t| t.effect.about().id == *name);
             let candidates = &regression.table.candidates;
             let what = &candidates.iter().find(|c| named(&c.what)).unwrap().what;
             fit = regression.with(&fit, what);
         }
-        let mut found = Found {
+        let mut found = SearchResult {
             named_effects_only: fit.clone(),
             fit,
             base_misfit: false,

@@ -3,13 +3,13 @@
 
 use crate::sessions::Sigma;
 
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Floor, FloorFrom};
 use crate::diagnosis::evidence::Fit;
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit; never below
 /// what rounding to the digit of the coordinates leaves.
-pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
+pub(crate) fn floor(prepared: &PreparedSearch, fit: &Fit) -> Floor {
     let rows = &prepared.regression.rows;
     let squares = rows
         .axes
@@ -23,7 +23,7 @@ pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
     }
 }
 
-fn as_shown(prepared: &Prepared, fit: &Fit) -> Floor {
+fn as_shown(prepared: &PreparedSearch, fit: &Fit) -> Floor {
     let regression = &prepared.regression;
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return of_observations(prepared, fit, noise_mm);
@@ -61,7 +61,7 @@ fn as_shown(prepared: &Prepared, fit: &Fit) -> Floor {
 
 /// The same where other things than plain points were measured; `noise_mm` is what the noise of the
 /// regression leaves.
-fn of_observations(prepared: &Prepared, fit: &Fit, noise_mm: f64) -> Floor {
+fn of_observations(prepared: &PreparedSearch, fit: &Fit, noise_mm: f64) -> Floor {
     let regression = &prepared.regression;
     let stated = prepared.problem.observed.as_ref();
     let stated = stated.filter(|layer| layer.is_stated());
@@ -97,7 +97,7 @@ pub(crate) struct PureError {
 
 /// Spread between samples of the same pose, side, target, speed and load, reached again after
 /// another pose.
-pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
+pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     let rows = &prepared.regression.rows;
     let inputs = &rows.inputs;
     let key = |i: usize| {

@@ -10,13 +10,13 @@ use crate::effects::{Over, Term};
 use crate::model::shapes::Variable;
 use std::rc::Rc;
 
-use super::found::Found;
-use super::prepare::{Prepared, UNSEEN_KEPT};
+use super::found::SearchResult;
+use super::prepare::{PreparedSearch, UNSEEN_KEPT};
 use super::{aliases, orders};
 use crate::diagnosis::candidates::Placed;
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
-use crate::diagnosis::candidates::table::{Candidate, What};
+use crate::diagnosis::candidates::table::{Candidate, CandidateKind};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
@@ -40,16 +40,16 @@ const LEAST_MM: f64 = 2e-5;
 
 /// What may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Allow {
+pub(crate) enum Additions {
     Names,
     Everything,
 }
 
-impl Allow {
-    fn among(self) -> Among {
+impl Additions {
+    fn among(self) -> CandidateSubset {
         match self {
-            Self::Names => Among::Names,
-            Self::Everything => Among::All,
+            Self::Names => CandidateSubset::Names,
+            Self::Everything => CandidateSubset::All,
         }
     }
 }
@@ -64,19 +64,19 @@ pub(crate) struct Search<'s, 'a> {
 }
 
 impl Search<'_, '_> {
-    pub(crate) fn run(&self) -> Result<Found, Cancelled> {
+    pub(crate) fn run(&self) -> Result<SearchResult, Cancelled> {
         let base = self.regression.fit(&self.regression.base, &[]);
         self.tell(&Progress::Searching {
             found: Vec::new(),
             percent: 0,
         })?;
-        let mut named_effects_only = self.forward(base.clone(), Allow::Names)?;
+        let mut named_effects_only = self.forward(base.clone(), Additions::Names)?;
         named_effects_only = self.pairs(named_effects_only)?;
         // Names first, then what they leave; and everything at once from the start.
-        let extended = self.forward(named_effects_only.clone(), Allow::Everything)?;
+        let extended = self.forward(named_effects_only.clone(), Additions::Everything)?;
         let work = &self.regression.work;
         let complete = work.ended().is_none();
-        let free = self.forward(base, Allow::Everything)?;
+        let free = self.forward(base, Additions::Everything)?;
         let mut fit = named_effects_only.clone();
         for other in [extended, free] {
             let other = self.pairs(other)?;
@@ -88,7 +88,7 @@ impl Search<'_, '_> {
             // What the second way has left out the first one has looked for.
             work.begin_again();
         }
-        Ok(Found {
+        Ok(SearchResult {
             fit,
             named_effects_only,
             base_misfit: false,
@@ -97,15 +97,15 @@ impl Search<'_, '_> {
     }
 
     /// Goes on from where a search under nearly the same noise has ended.
-    pub(crate) fn go_on(&self, from: &Found) -> Result<Found, Cancelled> {
-        let fit = self.on_from(&from.fit, Allow::Everything)?;
+    pub(crate) fn continue_from(&self, from: &SearchResult) -> Result<SearchResult, Cancelled> {
+        let fit = self.on_from(&from.fit, Additions::Everything)?;
         let named_effects_only = if fit.shapes.is_empty() {
             fit.clone()
         } else {
-            self.on_from(&from.named_effects_only, Allow::Names)?
+            self.on_from(&from.named_effects_only, Additions::Names)?
         };
         let likelier = named_effects_only.ln_evidence > fit.ln_evidence;
-        Ok(Found {
+        Ok(SearchResult {
             fit: if likelier {
                 named_effects_only.clone()
             } else {
@@ -117,7 +117,7 @@ impl Search<'_, '_> {
         })
     }
 
-    fn on_from(&self, end: &Fit, allow: Allow) -> Result<Fit, Cancelled> {
+    fn on_from(&self, end: &Fit, allow: Additions) -> Result<Fit, Cancelled> {
         let fit = self.settle(end.clone(), allow);
         self.pairs(self.forward(fit, allow)?)
     }
@@ -146,7 +146,7 @@ impl Search<'_, '_> {
     }
 
     /// Adds what is significant, best first, until nothing is.
-    fn forward(&self, start: Fit, allow: Allow) -> Result<Fit, Cancelled> {
+    fn forward(&self, start: Fit, allow: Additions) -> Result<Fit, Cancelled> {
         let mut fit = start;
         while self.count(&fit) < self.most && !self.regression.work.is_over() {
             let next = self.step(&fit, allow);
@@ -165,7 +165,7 @@ impl Search<'_, '_> {
     }
 
     /// The likeliest candidate that is significant, holds on unseen samples and matters.
-    fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
+    fn step(&self, fit: &Fit, allow: Additions) -> Option<Fit> {
         let mut scores = self.regression.scan(fit, allow.among());
         self.retain_compatible(fit, allow, &mut scores);
         by_odds(&mut scores);
@@ -215,8 +215,8 @@ impl Search<'_, '_> {
 
     /// Two names at once, where neither does without the other: as likely by their odds as a step has to
     /// be by its p. Each is tested beside the other at the end.
-    fn two_at_once(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
-        if allow != Allow::Names || self.count(fit) + 2 > self.most {
+    fn two_at_once(&self, fit: &Fit, allow: Additions) -> Option<Fit> {
+        if allow != Additions::Names || self.count(fit) + 2 > self.most {
             return None;
         }
         let least = -CHANCE.ln();
@@ -248,12 +248,12 @@ impl Search<'_, '_> {
     }
 
     /// The candidates that may stand beside what a fit has.
-    fn retain_compatible(&self, fit: &Fit, allow: Allow, scores: &mut Vec<Score>) {
+    fn retain_compatible(&self, fit: &Fit, allow: Additions, scores: &mut Vec<Score>) {
         let there = self.regression.added(fit);
         let candidates = &self.regression.table.candidates;
         scores.retain(|score| match &candidates[score.candidate].what {
-            What::Named(term) => compatible(&there, term),
-            What::Anonymous(_) => allow == Allow::Everything,
+            CandidateKind::Named(term) => compatible(&there, term),
+            CandidateKind::Anonymous(_) => allow == Additions::Everything,
         });
     }
 
@@ -273,7 +273,7 @@ impl Search<'_, '_> {
     }
 
     /// Swaps and drops until nothing changes.
-    fn settle(&self, fit: Fit, allow: Allow) -> Fit {
+    fn settle(&self, fit: Fit, allow: Additions) -> Fit {
         let mut fit = fit;
         for _ in 0..3 {
             let before = fit.ln_evidence;
@@ -289,7 +289,7 @@ impl Search<'_, '_> {
 
     /// Exchanges each term or shape for the candidate that does best in its place. What could not come near by
     /// the table beside the whole fit is not tried.
-    fn swap(&self, fit: Fit, allow: Allow) -> Fit {
+    fn swap(&self, fit: Fit, allow: Additions) -> Fit {
         let mut fit = fit;
         if self.count(&fit) < 2 && fit.shapes.is_empty() {
             return fit;
@@ -331,7 +331,7 @@ impl Search<'_, '_> {
         fit: &Fit,
         without: Option<Without>,
         around: &mut Option<Rc<Surroundings>>,
-        allow: Allow,
+        allow: Additions,
         is_own: impl Fn(&Candidate) -> bool,
     ) -> Vec<Score> {
         let regression = self.regression;
@@ -350,7 +350,7 @@ impl Search<'_, '_> {
         &self,
         rest: &Fit,
         mut scores: Vec<Score>,
-        allow: Allow,
+        allow: Additions,
         than: f64,
     ) -> Option<Fit> {
         scores.retain(|s| rest.ln_evidence + s.ln_odds > than - NEAR - FIRST_ORDER);
@@ -473,20 +473,24 @@ pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
     (sum / axes.len().max(1) as f64).sqrt()
 }
 
-impl<'a> Prepared<'a> {
-    pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
+impl<'a> PreparedSearch<'a> {
+    pub(crate) fn search(&self, watch: Watch) -> Result<SearchResult, DiagnoseError> {
         Ok(self.searcher(watch).run()?)
     }
 
     /// Goes on from the end of a search under nearly the same noise.
-    pub(crate) fn search_on(&self, from: &Found, watch: Watch) -> Result<Found, DiagnoseError> {
-        let from = Found {
+    pub(crate) fn search_on(
+        &self,
+        from: &SearchResult,
+        watch: Watch,
+    ) -> Result<SearchResult, DiagnoseError> {
+        let from = SearchResult {
             fit: self.refitted(&from.fit),
             named_effects_only: self.refitted(&from.named_effects_only),
             base_misfit: false,
             other_ends: Vec::new(),
         };
-        Ok(self.searcher(watch).go_on(&from)?)
+        Ok(self.searcher(watch).continue_from(&from)?)
     }
 
     fn searcher<'s>(&'s self, watch: Watch<'s>) -> Search<'s, 'a> {
@@ -502,10 +506,10 @@ impl<'a> Prepared<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Allow, Search, UNSEEN_KEPT, by_odds};
+    use super::{Additions, Search, UNSEEN_KEPT, by_odds};
     use crate::diagnosis::Options;
     use crate::diagnosis::evidence::memo::Memo;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// Links of unknown masses sag under loads that hardly differ: the moments explain what is left, and the
@@ -542,7 +546,7 @@ mod tests {
         for joint in &mut session.robot.joints {
             joint.link = None;
         }
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let search = Search {
             regression,
@@ -552,13 +556,13 @@ mod tests {
             unseen: Memo::new(UNSEEN_KEPT),
         };
         let base = regression.fit(&regression.base, &[]);
-        let mut scores = regression.scan(&base, Allow::Names.among());
-        search.retain_compatible(&base, Allow::Names, &mut scores);
+        let mut scores = regression.scan(&base, Additions::Names.among());
+        search.retain_compatible(&base, Additions::Names, &mut scores);
         by_odds(&mut scores);
         let first = search.regression.refined(&base, scores[0].candidate);
         let first = regression.with(&base, &first);
         assert_eq!(first.ln_evidence, f64::NEG_INFINITY);
-        let next = search.step(&base, Allow::Names).unwrap();
+        let next = search.step(&base, Additions::Names).unwrap();
         assert!(next.ln_evidence > base.ln_evidence);
     }
 
@@ -584,7 +588,7 @@ mod tests {
         );
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         let session = simulate(&scenario, 1, unwatched).unwrap().0;
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let found = prepared.search(&|_| true).unwrap();
         let names = prepared.regression.added(&found.fit);
         let names: Vec<&str> = names.iter().map(|t| t.effect.about().id).collect();

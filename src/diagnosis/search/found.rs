@@ -3,7 +3,7 @@
 use crate::diagnosis::evidence::Fit;
 
 /// How the search ended.
-pub(crate) struct Found {
+pub(crate) struct SearchResult {
     /// The model with everything that is accepted.
     pub(crate) fit: Fit,
     /// The best model of names alone.

@@ -7,8 +7,8 @@
 
 use crate::effects::{Over, Term};
 
-use super::found::Found;
-use super::prepare::Prepared;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
 use super::smooth;
 use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
@@ -24,7 +24,7 @@ const FEWEST_COLUMNS: usize = 3;
 const MOST_PIECES: usize = 60;
 
 /// Holds a free curve over each joint against the names; where it is likelier it takes their place.
-pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
+pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     for joint in 0..prepared.survey.joints.len() {
         let fit = &found.fit;
@@ -63,7 +63,10 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
 /// The free curve that takes the place of a slow part of the noise, beside the names that do not
 /// follow the same joint: what comes back at the same value of the joint is no frame that wanders,
 /// however quickly both change. `None` where no curve is as likely as what was found.
-pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> {
+pub(crate) fn instead_of_slow(
+    white: &PreparedSearch,
+    found: &SearchResult,
+) -> Option<SearchResult> {
     let regression = &white.regression;
     let mut best: Option<Fit> = None;
     for joint in 0..white.survey.joints.len() {
@@ -90,7 +93,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
             best = Some(with_curve(regression, &rest, joint, pieces, likelihood));
         }
     }
-    best.map(|fit| Found {
+    best.map(|fit| SearchResult {
         fit,
         named_effects_only: regression.fit(&found.named_effects_only.model, &[]),
         other_ends: Vec::new(),
@@ -159,7 +162,7 @@ mod tests {
         );
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
         let beside = with_curve(regression, &base, 1, 48, 0.0);

@@ -3,14 +3,14 @@
 //! recognised.
 
 use super::base_misfit::left_mm;
-use super::found::Found;
-use super::prepare::Prepared;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
 
 /// The share of the robot's size from which on an error is gross.
 const GROSS_SHARE: f64 = 0.01;
 
 /// Withdraws every name where the error with them is gross.
-pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
+pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     let several = !regression.added(&found.fit).is_empty() || !found.fit.shapes.is_empty();
     if several && is_gross(left_mm(prepared, &found.fit), size_mm(prepared)) {
@@ -26,7 +26,7 @@ fn is_gross(left_mm: f64, size_mm: f64) -> bool {
 }
 
 /// How far the tool is from the axes of the robot, the farthest, mm.
-fn size_mm(prepared: &Prepared) -> f64 {
+fn size_mm(prepared: &PreparedSearch) -> f64 {
     let robot = &prepared.regression.base.robot;
     let tool = robot.base_from_tool.translation.vector;
     let far = robot.joints.iter().map(|joint| {

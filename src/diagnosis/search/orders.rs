@@ -263,8 +263,8 @@ impl OrderSpread {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::candidates::table::What;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::candidates::table::CandidateKind;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     #[test]
@@ -293,9 +293,9 @@ mod tests {
         );
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
-        let gear = |what: &What| what.term().filter(|t| takes_fractions(t)).cloned();
+        let gear = |what: &CandidateKind| what.term().filter(|t| takes_fractions(t)).cloned();
         let mut candidates = regression.table.candidates.iter();
         let gear = candidates.find_map(|c| gear(&c.what)).unwrap();
         let model = [20.3, 21.2, 22.3]

@@ -7,7 +7,7 @@
 
 use crate::effects::{Setting, Term};
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
@@ -53,7 +53,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
     let there = regression.added(&rest);
     let enough = fit.ln_evidence - UNDECIDED - rest.ln_evidence;
     let mut close: Vec<(f64, &Term)> = regression
-        .scan(&rest, Among::Names)
+        .scan(&rest, CandidateSubset::Names)
         .iter()
         .filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
@@ -84,7 +84,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::search::prepare::Prepared;
+    use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::verdict::equal_steps::{equal_steps, step_of};
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
@@ -106,7 +106,7 @@ mod tests {
         );
         let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
         let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
-        let prepared = Prepared::new(&session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let found = prepared.search(&|_| true).unwrap();
         let mut orders: Vec<f64> = prepared
             .regression

@@ -8,7 +8,7 @@
 use nalgebra::DMatrix;
 
 use super::forward::CHANCE;
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 use crate::effects::Term;
@@ -18,7 +18,7 @@ use crate::linear::Basis;
 const LESS: f64 = 0.1;
 
 /// The name, of those of a fit, for which the samples themselves speak least, where they do not speak for it.
-pub(super) fn least_proven(prepared: &Prepared, fit: &Fit) -> Option<Term> {
+pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term> {
     let regression = &prepared.regression;
     let priors = regression.prior_rows();
     let terms = regression.added(fit);

@@ -22,7 +22,7 @@ use crate::side_by_side::Threads;
 use nalgebra::DMatrix;
 use std::rc::Rc;
 
-use super::found::Found;
+use super::found::SearchResult;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::incomplete;
 use crate::diagnosis::candidates::table::Table;
@@ -44,7 +44,7 @@ const MANY_NAMES: usize = 4;
 /// 6, and `component` at λ = 100 fell from 98.1 to 96.2 %.
 const LEAST_MOVE: f64 = 6.0;
 
-pub(crate) struct Prepared<'a> {
+pub(crate) struct PreparedSearch<'a> {
     /// All samples.
     pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
@@ -63,7 +63,7 @@ pub(crate) struct Prepared<'a> {
     options: Options,
 }
 
-impl<'a> Prepared<'a> {
+impl<'a> PreparedSearch<'a> {
     pub(crate) fn new(session: &'a Session, options: &Options) -> Result<Self, DiagnoseError> {
         let mut problem = Problem::observing(session, options.joint_values);
         if problem.samples() == 0 {
@@ -117,19 +117,19 @@ impl<'a> Prepared<'a> {
     }
 
     /// Whether a search ended because it may add no more, or before it had looked for everything.
-    pub(crate) fn is_capped(&self, found: &Found) -> bool {
+    pub(crate) fn is_capped(&self, found: &SearchResult) -> bool {
         self.is_full(found) || self.regression.work.ended().is_some()
     }
 
     /// Whether a search has added as much as it may.
-    pub(crate) fn is_full(&self, found: &Found) -> bool {
+    pub(crate) fn is_full(&self, found: &SearchResult) -> bool {
         let count = self.regression.added(&found.fit).len() + found.fit.shapes.len();
         count >= self.cap()
     }
 
     /// Whether a search that is done again may begin where the last one ended: of several joints with so many
     /// names that one more or less, or another noise, leaves the most of them what they are.
-    pub(crate) fn may_go_on(&self, found: &Found) -> bool {
+    pub(crate) fn may_go_on(&self, found: &SearchResult) -> bool {
         let names = self.regression.added(&found.fit).len();
         names >= MANY_NAMES && self.regression.base.robot.joints.len() > 1
     }
@@ -139,7 +139,7 @@ impl<'a> Prepared<'a> {
     }
 
     /// Looks again at outliers with what was found; whether the search has to be done again.
-    pub(crate) fn reconsider(&mut self, found: &Found) -> bool {
+    pub(crate) fn reconsider(&mut self, found: &SearchResult) -> bool {
         let mut now = (*self.problem).clone();
         let mut weighed = false;
         if let Some(layer) = &mut now.observed {

@@ -4,10 +4,10 @@ use crate::effects::{Owner, Term};
 use crate::fit::noise::Noise;
 use crate::sessions::Session;
 use crate::set_up_errors;
-use crate::set_up_errors::Mended;
+use crate::set_up_errors::CorrectedSession;
 
-use super::found::Found;
-use super::prepare::Prepared;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
 use super::{base_misfit, final_set, free_curve, gross_error, smooth_rival};
 use crate::diagnosis::error::DiagnoseError;
 use crate::diagnosis::evidence::rival;
@@ -38,7 +38,7 @@ pub(crate) fn checked<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
-) -> Result<Mended<'a>, Cancelled> {
+) -> Result<CorrectedSession<'a>, Cancelled> {
     if !watch(&Progress::Checking) && !options.keep_when_stopped {
         return Err(Cancelled);
     }
@@ -51,7 +51,7 @@ pub(crate) fn searched<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
-) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+) -> Result<(PreparedSearch<'a>, SearchResult), DiagnoseError> {
     // 1. The samples that count, the robust fit of the base, its noise, and the candidates.
     let mut prepared = prepared(session, options, watch)?;
     let work = prepared.regression.work.clone();
@@ -81,12 +81,12 @@ fn prepared<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
-) -> Result<Prepared<'a>, DiagnoseError> {
+) -> Result<PreparedSearch<'a>, DiagnoseError> {
     let goes_on = watch(&Progress::Preparing);
     if !goes_on && !options.keep_when_stopped {
         return Err(DiagnoseError::Cancelled);
     }
-    let prepared = Prepared::new(session, options)?;
+    let prepared = PreparedSearch::new(session, options)?;
     if !goes_on {
         // Geometry alone is an answer too.
         prepared.regression.work.stop();
@@ -96,10 +96,10 @@ fn prepared<'a>(
 
 /// The search again where the names show other outliers or another noise, or where it was not finished.
 fn search_again(
-    prepared: &mut Prepared,
-    found: Found,
+    prepared: &mut PreparedSearch,
+    found: SearchResult,
     watch: Watch,
-) -> Result<Found, DiagnoseError> {
+) -> Result<SearchResult, DiagnoseError> {
     let unfinished = prepared.regression.work.ended().is_some();
     if !(prepared.reconsider(&found) || unfinished) {
         return Ok(found);
@@ -115,10 +115,10 @@ fn search_again(
 /// What was found against its rivals that are no names. A search that may not go on leaves names unsaid: neither
 /// a slow part of the noise nor a free curve is held against those it has, and the verdict says that something is left.
 fn hold_rivals_against<'a>(
-    prepared: Prepared<'a>,
-    found: Found,
+    prepared: PreparedSearch<'a>,
+    found: SearchResult,
     watch: Watch,
-) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+) -> Result<(PreparedSearch<'a>, SearchResult), DiagnoseError> {
     if prepared.is_capped(&found) {
         return Ok((prepared, found));
     }
@@ -131,8 +131,8 @@ fn hold_rivals_against<'a>(
 
 /// Tests the names that are left, once more where one is exchanged, and takes those that can be said.
 fn test_at_the_end(
-    prepared: &Prepared,
-    found: &mut Found,
+    prepared: &PreparedSearch,
+    found: &mut SearchResult,
     watch: Watch,
 ) -> Result<(), DiagnoseError> {
     final_set::test(prepared, found, watch)?;
@@ -145,10 +145,10 @@ fn test_at_the_end(
 
 /// What was found against a slow part of the noise and a free curve: the likeliest of them.
 fn against_rivals<'a>(
-    prepared: &Prepared<'a>,
-    mut found: Found,
+    prepared: &PreparedSearch<'a>,
+    mut found: SearchResult,
     watch: Watch,
-) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+) -> Result<(PreparedSearch<'a>, SearchResult), DiagnoseError> {
     let slow = prepared.slow_noise();
     let instead = prepared.slow_noise_instead(&found.fit);
     let instead = instead.filter(|n| slow.as_ref().is_none_or(|s| !s.whitens_like(n)));
@@ -185,7 +185,7 @@ fn against_rivals<'a>(
 /// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
 /// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
 /// noise: such a name stands unless the noise rules it out.
-fn standing(prepared: &Prepared, end: &Found) -> f64 {
+fn standing(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     let names = prepared.regression.added(&end.fit);
     let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
     let only = !names.is_empty() && names.iter().all(of_the_frame);
@@ -196,10 +196,10 @@ fn standing(prepared: &Prepared, end: &Found) -> f64 {
 /// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
 /// already.
 fn settled_search<'a>(
-    mut prepared: Prepared<'a>,
+    mut prepared: PreparedSearch<'a>,
     searched: &Noise,
     watch: Watch,
-) -> Result<(Prepared<'a>, Found), DiagnoseError> {
+) -> Result<(PreparedSearch<'a>, SearchResult), DiagnoseError> {
     let mut found = prepared.search(watch)?;
     for _ in 0..3 {
         let (settled, fit) = prepared.settled(&found.fit);

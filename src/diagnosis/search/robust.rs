@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, along, cross};
-use crate::observations::figures::apart;
+use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 
 use crate::diagnosis::evidence::Regression;
@@ -97,7 +97,7 @@ pub(crate) fn suspected_beside_many(
         let unit = observed.layer().unit_mm;
         let of = |i: usize| [0, 1, 2].map(|a| deviations.get(a).map_or(0.0, |d| d[i] / unit));
         let white: Vec<[f64; 3]> = (0..n).map(of).collect();
-        let marked = apart(observed.layer(), &white);
+        let marked = outlying(observed.layer(), &white);
         return rows.samples.iter().copied().zip(marked).collect();
     }
     let columns: Vec<&[f64]> = deviations.iter().map(|d| &d[..]).collect();

@@ -22,9 +22,9 @@ use crate::effects::{Setting, Term};
 use crate::fit::regression::Rows;
 use crate::linear::{along, own_products, reject_all};
 
-use super::found::Found;
+use super::found::SearchResult;
 use super::free_curve::{follows_only, with_curve};
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
@@ -63,21 +63,21 @@ const MATERN: [f64; 4] = [0.3, 0.5, 1.0, 2.0];
 const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
 
 /// Names over a joint and how much likelier a smooth curve is in their place, as a logarithm.
-pub(crate) struct AsLikely {
+pub(crate) struct SmoothComparison {
     pub(crate) joint: usize,
     pub(crate) names: Vec<Term>,
     pub(crate) ln_odds: f64,
     rest: Fit,
 }
 
-impl AsLikely {
+impl SmoothComparison {
     fn may_be_said(&self) -> bool {
         self.names.len() >= FEWEST_NAMES && self.ln_odds > -UNDECIDED
     }
 }
 
 /// Holds a smooth curve over each joint against the names; where it is clearly likelier it takes their place.
-pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
+pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
     for joint in 0..prepared.survey.joints.len() {
         let Some(curve) = against(prepared, &found.fit, joint) else {
             continue;
@@ -97,15 +97,15 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
 }
 
 /// The names of a fit that the samples cannot tell from a smooth curve.
-pub(crate) fn as_likely(prepared: &Prepared, fit: &Fit) -> Option<AsLikely> {
+pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<SmoothComparison> {
     let joints = 0..prepared.survey.joints.len();
     let all = joints.filter_map(|joint| against(prepared, fit, joint));
-    all.filter(AsLikely::may_be_said)
+    all.filter(SmoothComparison::may_be_said)
         .max_by(|a, b| a.ln_odds.total_cmp(&b.ln_odds))
 }
 
 /// A smooth curve over a joint against the smooth names over it; `None` where they are fewer than a curve.
-fn against(prepared: &Prepared, fit: &Fit, joint: usize) -> Option<AsLikely> {
+fn against(prepared: &PreparedSearch, fit: &Fit, joint: usize) -> Option<SmoothComparison> {
     let regression = &prepared.regression;
     let over_joint = |shape: &Shape| shape.variable == Variable::Joint(joint);
     if fit.shapes.iter().any(|s| over_joint(&s.shape)) {
@@ -133,7 +133,7 @@ fn against(prepared: &Prepared, fit: &Fit, joint: usize) -> Option<AsLikely> {
         .without(|t| names.iter().any(|n| n.same_column(t)));
     let rest = regression.fit(&model, &fit.shapes);
     let likelier = likeliest(regression, &rest, joint)?;
-    Some(AsLikely {
+    Some(SmoothComparison {
         joint,
         ln_odds: rest.ln_evidence + likelier - PRICE - fit.ln_evidence,
         names,
@@ -279,7 +279,7 @@ mod tests {
 
     /// The odds of a smooth curve over the three names of such a session.
     fn odds(session: &Session) -> f64 {
-        let prepared = Prepared::new(session, &Options::default()).unwrap();
+        let prepared = PreparedSearch::new(session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let mut fit = regression.fit(&regression.base, &[]);
         for name in NAMES {

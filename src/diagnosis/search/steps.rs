@@ -4,9 +4,9 @@ use nalgebra::DMatrix;
 
 use crate::effects::Term;
 
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use super::worth::Worth;
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
@@ -24,7 +24,7 @@ pub(crate) struct Step {
     pub(crate) held_out: Option<[f64; 2]>,
 }
 
-pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
+pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Step> {
     let regression = &prepared.regression;
     let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut now = regression.fit(&base.model, &fit.shapes);
@@ -120,17 +120,22 @@ pub(crate) struct Next {
 
 impl Next {
     /// The likeliest that is compatible with the rest.
-    pub(crate) fn than(prepared: &Prepared, fit: &Fit, term: &Term, worth: &Worth) -> Option<Self> {
+    pub(crate) fn than(
+        prepared: &PreparedSearch,
+        fit: &Fit,
+        term: &Term,
+        worth: &Worth,
+    ) -> Option<Self> {
         let regression = &prepared.regression;
         let about = term.effect.about();
         let there = regression.added(&worth.rest);
         // By the table beside the whole fit; what comes close is refitted.
         let scores = match regression.without(fit, term) {
             Some(rest) => {
-                let around = regression.surroundings(fit, Among::Names);
+                let around = regression.surroundings(fit, CandidateSubset::Names);
                 regression.scan_without(&around, &rest)
             }
-            None => regression.scan(&worth.rest, Among::Names),
+            None => regression.scan(&worth.rest, CandidateSubset::Names),
         };
         let others = scores.iter().filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;

@@ -2,7 +2,7 @@
 
 use crate::effects::Term;
 
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 
@@ -18,7 +18,7 @@ pub(crate) struct Worth {
 }
 
 /// What a term is worth beside the others of a fit.
-pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
+pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth {
     let regression = &prepared.regression;
     let rest = regression.without_term(fit, term);
     let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);

@@ -29,18 +29,18 @@ use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::CHANCE;
-use crate::diagnosis::search::Found as SearchEnd;
+use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{Step, steps};
 use crate::diagnosis::search::{aliases, other_settings, smooth};
 use crate::diagnosis::search::{is_above, stands_above};
 use crate::diagnosis::{DiagnoseError, Progress, Watch};
-use crate::set_up_errors::{DataProblem, Mended};
+use crate::set_up_errors::{CorrectedSession, DataProblem};
 
 /// What stays undecided, for whoever proposes poses.
 pub(crate) struct Undecided<'u, 'a> {
-    pub(crate) prepared: &'u Prepared<'a>,
+    pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,
     pub(crate) rivals: &'u [&'u crate::diagnosis::evidence::rival::Rival],
     pub(crate) not_testable: &'u [NotTestable],
@@ -76,8 +76,8 @@ const MOST_EQUIVALENT: usize = 6;
     reason = "the parts of an answer, each a call, in the order in which they need each other"
 )]
 pub(crate) fn answer(
-    mended: &Mended,
-    prepared: &Prepared,
+    mended: &CorrectedSession,
+    prepared: &PreparedSearch,
     end: &SearchEnd,
     planner: Planner,
     watch: Watch,
@@ -219,7 +219,7 @@ fn noise_of(values: &Values, regression: &Regression) -> Noise {
 
 /// Rivals that the samples cannot rule out, and what equal steps of the commands have to do with it.
 fn open_questions(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     end: &SearchEnd,
 ) -> (
     Vec<crate::diagnosis::evidence::rival::Rival>,
@@ -249,7 +249,11 @@ fn open_questions(
 
 /// Says which names were found and are not handed out, and that the search was stopped; whether there is anything of
 /// the kind.
-fn tell_what_is_open(prepared: &Prepared, dropped: &[Term], unexplained: &mut Unexplained) -> bool {
+fn tell_what_is_open(
+    prepared: &PreparedSearch,
+    dropped: &[Term],
+    unexplained: &mut Unexplained,
+) -> bool {
     if !dropped.is_empty() {
         tell_dropped(unexplained, dropped, prepared.problem.session);
     }
@@ -257,13 +261,13 @@ fn tell_what_is_open(prepared: &Prepared, dropped: &[Term], unexplained: &mut Un
     if let Some(why) = &ended {
         unexplained.present = true;
         let before = std::mem::take(&mut unexplained.says);
-        unexplained.says = behind(why.says().into(), before);
+        unexplained.says = behind(why.describe().into(), before);
     }
     !dropped.is_empty() || ended.is_some()
 }
 
 /// What is handed out, as `identify` would say it.
-fn identification(prepared: &Prepared, fit: &Fit, own: &Values) -> Identification {
+fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
     let mut identification = own.identification(&prepared.nominal, held);
     tell_unseen(prepared, fit, &mut identification.kinds);
@@ -277,7 +281,7 @@ fn identification(prepared: &Prepared, fit: &Fit, own: &Values) -> Identificatio
 
 /// Values of the names, from a fit of them alone or with the shapes beside them.
 fn values<'a>(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     problem: &Problem<'a>,
     [alone, with_shapes]: [&Fit; 2],
     capped: bool,
@@ -319,7 +323,7 @@ fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) ->
 }
 
 /// Puts beside the errors of every kind those that no fit has seen.
-fn tell_unseen(prepared: &Prepared, fit: &Fit, kinds: &mut [KindFigures]) {
+fn tell_unseen(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
     let regression = &prepared.regression;
     let Some(rows) = regression.rows.observed() else {
         return;
@@ -347,7 +351,7 @@ pub(crate) fn base_in_words(robot: &Robot) -> &'static str {
 
 /// All samples that may be fitted, those that an option locked away as well, without those that
 /// are far off beside the model.
-fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
+fn with_unlocked<'p, 'a>(prepared: &'p PreparedSearch<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
     if !prepared.locked.contains(&true) {
         return Cow::Borrowed(&*prepared.problem);
     }

@@ -29,18 +29,18 @@ pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
         return None;
     }
     let measured = problem.inputs.select(&spread(&problem.used, MOST_SAMPLES));
-    let here = Moved::of(model, &measured);
+    let here = TermDisplacements::of(model, &measured);
     if here.parts_mm <= CANCEL * here.together_mm {
         return None;
     }
-    let ranges = Moved::of(model, &over_the_ranges(problem));
-    let home = Moved::of(model, &along_joint(problem, &[0.0]));
+    let ranges = TermDisplacements::of(model, &over_the_ranges(problem));
+    let home = TermDisplacements::of(model, &along_joint(problem, &[0.0]));
     let most = ranges.largest_mm.max(home.largest_mm);
     (most > FAR * here.largest_mm).then_some([most, here.largest_mm])
 }
 
 /// What names do at some poses.
-struct Moved {
+struct TermDisplacements {
     /// Longest, mm.
     largest_mm: f64,
     /// Root mean square length, mm.
@@ -49,7 +49,7 @@ struct Moved {
     parts_mm: f64,
 }
 
-impl Moved {
+impl TermDisplacements {
     fn of(model: &Model, inputs: &Inputs) -> Self {
         let is_name = |term: &Term| !base_model::belongs(term.effect.about().id);
         let named: Vec<(usize, f64)> = model

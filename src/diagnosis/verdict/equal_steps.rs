@@ -6,13 +6,13 @@ use crate::units::deg_from_rad;
 
 use crate::diagnosis::candidates::{setting, shown};
 use crate::diagnosis::evidence::rival::Rival;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// Steps are equal where none differs by more than this share from their median.
 const EQUAL: f64 = 0.02;
 
 /// What is said of steps that are equal, where settings cannot be told apart by them.
-pub(crate) fn equal_steps(prepared: &Prepared, rivals: &[Rival]) -> Option<DataProblem> {
+pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option<DataProblem> {
     let term = rivals.first()?.removed.first()?;
     let joint = term.joint;
     let kind = prepared.problem.session.robot.joints[joint].kind;

@@ -34,7 +34,7 @@ use super::divergent_terms::runs_away;
 use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// What is handed out.
 pub(crate) struct HandedOut<'a> {
@@ -61,7 +61,7 @@ struct WayToValues<'a> {
 /// the shapes beside them; `judged` are the values that the verdict is about, beside the shapes where those may
 /// be used, and `order` the names in the order found.
 pub(crate) fn choose<'a>(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     problem: &Problem<'a>,
     [names, with_shapes]: [&Fit; 2],
     judged: &Values<'a>,
@@ -168,7 +168,7 @@ pub(crate) fn choose<'a>(
 }
 
 /// The model of `identify` on all samples that may be fitted.
-fn identified(prepared: &Prepared, problem: &Problem) -> Model {
+fn identified(prepared: &PreparedSearch, problem: &Problem) -> Model {
     if prepared.locked.contains(&true) {
         let mut plain = problem.clone();
         plain.noise = None;
@@ -195,7 +195,7 @@ fn is_told_apart(beside: &Values, names: &Values) -> bool {
 }
 
 /// The fit of a set of names without some of them.
-fn without(prepared: &Prepared, names: &Fit, dropped: &[Term]) -> Fit {
+fn without(prepared: &PreparedSearch, names: &Fit, dropped: &[Term]) -> Fit {
     let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let model = names.model.without(is_dropped);
     prepared.regression.fit(&model, &[])

@@ -19,7 +19,7 @@ use crate::text::length;
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
 use crate::observations::Layer;
-use crate::observations::figures::{LeftOfKind, left_of_kinds};
+use crate::observations::figures::{ResidualsOfKind, left_of_kinds};
 
 use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
 use super::group_excess;
@@ -27,15 +27,15 @@ use super::values::Values;
 use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use crate::diagnosis::search::CHANCE;
-use crate::diagnosis::search::Found;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::SearchResult;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::smooth_rival;
 use crate::diagnosis::search::{PureError, pure_error};
 
 /// Adds to what is unexplained what speaks for more than noise; answers the verdict.
 pub(crate) fn judge(
-    prepared: &Prepared,
-    found: &Found,
+    prepared: &PreparedSearch,
+    found: &SearchResult,
     values: &Values,
     floor: &Floor,
     held_out: &HeldOut,
@@ -135,7 +135,7 @@ pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
 const CHANCE_OF_STRUCTURE: f64 = 0.0005;
 
 fn flag(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     values: &Values,
     floor: &Floor,
     excess: Excess,
@@ -176,7 +176,7 @@ fn flag(
 }
 
 /// Noise as stated and as found.
-fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
+fn against_stated(prepared: &PreparedSearch, values: &Values) -> Option<StatedNoise> {
     if prepared.problem.observed.is_some() {
         // Every kind states its own; the errors by kind hold both.
         return None;
@@ -211,7 +211,7 @@ fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
 }
 
 /// The white noise that was found against the stated one.
-fn over_stated(prepared: &Prepared, values: &Values, floor: &Floor) -> Option<Excess> {
+fn over_stated(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Option<Excess> {
     if let Some(layer) = &values.problem.observed {
         return by_kind(layer, values, floor);
     }
@@ -247,7 +247,7 @@ fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
     let tried = of_kind.len() as f64;
     let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
     let spent = values.rank() / all.max(1) as f64;
-    let one = |kind: &LeftOfKind| {
+    let one = |kind: &ResidualsOfKind| {
         let rows = kind.squares.len() as f64;
         // Every kind pays for the coefficients with its share of the rows.
         let freedom = (rows * (1.0 - spent)).max(1.0);
@@ -272,7 +272,7 @@ fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
 /// The error on unseen samples against the floor: p predicted coordinates carry the error of the
 /// fit besides their own noise. A slow part of the noise is not the model's.
 fn unseen(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     values: &Values,
     floor: &Floor,
     held_out: &HeldOut,

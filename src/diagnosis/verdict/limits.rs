@@ -9,7 +9,7 @@
 pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::weight_of;
@@ -17,7 +17,7 @@ use crate::diagnosis::search::CHANCE;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
-    let projected = regression.projected(&fit.basis, Among::Names);
+    let projected = regression.projected(&fit.basis, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
     let threshold = regression.minus_ln_p_for(CHANCE, fit);

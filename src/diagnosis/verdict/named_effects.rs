@@ -1,6 +1,6 @@
 //! The names that were found, each with its evidence in numbers and words.
 
-use crate::answers::diagnosis::{Floor, Found};
+use crate::answers::diagnosis::{Floor, FoundEffect};
 use crate::effects::{called, stated};
 use crate::text::Text;
 use crate::text::lengths;
@@ -9,17 +9,17 @@ use super::step_time;
 use super::values::Values;
 use crate::diagnosis::evidence::FamilyP;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
 use crate::diagnosis::search::{Next, Step};
 
 pub(crate) fn found(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     with_shapes: &Fit,
     steps: &[Step],
     floor: &Floor,
     values: &Values,
-) -> Vec<Found> {
+) -> Vec<FoundEffect> {
     let regression = &prepared.regression;
     let explained: f64 = steps
         .iter()
@@ -36,7 +36,7 @@ pub(crate) fn found(
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
-        let mut says = says(step, &p_familywise, odds, next.as_deref(), floor);
+        let mut says = describe(step, &p_familywise, odds, next.as_deref(), floor);
         if let Some(of) = stated(&regression.base.robot, term) {
             says = text!(
                 "{evidence}; {cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
@@ -53,7 +53,7 @@ pub(crate) fn found(
                 to = format!("{to:.0}")
             );
         }
-        Found {
+        FoundEffect {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
             parameters: values.parameters_of(term),
@@ -76,7 +76,13 @@ pub(crate) fn found(
     steps.iter().map(one).collect()
 }
 
-pub(crate) fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> Text {
+pub(crate) fn describe(
+    step: &Step,
+    p: &FamilyP,
+    odds: f64,
+    next: Option<&str>,
+    floor: &Floor,
+) -> Text {
     let sign = if p.bound { '<' } else { '=' };
     let p = format!("{sign} {}", p.p);
     let evidence = match next {

@@ -5,19 +5,23 @@ use crate::sessions::Session;
 use crate::text::Text;
 
 use crate::answers::diagnosis::Unexplained;
-use crate::diagnosis::candidates::columns::Among;
-use crate::diagnosis::candidates::table::What;
+use crate::diagnosis::candidates::columns::CandidateSubset;
+use crate::diagnosis::candidates::table::CandidateKind;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::search::Found as SearchEnd;
+use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
 use crate::diagnosis::search::left_mm;
 use crate::diagnosis::search::mean_sigma_mm;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::linear::Basis;
 use crate::model::shapes::{Shape, Variable, Where};
 
-pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
+pub(crate) fn unexplained(
+    prepared: &PreparedSearch,
+    end: &SearchEnd,
+    session: &Session,
+) -> Unexplained {
     let regression = &prepared.regression;
     let fit = &end.fit;
     if end.base_misfit {
@@ -57,7 +61,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         resembles,
         says: text!(
             "{what}; no effect of the catalogue explains it",
-            what = shape.says()
+            what = shape.describe()
         ),
         shapes: order
             .iter()
@@ -72,7 +76,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
 }
 
 /// Where a shape is; of a target with its name.
-fn place_of(shape: &Shape, range: (f64, f64), prepared: &Prepared) -> Where {
+fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Where {
     let session = prepared.problem.session;
     let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     let mut place = shape.place(range, slides);
@@ -106,7 +110,7 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
 }
 
 /// What is left of a base model that does not fit.
-fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
+fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
     let left = without_shapes(prepared, &end.fit);
     let floor_mm = floor(prepared, &end.fit).mm;
     let left_mm = left_mm(prepared, &end.fit);
@@ -125,16 +129,16 @@ fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
 }
 
 /// What is left beside names alone: how much like noise it is, and what it looks most like.
-pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
+pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplained {
     let regression = &prepared.regression;
-    let scores = regression.scan(fit, Among::All);
+    let scores = regression.scan(fit, CandidateSubset::All);
     let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
     // Where it would be, were it more than noise.
     let likeliest = scores
         .iter()
         .filter_map(|s| match &regression.table.candidates[s.candidate].what {
-            What::Anonymous(shape) => Some((s.ln_odds, shape)),
-            What::Named(_) => None,
+            CandidateKind::Anonymous(shape) => Some((s.ln_odds, shape)),
+            CandidateKind::Named(_) => None,
         })
         .max_by(|a, b| a.0.total_cmp(&b.0));
     Unexplained {
@@ -147,7 +151,10 @@ pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
         }),
         resembles: Vec::new(),
         says: likeliest.map_or_else(Text::default, |(_, shape)| {
-            text!("what is left looks most like {what}", what = shape.says())
+            text!(
+                "what is left looks most like {what}",
+                what = shape.describe()
+            )
         }),
         shapes: Vec::new(),
         noise: None,

@@ -9,21 +9,21 @@
 
 use crate::effects::{Setting, Term};
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::search::Worth;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// What lies outside on either side.
 const TAIL: f64 = 0.025;
 
 /// Times between which the step lies with 95 %, s; `None` for an effect that is no step.
-pub(crate) fn within_s(prepared: &Prepared, term: &Term, worth: &Worth) -> Option<[f64; 2]> {
+pub(crate) fn within_s(prepared: &PreparedSearch, term: &Term, worth: &Worth) -> Option<[f64; 2]> {
     let about = term.effect.about();
     if about.setting != Setting::Time {
         return None;
     }
     let regression = &prepared.regression;
-    let scores = regression.scan(&worth.rest, Among::Names);
+    let scores = regression.scan(&worth.rest, CandidateSubset::Names);
     let mut tried: Vec<(f64, f64)> = scores
         .iter()
         .filter_map(|score| {

@@ -1,6 +1,6 @@
 //! Effects that the session cannot show.
 
-use crate::diagnosis::candidates::columns::Among;
+use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
@@ -8,7 +8,7 @@ use crate::diagnosis::evidence::Regression;
 /// What the conditions forbid, and names of which nothing is left beside the base.
 pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {
     let mut all = regression.table.not_testable.clone();
-    let projected = regression.projected(&base.basis, Among::Names);
+    let projected = regression.projected(&base.basis, CandidateSubset::Names);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {

@@ -8,7 +8,7 @@ use crate::model::Model;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// How a fit becomes the model that predicts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,10 +22,10 @@ pub(crate) enum Procedure {
 }
 
 /// RMS error of a fit on unseen samples, mm; `None` with too few of them.
-pub(crate) fn of(prepared: &Prepared, fit: &Fit, procedure: Procedure) -> Option<f64> {
+pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> Option<f64> {
     let regression = &prepared.regression;
     let problem = &prepared.problem;
-    if apart(prepared).contains(&true) {
+    if held_out_samples(prepared).contains(&true) {
         let model = match procedure {
             Procedure::Identify => prepared.base.clone(),
             Procedure::Names | Procedure::BesideShapes => {
@@ -41,13 +41,14 @@ pub(crate) fn of(prepared: &Prepared, fit: &Fit, procedure: Procedure) -> Option
 }
 
 /// The same of a finished model, where the session holds samples out that no fit has seen.
-pub(crate) fn of_model(prepared: &Prepared, model: &Model) -> Option<f64> {
-    let only_by_file = !prepared.locked.contains(&true) && apart(prepared).contains(&true);
+pub(crate) fn of_model(prepared: &PreparedSearch, model: &Model) -> Option<f64> {
+    let only_by_file =
+        !prepared.locked.contains(&true) && held_out_samples(prepared).contains(&true);
     only_by_file.then(|| rms_apart_mm(prepared, &lengths_mm(&prepared.problem, model)))
 }
 
 /// Samples that a session or an option holds out.
-pub(crate) fn apart(prepared: &Prepared) -> Vec<bool> {
+pub(crate) fn held_out_samples(prepared: &PreparedSearch) -> Vec<bool> {
     let problem = &prepared.problem;
     let by_file = problem.session.samples.held_out.as_deref();
     let is_apart =
@@ -57,8 +58,8 @@ pub(crate) fn apart(prepared: &Prepared) -> Vec<bool> {
 
 /// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
 /// elsewhere.
-pub(super) fn rms_apart_mm(prepared: &Prepared, left_mm: &[f64]) -> f64 {
-    let apart = apart(prepared);
+pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
+    let apart = held_out_samples(prepared);
     let mut lengths: Vec<f64> = (0..apart.len())
         .filter(|i| apart[*i])
         .map(|i| left_mm[i])
@@ -74,7 +75,7 @@ pub(super) fn rms_apart_mm(prepared: &Prepared, left_mm: &[f64]) -> f64 {
 
 /// What is said of unseen samples; `found_mm` are the errors after identification and with what was found.
 pub(crate) fn held_out(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     nominal_mm: &[f64],
     found_mm: Option<[f64; 2]>,
 ) -> HeldOut {
@@ -87,7 +88,10 @@ pub(crate) fn held_out(
             end_mm,
         })
     };
-    let count = apart(prepared).into_iter().filter(|apart| *apart).count();
+    let count = held_out_samples(prepared)
+        .into_iter()
+        .filter(|apart| *apart)
+        .count();
     if count > 0 {
         let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
             text!("cells of the workspace that were locked away from everything")

@@ -22,7 +22,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 use crate::diagnosis::search::CHANCE;
 use crate::diagnosis::search::OrderSpread;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
 
 /// A correction for the selection makes the fit worse by no more than this.
@@ -50,7 +50,12 @@ pub(crate) struct Values<'a> {
 impl<'a> Values<'a> {
     /// The names of a fit, fitted to the samples of a problem that count.
     /// Where the search was stopped the noise stays as it was found beside many candidates.
-    pub(crate) fn of(prepared: &Prepared, problem: &Problem<'a>, fit: &Fit, stopped: bool) -> Self {
+    pub(crate) fn of(
+        prepared: &PreparedSearch,
+        problem: &Problem<'a>,
+        fit: &Fit,
+        stopped: bool,
+    ) -> Self {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
         if width * problem.used.len() * 3 <= MOST_BESIDE {
@@ -257,7 +262,7 @@ impl<'a> Values<'a> {
             let mut term = term.clone();
             if !is_base(&term) {
                 term.held =
-                    (0..term.coefficients.len()).fold(term.held, crate::effects::Held::with);
+                    (0..term.coefficients.len()).fold(term.held, crate::effects::FixedMask::with);
             }
             term
         });
@@ -291,7 +296,7 @@ impl<'a> Values<'a> {
             let mut term = term.clone();
             if !is_base(&term) {
                 term.held =
-                    (0..term.coefficients.len()).fold(term.held, crate::effects::Held::with);
+                    (0..term.coefficients.len()).fold(term.held, crate::effects::FixedMask::with);
             }
             term
         });
@@ -393,7 +398,7 @@ fn holding(estimate: &Estimate, [low, high]: [f64; 2]) -> [f64; 2] {
 /// Takes out of every size what its selection adds; see [`super::selection`]. `fit` is that which the names
 /// were selected in.
 pub(crate) fn corrected_for_selection<'a>(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     fit: &Fit,
     mut values: Values<'a>,
 ) -> Values<'a> {

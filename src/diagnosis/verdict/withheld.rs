@@ -6,7 +6,7 @@ use crate::fit::scan;
 
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// A name that was left out may be less likely by this much, as a logarithm, and is still as good: the noise
 /// decides between two that do the same.
@@ -20,7 +20,7 @@ pub(crate) struct StandIn {
 }
 
 /// The first name of a fit in whose place one that was left out is as likely.
-pub(crate) fn stand_in(prepared: &Prepared, fit: &Fit) -> Option<StandIn> {
+pub(crate) fn stand_in(prepared: &PreparedSearch, fit: &Fit) -> Option<StandIn> {
     let allowed = &prepared.options().allowed;
     let withheld = || CATALOGUE.iter().filter(|e| !allowed.exists(e.about().id));
     withheld().next()?;
@@ -42,7 +42,7 @@ pub(crate) fn stand_in(prepared: &Prepared, fit: &Fit) -> Option<StandIn> {
 }
 
 /// The largest evidence of a fit with an effect more, over its joints and settings.
-fn evidence_with(prepared: &Prepared, rest: &Fit, effect: &'static Effect) -> Option<f64> {
+fn evidence_with(prepared: &PreparedSearch, rest: &Fit, effect: &'static Effect) -> Option<f64> {
     let (regression, survey) = (&prepared.regression, &prepared.survey);
     let about = effect.about();
     let joints = if about.per_joint {

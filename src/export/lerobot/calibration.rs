@@ -104,10 +104,10 @@ fn whole(node: &Node) -> Option<i64> {
     }
 }
 
-struct Twin<'a>(&'a [Motor]);
+struct CalibrationJson<'a>(&'a [Motor]);
 
 #[derive(Serialize)]
-struct MotorTwin {
+struct MotorJson {
     id: i64,
     drive_mode: i64,
     homing_offset: i64,
@@ -115,11 +115,11 @@ struct MotorTwin {
     range_max: i64,
 }
 
-impl Serialize for Twin<'_> {
+impl Serialize for CalibrationJson<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
         for motor in self.0 {
-            let twin = MotorTwin {
+            let twin = MotorJson {
                 id: motor.id,
                 drive_mode: motor.drive_mode,
                 homing_offset: motor.homing_offset,
@@ -137,7 +137,7 @@ pub(super) fn write(motors: &[Motor]) -> String {
     let mut bytes = Vec::new();
     let layout = serde_json::ser::PrettyFormatter::with_indent(b"    ");
     let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, layout);
-    Twin(motors)
+    CalibrationJson(motors)
         .serialize(&mut serializer)
         .expect("writing to memory does not fail");
     bytes.push(b'\n');

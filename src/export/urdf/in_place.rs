@@ -29,7 +29,7 @@ pub(super) fn write(
     reference: Reference,
     format: &'static str,
 ) -> Result<Written, ExportError> {
-    let refused = |error: Rejected| ExportError::Refused(error.says());
+    let refused = |error: Rejected| ExportError::Refused(error.describe());
     let text = std::str::from_utf8(reference.bytes).map_err(|_| {
         ExportError::Refused(text!(
             "{file}: expected a URDF file in UTF-8",

@@ -9,7 +9,7 @@
 use crate::numeric::{extent, single};
 use std::sync::Arc;
 
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::sessions::Samples;
 
 /// Measured point, deviation before, and load, temperature and time from 0 to 1, below 0 where
@@ -17,7 +17,7 @@ use crate::sessions::Samples;
 pub(crate) type Place = [f32; 9];
 
 /// A row of the [`Remainder`].
-pub(crate) type Left = [f32; 5];
+pub(crate) type RemainderRow = [f32; 5];
 
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cloud {
@@ -35,17 +35,17 @@ pub(crate) struct Cloud {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Remainder {
     /// One for each sample of the cloud.
-    pub(crate) rows: Vec<Left>,
+    pub(crate) rows: Vec<RemainderRow>,
 }
 
 impl Cloud {
     /// That of a session: made when it is first wanted, in the background if possible.
-    pub(crate) fn of(subject: &Subject) -> Arc<Self> {
+    pub(crate) fn of(subject: &LoadedSession) -> Arc<Self> {
         subject.drawn.get_or_make(|| Self::new(subject))
     }
 
     /// The usable samples of a session.
-    fn new(subject: &Subject) -> Self {
+    fn new(subject: &LoadedSession) -> Self {
         let usable = &subject.overview.usable;
         let samples: Vec<u32> = spread(usable.len()).map(|k| usable[k]).collect();
         let [low, high] = subject.overview.measured_mm;
@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn the_cloud_holds_what_the_session_holds() {
         let workbench = workbench();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let cloud = Cloud::of(subject);
         assert_eq!(cloud.places.len(), subject.overview.usable.len());
         for (place, sample) in cloud.places.iter().zip(&cloud.samples) {

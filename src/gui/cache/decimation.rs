@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use super::cloud::Cloud;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::view::Plane;
 
 /// So many samples are drawn by shapes; each is a point and up to two vectors.
@@ -27,7 +27,7 @@ pub(crate) struct Thinned {
 
 impl Thinned {
     /// Looks at every sample once; takes its time.
-    pub(crate) fn of(subject: &Subject, answer: Option<&Answer>, plane: Plane) -> Self {
+    pub(crate) fn of(subject: &LoadedSession, answer: Option<&Answer>, plane: Plane) -> Self {
         let usable = &subject.overview.usable;
         let lengths = [
             Some(&subject.before.length_mm),
@@ -65,7 +65,7 @@ fn largest(usable: &[u32], lengths_mm: &[f64]) -> Vec<u32> {
 }
 
 /// The one with the largest length in each cell that holds any.
-fn largest_of_cells(subject: &Subject, lengths_mm: &[f64], plane: Plane) -> Vec<u32> {
+fn largest_of_cells(subject: &LoadedSession, lengths_mm: &[f64], plane: Plane) -> Vec<u32> {
     let axes = plane.axes();
     let [low, high] = subject.overview.nominal_mm;
     let side = axes.map(|k| high[k] - low[k]);
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn the_largest_deviations_are_never_thinned_away() {
         let workbench = many();
-        let (subject, answer) = (workbench.subject(), workbench.answer());
+        let (subject, answer) = (workbench.loaded_session(), workbench.answer());
         assert_eq!(subject.len(), 18_002);
         let thinned = Thinned::of(subject, answer, Plane::Xy);
         assert!(thinned.samples.len() <= MOST, "{}", thinned.samples.len());
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn the_rest_shows_the_whole() {
         let workbench = many();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let thinned = Thinned::of(subject, None, Plane::Xy);
         let mut met = [0; 18];
         for sample in &thinned.samples {

@@ -9,7 +9,7 @@
 use crate::numeric::single;
 use std::sync::{Arc, Mutex};
 
-use crate::gui::cache::work::Given;
+use crate::gui::cache::work::ChartInputs;
 use crate::gui::core::over::Over;
 
 /// How many of one level make one of the next.
@@ -140,8 +140,8 @@ impl PartialEq for Last {
 
 impl Envelope {
     /// Sorts the samples of a session.
-    pub(crate) fn of(given: Given<'_>, over: Over) -> Self {
-        let Given {
+    pub(crate) fn of(given: ChartInputs<'_>, over: Over) -> Self {
+        let ChartInputs {
             subject,
             answer,
             component,
@@ -292,9 +292,9 @@ mod tests {
         joint: 0,
     };
 
-    fn given(workbench: &Workbench, component: Component) -> Given<'_> {
-        Given {
-            subject: workbench.subject(),
+    fn chart_inputs(workbench: &Workbench, component: Component) -> ChartInputs<'_> {
+        ChartInputs {
+            subject: workbench.loaded_session(),
             answer: workbench.answer(),
             component,
         }
@@ -328,8 +328,8 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        let subject = workbench.subject();
-        let envelope = Envelope::of(given(&workbench, Component::Radial), ANGLE);
+        let subject = workbench.loaded_session();
+        let envelope = Envelope::of(chart_inputs(&workbench, Component::Radial), ANGLE);
         let all = envelope.extent().expect("there are samples");
         let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], 7);
         for side in [-1.0, 1.0] {
@@ -365,7 +365,7 @@ mod tests {
     #[test]
     fn columns_are_searched_again_only_where_something_else_is_asked() {
         let workbench = workbench();
-        let envelope = Envelope::of(given(&workbench, Component::Tangential), ANGLE);
+        let envelope = Envelope::of(chart_inputs(&workbench, Component::Tangential), ANGLE);
         let all = envelope.extent().expect("there are samples").x;
         let first = envelope.columns(all, 50);
         assert!(Arc::ptr_eq(&first, &envelope.columns(all, 50)));

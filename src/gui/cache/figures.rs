@@ -5,8 +5,8 @@ use crate::language::spoken;
 use crate::text::Text;
 use std::sync::Arc;
 
-use super::identified::Outcome;
-use crate::compensation::decision::{Fitted, Measured};
+use super::identified::IdentifiedAnswer;
+use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::pipeline;
 use crate::present::standards::{Group, groups};
 use crate::present::table::{Cell, Table};
@@ -14,7 +14,7 @@ use crate::present::table::{Cell, Table};
 #[derive(Debug, Clone)]
 pub(crate) struct Figures {
     /// The identification behind the corrected commands.
-    pub(crate) outcome: Arc<Outcome>,
+    pub(crate) outcome: Arc<IdentifiedAnswer>,
     /// What noise alone leaves, where a diagnosis has shown it.
     pub(crate) floor_mm: Option<f64>,
     /// The figures, or why there are none; `None` while they are worked out.
@@ -25,7 +25,7 @@ pub(crate) struct Figures {
 #[derive(Debug, Clone)]
 pub(crate) struct StandardsFigures {
     /// The deviation that is held against the tolerance, or why there is none.
-    pub(crate) measured: Result<Measured, Text>,
+    pub(crate) measured: Result<MeasuredDeviation, Text>,
     /// One for each axis, and one for the poses.
     pub(crate) groups: Vec<Group>,
     /// What else there is to say.
@@ -34,7 +34,7 @@ pub(crate) struct StandardsFigures {
 
 impl Figures {
     /// Works them out. Takes its time with many samples.
-    pub(crate) fn of(outcome: Arc<Outcome>, floor_mm: Option<f64>) -> Self {
+    pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, floor_mm: Option<f64>) -> Self {
         let made = made(&outcome, floor_mm);
         Self {
             outcome,
@@ -44,13 +44,13 @@ impl Figures {
     }
 }
 
-fn made(outcome: &Outcome, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
+fn made(outcome: &IdentifiedAnswer, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
-    let figures =
-        pipeline::standards(session, Some(&answer.calibration)).map_err(|e| spoken(e.says()))?;
+    let figures = pipeline::standards(session, Some(&answer.calibration))
+        .map_err(|e| spoken(e.describe()))?;
     let found = &answer.identification;
-    let fitted = Fitted {
+    let fitted = FittedErrors {
         fit_mm: found.gap.after.rms_mm,
         held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
         floor_mm,

@@ -16,7 +16,7 @@
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::view::Plane;
 use crate::lanes::dot;
 use crate::numeric::{single, whole};
@@ -48,7 +48,11 @@ pub(crate) struct Heat {
 
 impl Heat {
     /// The map of a session, and of an answer; `None` where no sample can be used.
-    pub(crate) fn of(subject: &Subject, answer: Option<&Answer>, plane: Plane) -> Option<Self> {
+    pub(crate) fn of(
+        subject: &LoadedSession,
+        answer: Option<&Answer>,
+        plane: Plane,
+    ) -> Option<Self> {
         let [right, up] = plane.axes();
         let usable = &subject.overview.usable;
         let [low, high] = subject.overview.nominal_mm;
@@ -120,7 +124,12 @@ impl Heat {
 
 /// The cells in which something was measured, each once, counted from the nominal robot's lowest
 /// corner.
-fn places(subject: &Subject, axes: [usize; 2], low_mm: [f64; 2], cell_mm: f64) -> Vec<[f64; 2]> {
+fn places(
+    subject: &LoadedSession,
+    axes: [usize; 2],
+    low_mm: [f64; 2],
+    cell_mm: f64,
+) -> Vec<[f64; 2]> {
     let side = whole(CELLS) + 1;
     let mut seen = vec![false; side * side];
     let mut places = Vec::new();
@@ -213,8 +222,9 @@ mod tests {
     fn a_constant_error_is_the_same_everywhere_it_can_be_seen() {
         // Only a zero offset: the same length at every sample.
         let workbench = workbench();
-        let heat = Heat::of(workbench.subject(), None, Plane::Xy).expect("there are samples");
-        let expected = workbench.subject().gap_before.expect("a gap").rms_mm;
+        let heat =
+            Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
+        let expected = workbench.loaded_session().gap_before.expect("a gap").rms_mm;
         let seen = heat.cells.iter().filter(|c| c[3] > 0.05);
         for cell in seen {
             let rms = blended(cell.map(f64::from), 0.0);
@@ -225,7 +235,7 @@ mod tests {
     #[test]
     fn it_fades_away_from_the_samples() {
         let workbench = workbench();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let heat = Heat::of(subject, None, Plane::Xy).expect("there are samples");
         for sample in 0..subject.len() {
             let [x, y, _] = subject.measured(sample);
@@ -244,7 +254,7 @@ mod tests {
         };
         workbench.execute(Command::Simulate(form));
         workbench.receive();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let heat = Heat::of(subject, None, Plane::Xy).expect("there are samples");
         let [a, b] = [4, 5].map(|sample| subject.measured(sample));
         let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
@@ -257,15 +267,17 @@ mod tests {
     #[test]
     fn a_place_measured_often_counts_as_one_measured_once() {
         let mut workbench = workbench();
-        let once = Heat::of(workbench.subject(), None, Plane::Xy).expect("there are samples");
+        let once =
+            Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
         let form = crate::gui::core::simulate::Form {
             step_deg: 0.05,
             ..crate::gui::core::simulate::Form::default()
         };
         workbench.execute(Command::Simulate(form));
         workbench.receive();
-        let often = Heat::of(workbench.subject(), None, Plane::Xy).expect("there are samples");
-        let at = workbench.subject().measured(40);
+        let often =
+            Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
+        let at = workbench.loaded_session().measured(40);
         let [a, b] = [&once, &often].map(|h| blended(h.at([at[0], at[1]]), 0.0));
         assert!((a - b).abs() < 0.1 * a, "{a} {b}");
     }
@@ -276,7 +288,7 @@ mod tests {
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
         let answer = workbench.answer().expect("identified");
-        let heat = Heat::of(workbench.subject(), Some(answer), Plane::Xy).expect("samples");
+        let heat = Heat::of(workbench.loaded_session(), Some(answer), Plane::Xy).expect("samples");
         let (before, after) = ([3.0, -1.0, 0.5], [0.2, 0.4, -0.1]);
         let products = [
             dot(before, before),
@@ -287,7 +299,7 @@ mod tests {
         let t = 0.3;
         let mixed: [f64; 3] = std::array::from_fn(|k| (1.0 - t) * before[k] + t * after[k]);
         assert!((blended(products, t) - dot(mixed, mixed).sqrt()).abs() < 1e-12);
-        let at = workbench.subject().measured(7);
+        let at = workbench.loaded_session().measured(7);
         let cell = heat.at([at[0], at[1]]);
         assert!(blended(cell, 0.0) > 10.0 && blended(cell, 1.0) < 0.2);
     }

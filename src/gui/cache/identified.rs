@@ -6,9 +6,9 @@ use std::sync::{Arc, OnceLock};
 use crate::compensation::VerifiedCalibration;
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::document::{Asks, Question};
+use crate::gui::core::document::{Question, QuestionDetails};
 use crate::gui::core::identify::answer;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::numeric::Ascending;
@@ -18,19 +18,19 @@ use super::cloud::{Cloud, Remainder};
 
 /// An answer to a question.
 #[derive(Debug, Clone)]
-pub(crate) struct Outcome {
+pub(crate) struct IdentifiedAnswer {
     pub(crate) question: Question,
     /// The answer, or why there is none.
     pub(crate) answer: Result<Answer, String>,
     /// What follows from it for drawing.
-    pub(crate) after: Option<After>,
+    pub(crate) after: Option<AnswerSummary>,
     /// What files are made of, or why none are; worked out when it is first asked for.
     handed_out: OnceLock<Result<Arc<VerifiedCalibration>, String>>,
 }
 
 /// What every frame needs to know of an answer, worked out once.
 #[derive(Debug, Clone)]
-pub(crate) struct After {
+pub(crate) struct AnswerSummary {
     /// What is left, as it is uploaded.
     pub(crate) remainder: Arc<Remainder>,
     /// Ascending of what is left.
@@ -39,8 +39,8 @@ pub(crate) struct After {
     pub(crate) readable: Readable,
 }
 
-impl After {
-    fn new(subject: &Subject, answer: &Answer) -> Self {
+impl AnswerSummary {
+    fn new(subject: &LoadedSession, answer: &Answer) -> Self {
         let remainder = Cloud::of(subject).remainder(&answer.after_mm, &answer.suspected);
         Self {
             remainder: Arc::new(remainder),
@@ -51,18 +51,18 @@ impl After {
 }
 
 /// Only itself.
-impl PartialEq for Outcome {
+impl PartialEq for IdentifiedAnswer {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
 }
 
-impl Outcome {
+impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
     pub(crate) fn of(question: Question, watch: &Watch) -> Self {
         let answer = answer(&question, watch);
         let after = answer.as_ref().ok();
-        let after = after.map(|answer| After::new(&question.subject, answer));
+        let after = after.map(|answer| AnswerSummary::new(&question.subject, answer));
         Self {
             question,
             answer,
@@ -76,12 +76,14 @@ impl Outcome {
     pub(crate) fn handed_out(&self) -> Result<Arc<VerifiedCalibration>, String> {
         let verified = || {
             let answer = self.answer.as_ref().map_err(Clone::clone)?;
-            if let Asks::Given(given) = &self.question.asks {
+            if let QuestionDetails::Given(given) = &self.question.asks {
                 return Ok(Arc::new(given.calibration.clone()));
             }
             let session = &self.question.subject.session;
             let verified = pipeline::hand_out(&answer.calibration, session);
-            verified.map(Arc::new).map_err(|error| spoken(error.says()))
+            verified
+                .map(Arc::new)
+                .map_err(|error| spoken(error.describe()))
         };
         self.handed_out.get_or_init(verified).clone()
     }

@@ -8,12 +8,12 @@ use std::sync::Arc;
 use super::decimation::Thinned;
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::Outcome;
+use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::uncertain::Uncertain;
-use crate::gui::cache::work::{Given, Work, WorkedOut};
+use crate::gui::cache::work::{ChartInputs, ChartResult, Work};
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
@@ -24,9 +24,9 @@ use crate::gui::view::Plane;
     clippy::struct_excessive_bools,
     reason = "each says whether one thing is shown"
 )]
-pub(crate) struct Scenery {
-    pub(crate) subject: Arc<Subject>,
-    pub(crate) outcome: Option<Arc<Outcome>>,
+pub(crate) struct PlotInputs {
+    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) outcome: Option<Arc<IdentifiedAnswer>>,
     /// The plane of the workspace.
     pub(crate) plane: Plane,
     /// Whether the heat map is shown.
@@ -43,13 +43,13 @@ pub(crate) struct Scenery {
     pub(crate) charts: Vec<(Component, Work)>,
 }
 
-impl Scenery {
+impl PlotInputs {
     fn answer(&self) -> Option<&Answer> {
         self.outcome.as_ref()?.answer.as_ref().ok()
     }
 
-    fn given(&self, component: Component) -> Given<'_> {
-        Given {
+    fn chart_inputs(&self, component: Component) -> ChartInputs<'_> {
+        ChartInputs {
             subject: &self.subject,
             answer: self.answer(),
             component,
@@ -67,9 +67,9 @@ impl Scenery {
 }
 
 #[derive(Debug, Clone)]
-pub(crate) struct Backdrop {
+pub(crate) struct PlotCache {
     /// What it was made of.
-    pub(crate) scenery: Scenery,
+    pub(crate) scenery: PlotInputs,
     /// Which sample is where in the plane, mm.
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
@@ -77,22 +77,22 @@ pub(crate) struct Backdrop {
     /// How sure the model is at each sample.
     pub(crate) uncertain: Option<Arc<Uncertain>>,
     /// What the charts are made of, in the scenery's order.
-    pub(crate) charted: Vec<WorkedOut>,
+    pub(crate) charted: Vec<ChartResult>,
     /// Samples that are drawn where not all can be.
     pub(crate) thinned: Option<Arc<Thinned>>,
     /// The extremes around the joint's angle, where the polar view shows them.
     pub(crate) around: Option<Arc<Envelope>>,
 }
 
-impl Backdrop {
+impl PlotCache {
     /// What was worked out for a chart.
-    pub(crate) fn charted_for(&self, wanted: &(Component, Work)) -> Option<&WorkedOut> {
+    pub(crate) fn charted_for(&self, wanted: &(Component, Work)) -> Option<&ChartResult> {
         let here = self.scenery.charts.iter().position(|one| one == wanted)?;
         self.charted.get(here)
     }
 
     /// Works it out; what the last one has already is taken from there.
-    pub(crate) fn of(scenery: Scenery, last: Option<&Self>) -> Self {
+    pub(crate) fn of(scenery: PlotInputs, last: Option<&Self>) -> Self {
         let last = last.filter(|l| l.scenery.subject == scenery.subject);
         let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
         let same_answer = last.filter(|l| l.scenery.outcome == scenery.outcome);
@@ -125,12 +125,12 @@ impl Backdrop {
             let known = same_answer.and_then(|last| last.charted_for(wanted));
             known
                 .cloned()
-                .unwrap_or_else(|| wanted.1.done(scenery.given(wanted.0)))
+                .unwrap_or_else(|| wanted.1.done(scenery.chart_inputs(wanted.0)))
         });
         let charted = charted.collect();
         // A boundary that is dragged later finds its sums made.
         if many && subject.single_revolute() {
-            subject.tally();
+            subject.region_totals();
         }
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
@@ -142,7 +142,7 @@ impl Backdrop {
                 variable: Variable::Joint,
                 joint: 0,
             };
-            Arc::new(Envelope::of(scenery.given(scenery.component), angle))
+            Arc::new(Envelope::of(scenery.chart_inputs(scenery.component), angle))
         };
         let polar = many && scenery.polar;
         let around = polar.then(|| known.unwrap_or_else(around));

@@ -10,14 +10,14 @@ use crate::export::{Export, Job};
 use crate::fit::gap::Spread;
 use crate::pipeline;
 
-use super::identified::Outcome;
+use super::identified::IdentifiedAnswer;
 use crate::gui::core::document::ExportChoice;
 
 /// What is to be exported.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PreviewRequest {
     /// The identification that it comes from.
-    pub(crate) outcome: Arc<Outcome>,
+    pub(crate) outcome: Arc<IdentifiedAnswer>,
     pub(crate) choice: ExportChoice,
     /// What the file is called, where it was saved already: what is to be entered in the controller
     /// names it.
@@ -71,7 +71,8 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     } else {
         Inputs::new(session, JointValues::Commanded)
     };
-    let made = pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.says()))?;
+    let made =
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
     let export = made.export;
     Ok(ExportPreview {
         remainder: Remainder::new(calibration, &inputs),

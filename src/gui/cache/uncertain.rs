@@ -16,7 +16,7 @@ use crate::effects::JointValues;
 use crate::fit::expected::{along_joint, over_the_ranges, uncertainties_mm};
 use crate::fit::problem::Problem;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::model::Model;
 
 /// Standard uncertainty in mm of the model's prediction at each measured pose.
@@ -24,7 +24,7 @@ use crate::model::Model;
 pub(crate) struct Uncertain {
     /// Of each sample of the session, mm; NaN for samples that cannot be used.
     pub(crate) mm: Vec<f64>,
-    /// Of each reflector at the values of [`Subject::over_travel`], mm; none of other robots.
+    /// Of each reflector at the values of [`LoadedSession::over_travel`], mm; none of other robots.
     pub(crate) along_mm: Vec<Vec<f64>>,
     /// At poses over the ranges of several joints: where the model says that the reflector is, in the
     /// measuring frame, mm, and how sure it is of that, mm.
@@ -48,7 +48,7 @@ impl Uncertain {
     }
 
     /// That of an answer; `None` where it does not say. Takes its time with many samples.
-    pub(crate) fn of(subject: &Subject, answer: &Answer) -> Option<Self> {
+    pub(crate) fn of(subject: &LoadedSession, answer: &Answer) -> Option<Self> {
         let found = &answer.identification;
         let covariance = found
             .covariance
@@ -123,7 +123,7 @@ mod tests {
     const STEP: f64 = 1e-6;
 
     /// The same by differences of predictions, for one pose.
-    fn by_differences(answer: &Answer, subject: &Subject, sample: usize) -> f64 {
+    fn by_differences(answer: &Answer, subject: &LoadedSession, sample: usize) -> f64 {
         let found = &answer.identification;
         let inputs = Problem::new(&subject.session, JointValues::Commanded).inputs;
         let predicted = |shift: &dyn Fn(usize) -> f64| {
@@ -166,7 +166,7 @@ mod tests {
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let answer = workbench.answer().expect("an answer");
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         for sample in [0, 7, subject.len() - 1] {
             let expected = by_differences(answer, subject, sample);
             let found = uncertain.mm[sample];
@@ -186,7 +186,7 @@ mod tests {
         workbench.execute(Command::Colour(Colouring::Uncertainty));
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let values = subject.over_travel();
         assert_eq!(uncertain.along_mm.len(), subject.session.targets.len());
         assert!(

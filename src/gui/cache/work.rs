@@ -6,17 +6,17 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 
 /// What is worked out: samples, the newest answer, the component that is looked at.
 #[derive(Clone, Copy)]
-pub(crate) struct Given<'a> {
-    pub(crate) subject: &'a Subject,
+pub(crate) struct ChartInputs<'a> {
+    pub(crate) subject: &'a LoadedSession,
     pub(crate) answer: Option<&'a Answer>,
     pub(crate) component: Component,
 }
 
-impl Given<'_> {
+impl ChartInputs<'_> {
     /// The component of some samples' deviations before, and after where it is known.
     pub(crate) fn values(self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
         let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
@@ -30,9 +30,9 @@ impl Given<'_> {
 }
 
 /// What came of it.
-pub(crate) type WorkedOut = Arc<dyn Any + Send + Sync>;
+pub(crate) type ChartResult = Arc<dyn Any + Send + Sync>;
 
-type Make = dyn Fn(Given<'_>) -> WorkedOut + Send + Sync;
+type Make = dyn Fn(ChartInputs<'_>) -> ChartResult + Send + Sync;
 
 /// What a chart has computed for one key. Two are the same if they are of one chart and have the same key.
 #[derive(Clone)]
@@ -46,14 +46,14 @@ impl Work {
     pub(crate) fn new<T: Any + Send + Sync>(
         chart: &'static str,
         key: Vec<usize>,
-        make: impl Fn(Given<'_>) -> T + Send + Sync + 'static,
+        make: impl Fn(ChartInputs<'_>) -> T + Send + Sync + 'static,
     ) -> Self {
-        let make = Arc::new(move |given: Given<'_>| Arc::new(make(given)) as WorkedOut);
+        let make = Arc::new(move |given: ChartInputs<'_>| Arc::new(make(given)) as ChartResult);
         Self { chart, key, make }
     }
 
     /// Works it out. Takes its time with many samples.
-    pub(crate) fn done(&self, given: Given<'_>) -> WorkedOut {
+    pub(crate) fn done(&self, given: ChartInputs<'_>) -> ChartResult {
         (self.make)(given)
     }
 }

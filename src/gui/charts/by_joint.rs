@@ -2,12 +2,12 @@
 //! the smallest to the largest value that was measured, all at one height. What depends on one joint shows
 //! in its panel and is spread over the others.
 
-use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
 use crate::numeric::extent;
-use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
+use crate::present::chart::{Axis, Deviation, Entry, Form, LegendSymbol, Series, Ticks, shortened};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 
@@ -85,7 +85,7 @@ impl<'a> Panels<'a> {
     }
 }
 
-impl Kind for ByJoint {
+impl ChartKind for ByJoint {
     fn about(&self) -> About {
         About {
             id: "deviation by joint",
@@ -97,7 +97,7 @@ impl Kind for ByJoint {
                     "The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"
                 ),
             },
-            of: Of::Component,
+            of: ChartChoice::Component,
         }
     }
 
@@ -105,9 +105,9 @@ impl Kind for ByJoint {
         scene.subject.session.robot.joints.len() > 1 && !scene.subject.is_empty()
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let panels = Panels::of(scene);
-        let sign = Sign::Mark(Form::Disc);
+        let sign = LegendSymbol::Mark(Form::Disc);
         let before = |v: (f64, Option<f64>)| (!scene.only_after()).then_some(v.0);
         let mut series = vec![panels.series(Entry::before(sign), before)];
         if scene.answer.is_some() {
@@ -119,7 +119,7 @@ impl Kind for ByJoint {
         });
         let Some(mm) = mm else {
             let why = say!("Every sample needs its joint values and what was measured");
-            return Err(Missing::new(say!("No sample to show"), why));
+            return Err(ChartPlaceholder::new(say!("No sample to show"), why));
         };
         let joints = panels.ranges.len();
         let names = scene.subject.session.robot.joints.iter().enumerate();
@@ -154,7 +154,7 @@ impl Kind for ByJoint {
                 from = scene.units.length(mm[0]),
                 to = scene.units.length(mm[1])
             ),
-            pointed: Pointed::Samples(Box::new(panels)),
+            pointed: HoverTarget::Samples(Box::new(panels)),
         })
     }
 

@@ -1,27 +1,27 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
-use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::compensation::SortedTable;
 use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
-use crate::present::chart::{Axis, Chart, Item, LEAST_SPAN, Stands};
+use crate::present::chart::{Axis, Chart, ColourRole, Item, LEAST_SPAN};
 use crate::present::table::{Table, cell};
 
 pub(crate) struct Correction;
 
 pub(crate) static CORRECTION: Correction = Correction;
 
-impl Kind for Correction {
+impl ChartKind for Correction {
     fn about(&self) -> About {
         About {
             id: "correction table",
             short: phrase!("table"),
             name: phrase!("Correction table"),
             word: help::CORRECTION,
-            of: Of::All,
+            of: ChartChoice::All,
         }
     }
 
@@ -37,8 +37,8 @@ impl Kind for Correction {
         true
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-        let chart = scene.made.and_then(chart).ok_or(Missing::new(
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+        let chart = scene.made.and_then(chart).ok_or(ChartPlaceholder::new(
             say!("This format describes the robot itself and has no table"),
             "",
         ))?;
@@ -46,7 +46,7 @@ impl Kind for Correction {
             chart,
             name: say!("correction table as a curve").to_owned(),
             says: String::new(),
-            pointed: Pointed::Nothing,
+            pointed: HoverTarget::Nothing,
         })
     }
 
@@ -101,11 +101,11 @@ fn chart(made: &ExportPreview) -> Option<Chart> {
     let says = if table.forward == table.reverse {
         say!("the same for both directions")
     } else {
-        items.push(Item::Line(reverse, Stands::Before, 2.0, true));
+        items.push(Item::Line(reverse, ColourRole::Before, 2.0, true));
         say!("solid: moving positive · dashed: moving negative")
     };
     let notes = std::iter::once(says.to_owned()).chain(thinned(every, phrase!("entry")));
-    items.push(Item::Line(forward, Stands::After, 2.0, false));
+    items.push(Item::Line(forward, ColourRole::After, 2.0, false));
     Some(Chart {
         title: say!("correction table").to_owned(),
         across: Axis::turning(format!("{}, {unit}", made.joint), degrees),

@@ -1,7 +1,7 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and
 //! after. Of many samples the extremes in each column of the screen are shown.
 
-use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::envelope::{Column, Envelope};
 use crate::gui::cache::work::Work;
 use crate::gui::core::boundaries::boundaries;
@@ -11,7 +11,7 @@ use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::numeric::whole;
 use crate::present::chart::{
-    Axis, Chart, Deviation, Entry, Form, Item, Mark, Series, Sign, Stands,
+    Axis, Chart, ColourRole, Deviation, Entry, Form, Item, LegendSymbol, Mark, Series,
 };
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
@@ -38,7 +38,7 @@ const fn along(variable: Variable, id: &'static str, names: [Template; 2], word:
         short,
         name,
         word,
-        of: Of::Joint,
+        of: ChartChoice::Joint,
     };
     Along { variable, about }
 }
@@ -80,7 +80,7 @@ impl Along {
     }
 }
 
-impl Kind for Along {
+impl ChartKind for Along {
     fn about(&self) -> About {
         self.about
     }
@@ -92,11 +92,11 @@ impl Kind for Along {
             .then(|| Work::new(self.about.id, key, move |given| Envelope::of(given, over)))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let drawn = DrawnDeviations::of(scene, self.over(scene));
         if drawn.is_missing() {
             let [title, why] = drawn.over.needs();
-            return Err(Missing::new(title, why));
+            return Err(ChartPlaceholder::new(title, why));
         }
         let component = scene.component().name();
         let name = match self.variable {
@@ -119,13 +119,13 @@ impl Kind for Along {
             // Columns have no sides.
             chart
                 .legend
-                .retain(|e| !matches!(e.sign, Sign::Mark(form) if form != Form::Disc));
+                .retain(|e| !matches!(e.sign, LegendSymbol::Mark(form) if form != Form::Disc));
         }
         Ok(Shown {
-            says: drawn.says(extent),
+            says: drawn.describe(extent),
             chart,
             name,
-            pointed: Pointed::Samples(Box::new(drawn)),
+            pointed: HoverTarget::Samples(Box::new(drawn)),
         })
     }
 
@@ -243,7 +243,7 @@ impl<'a> DrawnDeviations<'a> {
             dots.filter_map(|d| Some((self.scale.shown(d.x), value(d)?, d.side)))
                 .collect()
         };
-        let sign = Sign::Mark(Form::Disc);
+        let sign = LegendSymbol::Mark(Form::Disc);
         let mut series = vec![Series {
             entry: Entry::before(sign),
             samples: samples(&|d| (!scene.only_after()).then_some(d.before_mm)),
@@ -310,7 +310,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// What is seen, in words.
-    fn says(&self, all: Option<Column>) -> String {
+    fn describe(&self, all: Option<Column>) -> String {
         let units = self.scene.units;
         let between = |mm: [f64; 2]| {
             say!(
@@ -327,8 +327,8 @@ impl<'a> DrawnDeviations<'a> {
             component = self.scene.component().name(),
             samples = self.scene.usable().len() - self.unplaced,
             label = self.over.label(self.scene.subject),
-            from = self.scale.says(all.x[0]),
-            to = self.scale.says(all.x[1])
+            from = self.scale.describe(all.x[0]),
+            to = self.scale.describe(all.x[1])
         );
         for (name, mm) in [
             (say!("before"), all.before_mm),
@@ -396,8 +396,8 @@ impl Samples for DrawnDeviations<'_> {
             };
             let before = bars(&|c| c.before_mm.filter(|_| !alone));
             return vec![
-                Item::Columns(before, Stands::Before, false),
-                Item::Columns(bars(&|c| c.after_mm), Stands::After, true),
+                Item::Columns(before, ColourRole::Before, false),
+                Item::Columns(bars(&|c| c.after_mm), ColourRole::After, true),
             ];
         }
         let dots: Vec<Dot> = envelope
@@ -414,8 +414,8 @@ impl Samples for DrawnDeviations<'_> {
         };
         let before = marks(&|d| Some(d.before_mm).filter(|_| !alone));
         vec![
-            Item::Marks(before, Stands::Before, false),
-            Item::Marks(marks(&|d| d.after_mm), Stands::After, true),
+            Item::Marks(before, ColourRole::Before, false),
+            Item::Marks(marks(&|d| d.after_mm), ColourRole::After, true),
         ]
     }
 }
@@ -472,7 +472,7 @@ mod tests {
         assert_eq!(left(&workbench), 0);
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        assert_eq!(left(&workbench), workbench.subject().len());
+        assert_eq!(left(&workbench), workbench.loaded_session().len());
         let both = high(&workbench);
         workbench.execute(Command::OnlyAfter(true));
         assert!(high(&workbench) < 0.1 * both);

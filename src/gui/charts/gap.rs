@@ -1,7 +1,7 @@
 //! The gap step by step: the nominal robot, the identification, each effect that was added, and
 //! the noise floor below which no model can come.
 
-use super::{About, Kind, Missing, Of, Pointed, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::model::ResidualStep;
@@ -19,14 +19,14 @@ fn steps<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
         .map_or(&[], |answer| &answer.calibration.history)
 }
 
-impl Kind for Gap {
+impl ChartKind for Gap {
     fn about(&self) -> About {
         About {
             id: "gap by step",
             short: phrase!("gap"),
             name: phrase!("Gap by step"),
             word: help::GAP,
-            of: Of::All,
+            of: ChartChoice::All,
         }
     }
 
@@ -38,13 +38,14 @@ impl Kind for Gap {
         scene.view.step == Step::Gap
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let lengths = scene.lengths(&number);
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
         let steps = steps(scene);
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
-        let mut chart = chart.ok_or(Missing::new(say!("nothing is identified yet"), ""))?;
+        let mut chart =
+            chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
         say!("RMS over the fitted samples").clone_into(&mut chart.note);
         let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
@@ -52,7 +53,7 @@ impl Kind for Gap {
             chart,
             name: say!("gap by step: {steps}", steps = says.join(", ")),
             says: String::new(),
-            pointed: Pointed::Nothing,
+            pointed: HoverTarget::Nothing,
         })
     }
 

@@ -1,11 +1,13 @@
 //! How many samples deviate by how much.
 
-use super::{About, Bars, Facts, Kind, Missing, Of, Pointed, Scene, Shown};
+use super::{
+    About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
+};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
-use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
+use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Entry, Item, LegendSymbol};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
@@ -23,14 +25,14 @@ pub(crate) struct Histogram;
 
 pub(crate) static HISTOGRAM: Histogram = Histogram;
 
-impl Kind for Histogram {
+impl ChartKind for Histogram {
     fn about(&self) -> About {
         About {
             id: "histogram",
             short: phrase!("histogram"),
             name: phrase!("Histogram"),
             word: help::HISTOGRAM,
-            of: Of::Component,
+            of: ChartChoice::Component,
         }
     }
 
@@ -43,7 +45,7 @@ impl Kind for Histogram {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let found = distribution(scene)?;
         Ok(Shown {
             chart: drawn(scene, found),
@@ -51,8 +53,8 @@ impl Kind for Histogram {
                 "histogram, {component}",
                 component = scene.component().name()
             ),
-            says: says(scene, found),
-            pointed: Pointed::Bars(Box::new(DrawnBars {
+            says: describe(scene, found),
+            pointed: HoverTarget::Bars(Box::new(DrawnBars {
                 scene,
                 counted: found.shown(scene.only_after()),
             })),
@@ -78,9 +80,9 @@ impl Kind for Histogram {
     }
 }
 
-fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, Missing> {
-    let found: &Option<Distribution> = scene.found().ok_or_else(Missing::yet)?;
-    found.as_ref().ok_or(Missing::new(
+fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, ChartPlaceholder> {
+    let found: &Option<Distribution> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
+    found.as_ref().ok_or(ChartPlaceholder::new(
         say!("No sample can be counted"),
         say!("Every sample lacks a joint value or a coordinate"),
     ))
@@ -175,8 +177,8 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     let counted = found.shown(scene.only_after());
     let bins = counted.bins;
     let series = [
-        (&counted.before, Stands::Before, false),
-        (&counted.after, Stands::After, true),
+        (&counted.before, ColourRole::Before, false),
+        (&counted.after, ColourRole::After, true),
     ];
     let counts = series.iter().filter_map(|s| s.0.as_ref()).flatten();
     let most = counts.copied().max().unwrap_or(0).max(1) as f64;
@@ -203,7 +205,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         // A curve far above all bars must not flatten them.
         let peak = points.iter().map(|p| p[1]).fold(0.0, f64::max);
         tallest = most.max(peak.min(MOST_PEAK * most));
-        items.push(Item::Line(points, Stands::Noise, 1.8, true));
+        items.push(Item::Line(points, ColourRole::Noise, 1.8, true));
     }
     let top = 1.2 * tallest;
     if let Some(tolerance) = scene.document.tolerance_mm {
@@ -215,8 +217,8 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         };
         for end in ends.iter().filter(|end| **end > low && **end < high) {
             let line = vec![[value(*end), 0.0], [value(*end), top]];
-            items.push(Item::Line(line, Stands::Tolerance, 1.6, false));
-            items.push(Item::Word(Word {
+            items.push(Item::Line(line, ColourRole::Tolerance, 1.6, false));
+            items.push(Item::Word(ChartText {
                 at: [value(*end), 0.995 * top],
                 text: say!(" tolerance ").to_owned(),
                 anchor: if *end < 0.0 {
@@ -229,15 +231,15 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         }
     }
     let margin = 0.02 * (high - low);
-    let mut legend = vec![Entry::before(Sign::Bar)];
+    let mut legend = vec![Entry::before(LegendSymbol::Bar)];
     if scene.answer.is_some() {
-        legend.push(Entry::after(Sign::Bar));
+        legend.push(Entry::after(LegendSymbol::Bar));
     }
     if noise.is_some() {
         legend.push(Entry::new(
             say!("noise alone"),
-            Sign::Line,
-            Stands::Noise,
+            LegendSymbol::Line,
+            ColourRole::Noise,
             false,
         ));
     }
@@ -297,7 +299,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
 }
 
 /// What is seen, in words.
-fn says(scene: &Scene, found: &Distribution) -> String {
+fn describe(scene: &Scene, found: &Distribution) -> String {
     let units = scene.units;
     let counted = found.shown(scene.only_after());
     let tallest = |counts: &Option<Vec<usize>>| {

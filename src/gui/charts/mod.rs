@@ -18,7 +18,7 @@ macro_rules! register {
         $(pub(crate) mod $file;)*
         /// Every chart, in the order in which they are offered. The first is shown where nothing
         /// suits better.
-        pub(crate) static CHARTS: &[&dyn Kind] = &[$($(&$file::$chart),*),*];
+        pub(crate) static CHARTS: &[&dyn ChartKind] = &[$($(&$file::$chart),*),*];
     };
 }
 
@@ -45,12 +45,12 @@ pub(crate) struct About {
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// What is chosen for it.
-    pub(crate) of: Of,
+    pub(crate) of: ChartChoice,
 }
 
 /// What is chosen for a chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Of {
+pub(crate) enum ChartChoice {
     /// Nothing: it shows all there is.
     All,
     /// A component of the deviation.
@@ -73,7 +73,7 @@ impl About {
 }
 
 /// A chart.
-pub(crate) trait Kind: Sync {
+pub(crate) trait ChartKind: Sync {
     fn about(&self) -> About;
 
     /// Whether there is anything to show, or at least something to say.
@@ -91,32 +91,35 @@ pub(crate) trait Kind: Sync {
         None
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing>;
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder>;
 
     /// What it shows, for a spreadsheet.
     fn numbers(&self, scene: &Scene) -> Table;
 }
 
 /// A chart as it is shown, in the language of the window.
-pub(crate) fn shown<'a>(kind: &dyn Kind, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+pub(crate) fn shown<'a>(
+    kind: &dyn ChartKind,
+    scene: &'a Scene<'a>,
+) -> Result<Shown<'a>, ChartPlaceholder> {
     kind.show(scene)
 }
 
 /// The chart of this name.
-pub(crate) fn find(id: &str) -> Option<&'static dyn Kind> {
+pub(crate) fn find(id: &str) -> Option<&'static dyn ChartKind> {
     CHARTS.iter().copied().find(|chart| chart.about().id == id)
 }
 
 /// What stands in the place of a chart that cannot be shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Missing {
+pub(crate) struct ChartPlaceholder {
     /// In one line.
     pub(crate) title: String,
     /// What to log or to do, and what for.
     pub(crate) why: &'static str,
 }
 
-impl Missing {
+impl ChartPlaceholder {
     pub(crate) fn new(title: impl Into<String>, why: &'static str) -> Self {
         let title = title.into();
         Self { title, why }
@@ -135,11 +138,11 @@ pub(crate) struct Shown<'a> {
     pub(crate) name: String,
     /// What is seen, in words.
     pub(crate) says: String,
-    pub(crate) pointed: Pointed<'a>,
+    pub(crate) pointed: HoverTarget<'a>,
 }
 
 /// What the pointer finds on a chart.
-pub(crate) enum Pointed<'a> {
+pub(crate) enum HoverTarget<'a> {
     Nothing,
     Samples(Box<dyn Samples + 'a>),
     Bars(Box<dyn Bars + 'a>),
@@ -187,7 +190,8 @@ mod tests {
     fn charts_are_called_differently() {
         for (k, chart) in CHARTS.iter().enumerate() {
             let (id, name) = (chart.about().id, chart.about().name());
-            let same = |other: &&&dyn Kind| other.about().id == id || other.about().name() == name;
+            let same =
+                |other: &&&dyn ChartKind| other.about().id == id || other.about().name() == name;
             assert_eq!(CHARTS.iter().filter(same).count(), 1, "{id}");
             assert!(
                 find(id).is_some_and(|found| found.about().name() == name),

@@ -1,12 +1,16 @@
 //! How large the deviation is at each whole number of cycles per turn.
 
-use super::{About, Bars, Facts, Kind, Missing, Of, Pointed, Scene, Shown};
-use crate::gui::cache::work::{Given, Work};
+use super::{
+    About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
+};
+use crate::gui::cache::work::{ChartInputs, Work};
 use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::numeric::whole;
-use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
+use crate::present::chart::{
+    Axis, Chart, ChartText, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol, Ticks,
+};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
@@ -22,21 +26,21 @@ pub(crate) struct Orders;
 
 pub(crate) static ORDERS: Orders = Orders;
 
-impl Kind for Orders {
+impl ChartKind for Orders {
     fn about(&self) -> About {
         About {
             id: "order spectrum",
             short: phrase!("orders"),
             name: phrase!("Order spectrum"),
             word: help::ORDERS,
-            of: Of::Joint,
+            of: ChartChoice::Joint,
         }
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
         let (joint, gears) = (scene.joint(), gears(scene));
         let key = std::iter::once(joint).chain(gears.clone()).collect();
-        let make = move |given: Given<'_>| {
+        let make = move |given: ChartInputs<'_>| {
             let over = Over {
                 variable: Variable::Joint,
                 joint,
@@ -51,7 +55,7 @@ impl Kind for Orders {
         Some(Work::new(self.about().id, key, make))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let spectrum = spectrum(scene)?;
         Ok(Shown {
             chart: drawn(scene, spectrum),
@@ -59,8 +63,8 @@ impl Kind for Orders {
                 "order spectrum, {component}",
                 component = scene.component().name()
             ),
-            says: says(scene, spectrum),
-            pointed: Pointed::Bars(Box::new(DrawnOrders { scene, spectrum })),
+            says: describe(scene, spectrum),
+            pointed: HoverTarget::Bars(Box::new(DrawnOrders { scene, spectrum })),
         })
     }
 
@@ -99,16 +103,19 @@ fn gears(scene: &Scene) -> Vec<usize> {
 }
 
 /// The spectrum, or why there is none.
-fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
+fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, ChartPlaceholder> {
     let joint = scene.joint();
     if !scene.subject.joint_turns(joint) {
         let name = &scene.subject.session.robot.joints[joint].name;
         let why = say!("Orders are cycles per turn. Choose a joint that turns");
-        return Err(Missing::new(say!("{name} slides", name = name), why));
+        return Err(ChartPlaceholder::new(
+            say!("{name} slides", name = name),
+            why,
+        ));
     }
-    let spectrum: &Spectrum = scene.found().ok_or_else(Missing::yet)?;
+    let spectrum: &Spectrum = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     if spectrum.orders.is_empty() {
-        return Err(Missing::new(
+        return Err(ChartPlaceholder::new(
             say!("Too few different angles"),
             say!(
                 "An order shows where a wave comes back with every turn: measure thirty angles or more, spread over the whole range of the joint"
@@ -175,7 +182,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let largest = bars.chain(lines).fold(LEAST_SPAN, f64::max);
     let top = largest / (1.0 - ROOM);
     let mut items = Vec::new();
-    for (k, (stands, filled)) in [(Stands::Before, false), (Stands::After, true)]
+    for (k, (stands, filled)) in [(ColourRole::Before, false), (ColourRole::After, true)]
         .into_iter()
         .enumerate()
     {
@@ -204,7 +211,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         .flatten()
         .collect();
     if !line.is_empty() {
-        items.push(Item::Line(line, Stands::Noise, 1.6, true));
+        items.push(Item::Line(line, ColourRole::Noise, 1.6, true));
     }
     names(
         spectrum,
@@ -219,11 +226,16 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let last = orders.len() as f64 - 0.4;
     let name = scene.component().name();
     let joint = &scene.subject.session.robot.joints[scene.joint()].name;
-    let mut legend = vec![Entry::before(Sign::Bar)];
+    let mut legend = vec![Entry::before(LegendSymbol::Bar)];
     if scene.answer.is_some() {
-        legend.push(Entry::after(Sign::Bar));
+        legend.push(Entry::after(LegendSymbol::Bar));
     }
-    legend.push(Entry::new(say!("noise"), Sign::Line, Stands::Noise, false));
+    legend.push(Entry::new(
+        say!("noise"),
+        LegendSymbol::Line,
+        ColourRole::Noise,
+        false,
+    ));
     Chart {
         title: say!(
             "{name} deviation by order over {joint}",
@@ -270,8 +282,8 @@ fn names(
         let height = top - (top - largest) * part / ROWS as f64;
         let at = slot as f64;
         let line = vec![[at, value(of_order(order))], [at, height]];
-        items.push(Item::Line(line, Stands::Reference, 0.8, false));
-        items.push(Item::Word(Word {
+        items.push(Item::Line(line, ColourRole::Reference, 0.8, false));
+        items.push(Item::Word(ChartText {
             at: [at, height],
             text: format!(" {cause}"),
             anchor: Anchor::Start,
@@ -293,7 +305,7 @@ fn note(spectrum: &Spectrum) -> String {
 }
 
 /// What is seen, in words.
-fn says(scene: &Scene, spectrum: &Spectrum) -> String {
+fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
     let units = scene.units;
     let out = |pick: fn(&Order) -> Option<Amplitude>| {
         let mut out: Vec<(usize, f64)> = spectrum

@@ -7,11 +7,13 @@
 
 use statrs::function::erf::erf_inv;
 
-use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
-use crate::present::chart::{Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands};
+use crate::present::chart::{
+    Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
+};
 use crate::present::table::{Cell, Table};
 
 /// Marks in the middle of the chart, and at each of its ends.
@@ -27,7 +29,7 @@ pub(crate) static QUANTILES: Quantiles = Quantiles;
 /// Samples in ascending order of what is left: which, its normal quantile, and how much, mm.
 struct Ranked(Vec<(usize, f64, f64)>);
 
-impl Kind for Quantiles {
+impl ChartKind for Quantiles {
     fn about(&self) -> About {
         About {
             id: "normal quantiles",
@@ -39,7 +41,7 @@ impl Kind for Quantiles {
                     "Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"
                 ),
             },
-            of: Of::Component,
+            of: ChartChoice::Component,
         }
     }
 
@@ -56,10 +58,10 @@ impl Kind for Quantiles {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-        let ranked: &Ranked = scene.found().ok_or_else(Missing::yet)?;
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+        let ranked: &Ranked = scene.found().ok_or_else(ChartPlaceholder::yet)?;
         if scene.component() == Component::Length || ranked.0.len() < 4 {
-            return Err(Missing::new(
+            return Err(ChartPlaceholder::new(
                 say!("Nothing to compare with the normal distribution"),
                 say!("Choose a component that has a sign, of four samples or more"),
             ));
@@ -75,7 +77,7 @@ impl Kind for Quantiles {
                 samples = scene.usable().len(),
                 sigma = sigma
             ),
-            pointed: Pointed::Samples(Box::new((scene, ranked))),
+            pointed: HoverTarget::Samples(Box::new((scene, ranked))),
         })
     }
 
@@ -135,12 +137,17 @@ impl Ranked {
             upwards: Axis::numbers(format!("{name}, {}", scene.units.length_name())),
             bounds: [[-far, -high], [far, high]],
             items: vec![
-                Item::Line(line.to_vec(), Stands::Noise, 1.6, true),
-                Item::Marks(self.0.iter().map(mark).collect(), Stands::After, true),
+                Item::Line(line.to_vec(), ColourRole::Noise, 1.6, true),
+                Item::Marks(self.0.iter().map(mark).collect(), ColourRole::After, true),
             ],
             legend: vec![
-                Entry::after(Sign::Mark(Form::Disc)),
-                Entry::new(say!("noise alone"), Sign::Line, Stands::Noise, false),
+                Entry::after(LegendSymbol::Mark(Form::Disc)),
+                Entry::new(
+                    say!("noise alone"),
+                    LegendSymbol::Line,
+                    ColourRole::Noise,
+                    false,
+                ),
             ],
             note: say!(
                 "the line has the slope of σ = {sigma}",

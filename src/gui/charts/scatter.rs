@@ -3,16 +3,16 @@
 
 use std::borrow::Cow;
 
-use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
-use crate::gui::cache::work::{Given, Work};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
+use crate::gui::cache::work::{ChartInputs, Work};
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::over::Scale;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::numeric::whole;
-use crate::present::chart::{Axis, Chart, Entry, Form, Item, Mark, Sign, Stands};
+use crate::present::chart::{Axis, Chart, ColourRole, Entry, Form, Item, LegendSymbol, Mark};
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::table::{Cell, Table};
 
@@ -45,7 +45,7 @@ type When = usize;
 
 /// Where a sample is, inner units; NaN where that is not known.
 fn at(
-    subject: &Subject,
+    subject: &LoadedSession,
     answer: Option<&Answer>,
     axes: [Quantity; 2],
     when: When,
@@ -78,7 +78,7 @@ struct Points {
 }
 
 impl Cloud {
-    fn of(given: Given<'_>, axes: [Quantity; 2]) -> Self {
+    fn of(given: ChartInputs<'_>, axes: [Quantity; 2]) -> Self {
         Self([0, 1].map(|when| {
             let place = |sample: usize| at(given.subject, given.answer, axes, when, sample);
             let known = when == 0 || given.answer.is_some() && axes.iter().any(|a| a.changes());
@@ -182,7 +182,7 @@ impl<'a> Drawn<'a> {
         let cloud = match scene.found() {
             Some(cloud) => Cow::Borrowed(cloud),
             None if scene.usable().len() > FEW => return None,
-            None => Cow::Owned(Cloud::of(given(scene), axes)),
+            None => Cow::Owned(Cloud::of(chart_inputs(scene), axes)),
         };
         let mut drawn = Self {
             scene,
@@ -231,11 +231,11 @@ impl<'a> Drawn<'a> {
         [0, 1].map(|k| self.scales[k].shown(at[k]))
     }
 
-    fn stands(&self, when: When) -> (Stands, bool) {
+    fn colour_role(&self, when: When) -> (ColourRole, bool) {
         match when {
-            0 if !self.changes => (Stands::Curve, true),
-            0 => (Stands::Before, false),
-            _ => (Stands::After, true),
+            0 if !self.changes => (ColourRole::Curve, true),
+            0 => (ColourRole::Before, false),
+            _ => (ColourRole::After, true),
         }
     }
 
@@ -269,20 +269,20 @@ impl<'a> Drawn<'a> {
             } else {
                 [[x[0], 0.0], [x[1], 0.0]]
             };
-            deviates.then(|| Item::Line(line.to_vec(), Stands::Reference, 1.0, true))
+            deviates.then(|| Item::Line(line.to_vec(), ColourRole::Reference, 1.0, true))
         };
         let mut items: Vec<Item> = zero(0, x).into_iter().chain(zero(1, y)).collect();
-        let sign = Sign::Mark(Form::Disc);
+        let sign = LegendSymbol::Mark(Form::Disc);
         let mut legend = Vec::new();
         if self.changes {
             legend.push(Entry::before(sign));
             if self.scene.answer.is_some() {
                 legend.push(Entry::after(sign));
                 // The marks themselves are those in sight.
-                items.push(Item::Marks(Vec::new(), Stands::After, true));
+                items.push(Item::Marks(Vec::new(), ColourRole::After, true));
             }
         } else {
-            legend.push(Entry::new(say!("samples"), sign, Stands::Curve, true));
+            legend.push(Entry::new(say!("samples"), sign, ColourRole::Curve, true));
         }
         Chart {
             title: say!(
@@ -322,9 +322,9 @@ impl<'a> Drawn<'a> {
         notes.join(" · ")
     }
 
-    fn says(&self, extent: [[f64; 2]; 2]) -> String {
+    fn describe(&self, extent: [[f64; 2]; 2]) -> String {
         let names = self.names();
-        let [x, y] = [0, 1].map(|k| extent[k].map(|v| self.scales[k].says(v)));
+        let [x, y] = [0, 1].map(|k| extent[k].map(|v| self.scales[k].describe(v)));
         say!(
             "{samples} samples, {across} from {x0} to {x1}, {upwards} from {y0} to {y1}",
             samples = self.points(0).samples.len(),
@@ -345,15 +345,15 @@ impl<'a> Drawn<'a> {
     }
 }
 
-fn given<'a>(scene: &Scene<'a>) -> Given<'a> {
-    Given {
+fn chart_inputs<'a>(scene: &Scene<'a>) -> ChartInputs<'a> {
+    ChartInputs {
         subject: scene.subject,
         answer: scene.answer,
         component: scene.component(),
     }
 }
 
-impl Kind for Scatter {
+impl ChartKind for Scatter {
     fn about(&self) -> About {
         About {
             id: "scatter",
@@ -365,7 +365,7 @@ impl Kind for Scatter {
                     "Any two quantities of the samples over each other, one mark for each sample. A band or a curve says that one follows the other, and r how nearly along a line: near 1 or −1 they go together, near 0 they do not"
                 ),
             },
-            of: Of::Quantities,
+            of: ChartChoice::Quantities,
         }
     }
 
@@ -377,10 +377,10 @@ impl Kind for Scatter {
         (scene.usable().len() > FEW).then(work)
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
-        let drawn = Drawn::of(scene).ok_or_else(Missing::yet)?;
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+        let drawn = Drawn::of(scene).ok_or_else(ChartPlaceholder::yet)?;
         let Some(extent) = drawn.extent() else {
-            return Err(Missing::new(
+            return Err(ChartPlaceholder::new(
                 say!("No sample has both quantities"),
                 say!("Choose others across or upwards"),
             ));
@@ -393,8 +393,8 @@ impl Kind for Scatter {
                 upwards = upwards,
                 across = across
             ),
-            says: drawn.says(extent),
-            pointed: Pointed::Samples(Box::new(drawn)),
+            says: drawn.describe(extent),
+            pointed: HoverTarget::Samples(Box::new(drawn)),
         })
     }
 
@@ -454,7 +454,7 @@ impl Samples for Drawn<'_> {
                 at: self.shown(self.place(when, *sample as usize)),
                 form: Form::Disc,
             };
-            let (stands, filled) = self.stands(when);
+            let (stands, filled) = self.colour_role(when);
             Item::Marks(here.map(mark).collect(), stands, filled)
         };
         self.seen().map(marks).collect()

@@ -8,7 +8,7 @@ use crate::diagnosis::Diagnosis;
 use crate::gui::cache::preview::ExportPreview;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::quantity::Quantity;
 use crate::gui::core::search::Search;
 use crate::gui::view::ViewState;
@@ -19,7 +19,7 @@ use crate::present::units::Units;
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub(crate) document: &'a Document,
-    pub(crate) subject: &'a Arc<Subject>,
+    pub(crate) subject: &'a Arc<LoadedSession>,
     pub(crate) view: &'a ViewState,
     /// The component of the deviation that the chart shows.
     pub(crate) component: Component,

@@ -14,7 +14,7 @@ pub(crate) struct Answer {
     /// The model that goes with it, to be saved and exported.
     pub(crate) calibration: Calibration,
     /// Where the model was read from, if it was.
-    pub(crate) loaded: Option<Loaded>,
+    pub(crate) loaded: Option<LoadedModelSummary>,
     /// What is left of the deviations, mm; NaN for samples that cannot be used.
     pub(crate) after_mm: [Vec<f64>; 3],
     /// Their lengths, mm.
@@ -25,7 +25,7 @@ pub(crate) struct Answer {
 
 /// What there is to say about a model that was read from a file.
 #[derive(Debug, Clone)]
-pub(crate) struct Loaded {
+pub(crate) struct LoadedModelSummary {
     pub(crate) file: String,
     /// What it does on the session; `None` where nothing was measured.
     pub(crate) verification: Option<Verification>,

@@ -189,7 +189,7 @@ impl Chain {
         let folder = self.file.parent().filter(|f| !f.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new("."));
         let Some(rest) = name.strip_prefix("package://") else {
-            return open::beside(folder, name).map_err(of_a_mesh);
+            return open::samples_path(folder, name).map_err(of_a_mesh);
         };
         let (package, rest) = rest.split_once('/').unwrap_or((rest, ""));
         let plain = !package.is_empty() && !package.contains(['\\', ':', '\0']) && package != "..";
@@ -208,7 +208,7 @@ impl Chain {
             let expected = text!("a folder with the name of the package above the URDF file");
             return Err((text!("no package {package}", package = package), expected));
         };
-        open::beside(&found, rest).map_err(of_a_mesh)
+        open::samples_path(&found, rest).map_err(of_a_mesh)
     }
 }
 

@@ -57,7 +57,11 @@ pub(crate) fn boundaries(regions: &[Region]) -> Vec<Boundary> {
 }
 
 /// How far a boundary may be moved, rad: to its neighbours, and `within` at the ends.
-pub(crate) fn room(regions: &[Region], boundary: usize, within: (f64, f64)) -> Option<(f64, f64)> {
+pub(crate) fn allowed_range(
+    regions: &[Region],
+    boundary: usize,
+    within: (f64, f64),
+) -> Option<(f64, f64)> {
     let all = boundaries(regions);
     let here = all.get(boundary)?;
     // Beside a gap the neighbour belongs to no region of ours: it may be touched.
@@ -81,7 +85,7 @@ pub(crate) fn moved(
     to_rad: f64,
     within: (f64, f64),
 ) -> Option<Vec<Region>> {
-    let (low, high) = room(regions, boundary, within)?;
+    let (low, high) = allowed_range(regions, boundary, within)?;
     if !to_rad.is_finite() {
         return None;
     }

@@ -9,7 +9,8 @@ use crate::kinematics::Pose;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
-    Answer, CompensateError, Differing, Holds, LANGUAGES, ProgramFrames, Request, language_of,
+    Answer, CompensateError, DifferingNumber, LANGUAGES, Precedence, ProgramFrames, Request,
+    language_of,
 };
 use crate::sessions::files::open::read_document;
 
@@ -18,7 +19,7 @@ pub(crate) const MOST_KG: f64 = 10_000.0;
 
 /// Whose number of a tool or a frame holds where program and model differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Whose {
+pub(crate) enum PrecedenceChoice {
     /// It is asked.
     #[default]
     Asked,
@@ -28,12 +29,12 @@ pub(crate) enum Whose {
     Program,
 }
 
-impl Whose {
-    fn holds(self) -> Holds<Pose> {
+impl PrecedenceChoice {
+    fn holds(self) -> Precedence<Pose> {
         match self {
-            Self::Asked => Holds::Unsettled,
-            Self::Model => Holds::Model,
-            Self::Program => Holds::Program,
+            Self::Asked => Precedence::Unsettled,
+            Self::Model => Precedence::Model,
+            Self::Program => Precedence::Program,
         }
     }
 }
@@ -47,9 +48,9 @@ pub(crate) struct CompensationRequest {
     /// Whether the frame in which the session was measured is the robot's base.
     pub(crate) measured_frame: bool,
     /// Whose tool holds.
-    pub(crate) tool: Whose,
+    pub(crate) tool: PrecedenceChoice,
     /// Whose frame (work object, base, user frame) holds.
-    pub(crate) frame: Whose,
+    pub(crate) frame: PrecedenceChoice,
 }
 
 impl CompensationRequest {
@@ -59,8 +60,8 @@ impl CompensationRequest {
             path,
             load_kg: 0.0,
             measured_frame: false,
-            tool: Whose::Asked,
-            frame: Whose::Asked,
+            tool: PrecedenceChoice::Asked,
+            frame: PrecedenceChoice::Asked,
         }
     }
 }
@@ -71,7 +72,7 @@ pub(crate) struct NotCorrected {
     /// A line for each problem.
     pub(crate) says: Vec<String>,
     /// What is to be settled: whose tool, whose frame.
-    pub(crate) differs: Vec<Differing>,
+    pub(crate) differs: Vec<DifferingNumber>,
 }
 
 /// A file of targets, and what became of it.
@@ -148,7 +149,7 @@ fn corrected(
         says: says.lines().map(str::to_owned).collect(),
         differs: Vec::new(),
     };
-    let bytes = read_document(path).map_err(|error| lines(&spoken(error.says())))?;
+    let bytes = read_document(path).map_err(|error| lines(&spoken(error.describe())))?;
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
         lines(&say!(
@@ -169,18 +170,21 @@ fn corrected(
         frames: ProgramFrames {
             tool: wanted.tool.holds(),
             frame: wanted.frame.holds(),
-            load: Holds::Given(wanted.load_kg),
+            load: Precedence::Given(wanted.load_kg),
         },
         measured_frame: wanted.measured_frame,
     })
     .map_err(|error| {
         let CompensateError::Differs(differences) = &error else {
-            return lines(&spoken(error.says()));
+            return lines(&spoken(error.describe()));
         };
         // How to settle it is asked for above them: options of the terminal are no help here.
         let differences = differences.0.iter();
         NotCorrected {
-            says: differences.clone().map(|one| spoken(one.says())).collect(),
+            says: differences
+                .clone()
+                .map(|one| spoken(one.describe()))
+                .collect(),
             differs: differences.map(|one| one.what).collect(),
         }
     })?;

@@ -13,7 +13,7 @@ const PARTS: usize = 24;
 const WIDER: f64 = 1.25;
 
 #[derive(Debug, Clone)]
-pub(crate) struct Known {
+pub(crate) struct Coverage {
     /// Conditions: which vary, and how far.
     pub(crate) survey: Survey,
     /// Smallest and largest value that joint 1 was measured at, rad or mm; `None` without samples.
@@ -31,7 +31,7 @@ pub(crate) struct Known {
     pub(crate) floor_mm: Option<f64>,
 }
 
-impl Known {
+impl Coverage {
     /// Looks at every sample. `travel` is the range of joint 1 that can be reached or was measured.
     pub(crate) fn new(session: &Session, inputs: &Inputs, travel: (f64, f64)) -> Self {
         let samples = &session.samples;

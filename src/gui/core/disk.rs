@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 
 /// How a file looked.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Print {
+pub(crate) struct Fingerprint {
     pub(crate) path: PathBuf,
     modified: Option<SystemTime>,
     length: u64,
@@ -19,14 +19,14 @@ pub(crate) struct Print {
 
 /// What became of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Fate {
+pub(crate) enum FileChange {
     /// It has other contents.
     Changed,
     /// It is not there, or cannot be read any more.
     Vanished,
 }
 
-impl Print {
+impl Fingerprint {
     /// How a file looks now; `None` where it cannot be read.
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let (modified, length) = outside(path)?;
@@ -46,20 +46,20 @@ impl Print {
 
     /// What became of the file since. A file that has the same contents as then is the same,
     /// whatever its time says; from then on the new time counts.
-    pub(crate) fn look(&mut self) -> Option<Fate> {
+    pub(crate) fn look(&mut self) -> Option<FileChange> {
         let Some((modified, length)) = outside(&self.path) else {
-            return Some(Fate::Vanished);
+            return Some(FileChange::Vanished);
         };
         if modified.is_some() && modified == self.modified && length == self.length {
             return None;
         }
         match hash(&self.path) {
-            Err(_) => Some(Fate::Vanished),
+            Err(_) => Some(FileChange::Vanished),
             Ok(hash) if hash == self.hash => {
                 (self.modified, self.length) = (modified, length);
                 None
             }
-            Ok(_) => Some(Fate::Changed),
+            Ok(_) => Some(FileChange::Changed),
         }
     }
 }
@@ -91,7 +91,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
         fs::write(&path, "1,2").unwrap();
-        let mut print = Print::of(&path).unwrap();
+        let mut print = Fingerprint::of(&path).unwrap();
         assert_eq!(print.look(), None);
         let later = SystemTime::UNIX_EPOCH + std::time::Duration::from_hours(1);
         File::options()
@@ -103,9 +103,9 @@ mod tests {
         assert_eq!(print.look(), None);
         // As long, and at the same time to the last tick: the time says nothing here.
         fs::write(&path, "1,3").unwrap();
-        assert_eq!(print.look(), Some(Fate::Changed));
+        assert_eq!(print.look(), Some(FileChange::Changed));
         fs::remove_file(&path).unwrap();
-        assert_eq!(print.look(), Some(Fate::Vanished));
-        assert!(Print::of(&path).is_none());
+        assert_eq!(print.look(), Some(FileChange::Vanished));
+        assert!(Fingerprint::of(&path).is_none());
     }
 }

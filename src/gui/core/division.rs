@@ -33,7 +33,7 @@ pub(crate) struct Decision {
 
 impl Decision {
     /// What was decided and why, in one line.
-    pub(crate) fn says(&self, units: Units) -> String {
+    pub(crate) fn describe(&self, units: Units) -> String {
         if self.regions == 1 {
             return say!("One region: nowhere does the deviation change by more than the noise")
                 .to_owned();
@@ -60,7 +60,7 @@ impl Decision {
 pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
     let regions = RegionChoice::Adaptive
         .resolve(session)
-        .map_err(|e| spoken(e.says()))?;
+        .map_err(|e| spoken(e.describe()))?;
     let left = |choice| {
         let method = Method::Regional(choice);
         let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;

@@ -12,8 +12,8 @@ use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use super::division::Division;
-use super::loaded_model::Given;
-use super::loaded_session::Subject;
+use super::loaded_model::LoadedModel;
+use super::loaded_session::LoadedSession;
 use super::search::{self, Search};
 
 /// How the robot is identified.
@@ -94,7 +94,7 @@ pub(crate) struct Choices {
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Document {
-    pub(crate) subject: Arc<Subject>,
+    pub(crate) subject: Arc<LoadedSession>,
     /// Regions of joint 1.
     pub(crate) regions: Arc<[Region]>,
     pub(crate) division: Division,
@@ -108,14 +108,14 @@ pub(crate) struct Document {
     /// How the table is exported.
     pub(crate) export: ExportChoice,
     /// A model that takes the place of the identification.
-    pub(crate) given: Option<Arc<Given>>,
+    pub(crate) given: Option<Arc<LoadedModel>>,
     /// Whether the robot is to be identified; from then on the answer follows every change.
     pub(crate) identified: bool,
 }
 
 impl Document {
     /// A session as it is opened: its own regions and tolerance, nothing identified yet.
-    pub(crate) fn new(subject: Arc<Subject>) -> Self {
+    pub(crate) fn new(subject: Arc<LoadedSession>) -> Self {
         let regions = if subject.single_revolute() && !subject.is_empty() {
             // A session at one angle has no range to divide, and so no regions.
             RegionChoice::FromSession
@@ -144,7 +144,7 @@ impl Document {
     }
 
     /// The same with a model that was read from a file.
-    pub(crate) fn with_model(self, given: Arc<Given>) -> Self {
+    pub(crate) fn with_model(self, given: Arc<LoadedModel>) -> Self {
         let regions = if self.subject.is_empty() {
             given
                 .calibration
@@ -182,13 +182,13 @@ impl Document {
         self.identified.then(|| Question {
             subject: Arc::clone(&self.subject),
             asks: match (&self.given, self.method) {
-                (Some(given), _) => Asks::Given(Arc::clone(given)),
-                (None, Method::Exact) => Asks::Exact {
+                (Some(given), _) => QuestionDetails::Given(Arc::clone(given)),
+                (None, Method::Exact) => QuestionDetails::Exact {
                     effects: self.effects.clone(),
                     with: self.in_the_model().cloned().collect(),
                     found: None,
                 },
-                (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
+                (None, Method::Regional) => QuestionDetails::Regional(Arc::clone(&self.regions)),
             },
         })
     }
@@ -197,43 +197,43 @@ impl Document {
 /// What to identify, from what.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Question {
-    pub(crate) subject: Arc<Subject>,
-    pub(crate) asks: Asks,
+    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) asks: QuestionDetails,
 }
 
 /// The part of a [`Question`] beside the session.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Asks {
+pub(crate) enum QuestionDetails {
     /// Exactly these effects.
     Exact {
         effects: Vec<&'static str>,
         /// What a search found, with its settings.
         with: Vec<Term>,
         /// The search, where all of this is just what it found: its own values are the answer then.
-        found: Option<Found>,
+        found: Option<RequestedSearch>,
     },
     /// A correction for each of these regions.
     Regional(Arc<[Region]>),
     /// What this model says.
-    Given(Arc<Given>),
+    Given(Arc<LoadedModel>),
 }
 
 /// A search whose answer is asked for.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
+pub(crate) struct RequestedSearch {
     search: Arc<Search>,
     /// Whether the smooth correction of what no name explains is asked for too.
     corrected: bool,
 }
 
-impl PartialEq for Found {
+impl PartialEq for RequestedSearch {
     fn eq(&self, other: &Self) -> bool {
         let same = Arc::ptr_eq(&self.search, &other.search);
         self.corrected == other.corrected && (same || self.search.answer == other.search.answer)
     }
 }
 
-impl Found {
+impl RequestedSearch {
     /// The search, where these terms are all that it found.
     fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
         let diagnosis = search.answer.as_ref().ok()?;
@@ -265,7 +265,7 @@ impl Question {
     /// The same, answered by the search where it asks for all that the search found and nothing
     /// else. A session with set-up errors was corrected before it was searched: its own fit is another.
     pub(crate) fn found_by(mut self, search: &Arc<Search>) -> Self {
-        let Asks::Exact {
+        let QuestionDetails::Exact {
             effects,
             with,
             found,
@@ -278,7 +278,7 @@ impl Question {
         let clean = |d: &Diagnosis| d.data_problems.is_empty();
         let as_given = search.answer.as_ref().is_ok_and(clean);
         if base && as_given && Arc::ptr_eq(&search.subject, &self.subject) {
-            *found = Found::all_of(search, with);
+            *found = RequestedSearch::all_of(search, with);
         }
         self
     }

@@ -15,8 +15,8 @@ use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::document::{Asks, Found, Question};
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::document::{Question, QuestionDetails, RequestedSearch};
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::jobs::Watch;
 
 use super::loaded;
@@ -27,24 +27,24 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
     let session = &subject.session;
     let values = JointValues::Commanded;
     let (identification, calibration) = match &question.asks {
-        Asks::Given(given) => return loaded::answer(given, subject),
-        Asks::Exact {
+        QuestionDetails::Given(given) => return loaded::answer(given, subject),
+        QuestionDetails::Exact {
             effects,
             with,
             found,
         } => {
-            let searched = found.as_ref().and_then(Found::diagnosis);
+            let searched = found.as_ref().and_then(RequestedSearch::diagnosis);
             match searched {
                 Some(diagnosis) => of_search(session, &diagnosis),
                 None => fitted(session, effects, with, watch)?,
             }
         }
-        Asks::Regional(regions) => {
+        QuestionDetails::Regional(regions) => {
             let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
-            identify(session, &method, values).map_err(|e| spoken(e.says()))?
+            identify(session, &method, values).map_err(|e| spoken(e.describe()))?
         }
     };
-    let after_mm = if let Asks::Regional(_) = &question.asks {
+    let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
         after_regional(subject, &identification)
     } else {
         deviations(&Problem::new(session, values), &identification.model).axes_mm
@@ -106,12 +106,13 @@ fn fitted(
         with: with.to_vec(),
         priors: true,
     };
-    identify_unless(session, &method, JointValues::Commanded, &go_on).map_err(|e| spoken(e.says()))
+    identify_unless(session, &method, JointValues::Commanded, &go_on)
+        .map_err(|e| spoken(e.describe()))
 }
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
 /// motion at home. A sample in no region keeps its deviation: nothing corrects it.
-fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f64>; 3] {
+fn after_regional(subject: &LoadedSession, identification: &Identification) -> [Vec<f64>; 3] {
     let session = &subject.session;
     let inputs = Inputs::new(session, JointValues::Commanded);
     let corrections = identification.regions.iter().map(|r| r.correction.clone());

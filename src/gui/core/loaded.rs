@@ -11,17 +11,17 @@ use crate::pipeline::verify;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 
-use super::answer::{Answer, Loaded};
-use super::loaded_model::Given;
-use super::loaded_session::Subject;
+use super::answer::{Answer, LoadedModelSummary};
+use super::loaded_model::LoadedModel;
+use super::loaded_session::LoadedSession;
 
 /// Method of an [`Identification`] that was none.
 pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
-pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String> {
+pub(crate) fn answer(given: &LoadedModel, subject: &LoadedSession) -> Result<Answer, String> {
     let calibration = Calibration::clone(&given.calibration);
-    let mut loaded = Loaded {
+    let mut loaded = LoadedModelSummary {
         file: given.file_name(),
         verification: None,
     };
@@ -36,7 +36,7 @@ pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String>
             suspected: Vec::new(),
         });
     }
-    let verification = verify(&calibration, &subject.session).map_err(|e| spoken(e.says()))?;
+    let verification = verify(&calibration, &subject.session).map_err(|e| spoken(e.describe()))?;
     let identification = identification(given, subject, Some(&verification));
     let mut suspected = vec![false; subject.len()];
     for outlier in &verification.outliers {
@@ -55,8 +55,8 @@ pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String>
 }
 
 fn identification(
-    given: &Given,
-    subject: &Subject,
+    given: &LoadedModel,
+    subject: &LoadedSession,
     verified: Option<&Verification>,
 ) -> Identification {
     let Calibration {
@@ -110,7 +110,11 @@ fn identification(
     }
 }
 
-fn regions(given: &Given, subject: &Subject, verified: Option<&Verification>) -> Vec<RegionResult> {
+fn regions(
+    given: &LoadedModel,
+    subject: &LoadedSession,
+    verified: Option<&Verification>,
+) -> Vec<RegionResult> {
     let corrections = &given.calibration.regions;
     let regions: Vec<Region> = corrections.iter().map(RegionalCorrection::region).collect();
     let assignment = Assignment::new(&regions);

@@ -10,22 +10,22 @@ use crate::compensation::VerifiedCalibration;
 use crate::model::Calibration;
 use crate::sessions::{Instrument, Samples, Session, hash_of_samples};
 
-use super::loaded_session::{Origin, Subject};
+use super::loaded_session::{LoadedSession, Origin};
 
 /// A model and the file that it was read from.
 #[derive(Debug, Clone)]
-pub(crate) struct Given {
+pub(crate) struct LoadedModel {
     pub(crate) calibration: VerifiedCalibration,
     pub(crate) path: PathBuf,
 }
 
-impl PartialEq for Given {
+impl PartialEq for LoadedModel {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
 }
 
-impl Given {
+impl LoadedModel {
     /// A model that was read from a file.
     pub(crate) fn new(calibration: VerifiedCalibration, path: &Path) -> Self {
         Self {
@@ -50,7 +50,7 @@ impl Given {
     }
 
     /// The model's robot with no sample measured on it.
-    pub(crate) fn alone(&self) -> Subject {
+    pub(crate) fn alone(&self) -> LoadedSession {
         let Calibration { model, targets, .. } = &*self.calibration;
         let joints = model.robot.joints.len();
         let session = Session {
@@ -72,7 +72,7 @@ impl Given {
             },
             path: None,
         };
-        let mut subject = Subject::new(session, Vec::new(), Origin::Model(self.path.clone()));
+        let mut subject = LoadedSession::new(session, Vec::new(), Origin::Model(self.path.clone()));
         subject.measured_range = self.calibration.measured.first().copied();
         subject
     }

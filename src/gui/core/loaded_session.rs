@@ -17,17 +17,17 @@ use crate::fit::problem::Problem;
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Positions;
-use crate::progress::{Cancelled, Part};
+use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
 use super::angles::Angles;
 use super::answer::measuring_from_base;
 use super::appearance::Appearance;
 use super::attached::Attached;
-use super::coverage::Known;
+use super::coverage::Coverage;
 use super::overview::Overview;
-use super::region_sums::Tally;
-use crate::gui::core::disk::Print;
+use super::region_sums::RegionTotals;
+use crate::gui::core::disk::Fingerprint;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,7 +99,7 @@ impl Component {
 static OPENINGS: AtomicU64 = AtomicU64::new(1);
 
 #[derive(Debug, Clone)]
-pub(crate) struct Subject {
+pub(crate) struct LoadedSession {
     pub(crate) session: Session,
     /// What was found while it was read.
     pub(crate) findings: Vec<Diagnostic>,
@@ -121,7 +121,7 @@ pub(crate) struct Subject {
     /// How many samples lie where along joint 1, once somebody asked.
     angles: OnceLock<Angles>,
     /// What its samples cover.
-    pub(crate) known: Known,
+    pub(crate) known: Coverage,
     /// What is drawn of its samples, once somebody asked.
     pub(crate) drawn: Attached,
     /// Effects that the session can show.
@@ -133,11 +133,11 @@ pub(crate) struct Subject {
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
     /// What regions of it hold, for any boundaries.
-    tallied: OnceLock<Tally>,
+    region_totals: OnceLock<RegionTotals>,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
-    pub(crate) files: Vec<Print>,
+    pub(crate) files: Vec<Fingerprint>,
     pub(crate) samples_file: Option<PathBuf>,
     /// What the robot looks like, where its URDF has meshes.
     pub(crate) appearance: Option<Arc<Appearance>>,
@@ -148,13 +148,13 @@ pub(crate) struct Subject {
 }
 
 /// Only itself: what was opened twice is not the same.
-impl PartialEq for Subject {
+impl PartialEq for LoadedSession {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
 }
 
-impl Subject {
+impl LoadedSession {
     /// Looks through a session.
     pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
         let Ok(subject) = Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
@@ -169,7 +169,7 @@ impl Subject {
         session: Session,
         findings: Vec<Diagnostic>,
         origin: Origin,
-        part: Part<'_>,
+        part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
         Self::look(session, findings, origin, |share| part.reached(share))
     }
@@ -203,7 +203,7 @@ impl Subject {
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
         done(0.6)?;
-        let known = Known::new(&session, &problem.inputs, overview.travel);
+        let known = Coverage::new(&session, &problem.inputs, overview.travel);
         let (testable, not_testable) = effects_of(&session, &known.survey);
         done(0.8)?;
         let subject = Self {
@@ -213,7 +213,7 @@ impl Subject {
             angles: OnceLock::new(),
             known,
             drawn: Attached::default(),
-            tallied: OnceLock::new(),
+            region_totals: OnceLock::new(),
             base,
             nominal,
             before,
@@ -271,14 +271,14 @@ impl Subject {
     }
 
     /// What regions of it hold, for any boundaries. The first call sorts the samples.
-    pub(crate) fn tally(&self) -> &Tally {
-        let make = || Tally::new(&self.session, &self.joint, &self.before);
-        self.tallied.get_or_init(make)
+    pub(crate) fn region_totals(&self) -> &RegionTotals {
+        let make = || RegionTotals::new(&self.session, &self.joint, &self.before);
+        self.region_totals.get_or_init(make)
     }
 
     /// The same, if it is made already.
-    pub(crate) fn tally_if_made(&self) -> Option<&Tally> {
-        self.tallied.get()
+    pub(crate) fn region_totals_if_made(&self) -> Option<&RegionTotals> {
+        self.region_totals.get()
     }
 
     /// Whether nothing was measured: a model stands by itself.

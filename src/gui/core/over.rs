@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::present::numbers::trimmed;
 use crate::present::units::{AngleUnit, Units};
 
@@ -34,13 +34,13 @@ pub(crate) struct Over {
 
 impl Over {
     /// The variable at a sample; NaN where it is not known. Travel is not a column.
-    pub(crate) fn of(self, subject: &Subject, sample: usize) -> f64 {
+    pub(crate) fn of(self, subject: &LoadedSession, sample: usize) -> f64 {
         self.column(subject)
             .map_or(f64::NAN, |column| column[sample])
     }
 
     /// The column, where the session has it.
-    pub(crate) fn column(self, subject: &Subject) -> Option<&[f64]> {
+    pub(crate) fn column(self, subject: &LoadedSession) -> Option<&[f64]> {
         let samples = &subject.session.samples;
         match self.variable {
             Variable::Joint => samples.q.get(self.joint).map(Vec::as_slice),
@@ -53,14 +53,14 @@ impl Over {
     }
 
     /// Side from which the joint came; 0 where it is not known.
-    pub(crate) fn side(self, subject: &Subject, sample: usize) -> f64 {
+    pub(crate) fn side(self, subject: &LoadedSession, sample: usize) -> f64 {
         let dir = subject.session.samples.dir.get(self.joint);
         let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
         if side.is_nan() { 0.0 } else { side }
     }
 
     /// Whether no sample has a value. Looks at all of them, at worst.
-    pub(crate) fn is_missing(self, subject: &Subject) -> bool {
+    pub(crate) fn is_missing(self, subject: &LoadedSession) -> bool {
         let column = self.column(subject);
         !column.is_some_and(|column| column.iter().any(|v| v.is_finite()))
     }
@@ -99,13 +99,13 @@ impl Over {
         }
     }
 
-    fn turns(self, subject: &Subject) -> bool {
+    fn turns(self, subject: &LoadedSession) -> bool {
         subject.joint_turns(self.joint)
     }
 
     /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
     /// it reaches, inner units.
-    pub(crate) fn scale(self, subject: &Subject, units: Units, span: f64) -> Scale {
+    pub(crate) fn scale(self, subject: &LoadedSession, units: Units, span: f64) -> Scale {
         let turns = self.turns(subject);
         let per = |factor: f64, unit: &str| Scale {
             factor,
@@ -140,13 +140,13 @@ impl Over {
     }
 
     /// The first value that is known.
-    fn first(self, subject: &Subject) -> f64 {
+    fn first(self, subject: &LoadedSession) -> f64 {
         let known = |column: &[f64]| column.iter().copied().find(|v| v.is_finite());
         self.column(subject).and_then(known).unwrap_or(0.0)
     }
 
     /// What stands below the axis, without the unit.
-    pub(crate) fn label(self, subject: &Subject) -> String {
+    pub(crate) fn label(self, subject: &LoadedSession) -> String {
         let joint = &subject.session.robot.joints[self.joint].name;
         match self.variable {
             Variable::Joint => joint.clone(),
@@ -160,7 +160,7 @@ impl Over {
     }
 
     /// The heading of its column in a table, inner units except that a joint's angle is in degrees.
-    pub(crate) fn heading(self, subject: &Subject) -> String {
+    pub(crate) fn heading(self, subject: &LoadedSession) -> String {
         let turns = self.turns(subject);
         let number = self.joint + 1;
         match (self.variable, turns) {
@@ -177,7 +177,7 @@ impl Over {
     }
 
     /// A value as that table has it.
-    pub(crate) fn cell(self, subject: &Subject, value: f64) -> f64 {
+    pub(crate) fn cell(self, subject: &LoadedSession, value: f64) -> f64 {
         match self.variable {
             Variable::Joint | Variable::Speed | Variable::Travel if self.turns(subject) => {
                 crate::units::deg_from_rad(value)
@@ -211,7 +211,7 @@ impl Scale {
     }
 
     /// `36 °C`, `−90°`.
-    pub(crate) fn says(&self, value: f64) -> String {
+    pub(crate) fn describe(&self, value: f64) -> String {
         let number = trimmed(self.shown(value), 2);
         if self.unit == "°" {
             format!("{number}°")
@@ -229,10 +229,14 @@ mod tests {
     #[test]
     fn what_was_not_logged_is_named_with_its_column_and_what_it_is_for() {
         let workbench = workbench();
-        let mut session = workbench.subject().session.clone();
+        let mut session = workbench.loaded_session().session.clone();
         session.samples.load_kg = None;
         session.samples.temperature_c = Some(vec![f64::NAN; session.samples.len()]);
-        let subject = Subject::new(session, Vec::new(), workbench.subject().origin.clone());
+        let subject = LoadedSession::new(
+            session,
+            Vec::new(),
+            workbench.loaded_session().origin.clone(),
+        );
         let over = |variable| Over { variable, joint: 0 };
         for (variable, column) in [
             (Variable::Load, "load_kg"),
@@ -254,8 +258,8 @@ mod tests {
             joint: 0,
         };
         let unit = |span: f64| {
-            let scale = over.scale(workbench.subject(), Units::default(), span);
-            (scale.unit.clone(), scale.says(scale.origin + span))
+            let scale = over.scale(workbench.loaded_session(), Units::default(), span);
+            (scale.unit.clone(), scale.describe(scale.origin + span))
         };
         assert_eq!(unit(90.0), ("s".to_owned(), "90 s".to_owned()));
         assert_eq!(unit(3600.0), ("min".to_owned(), "60 min".to_owned()));

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::answer::Answer;
-use super::loaded_session::{Component, Subject};
+use super::loaded_session::{Component, LoadedSession};
 use super::over::{Over, Scale, Variable};
 use crate::present::units::Units;
 
@@ -27,7 +27,7 @@ pub(crate) type BeforeAndAfter = (f64, Option<f64>);
 
 impl Quantity {
     /// What a session has, in the order in which it is offered.
-    pub(crate) fn offered(subject: &Subject) -> Vec<Self> {
+    pub(crate) fn offered(subject: &LoadedSession) -> Vec<Self> {
         let planar = subject.session.samples.z_mm.is_none();
         let components = Component::ALL.into_iter();
         let components = components.filter(|c| !(planar && c.out_of_plane()));
@@ -68,7 +68,12 @@ impl Quantity {
     }
 
     /// Its value at a sample, inner units; NaN where it is not known.
-    pub(crate) fn of(self, subject: &Subject, answer: Option<&Answer>, i: usize) -> BeforeAndAfter {
+    pub(crate) fn of(
+        self,
+        subject: &LoadedSession,
+        answer: Option<&Answer>,
+        i: usize,
+    ) -> BeforeAndAfter {
         let same = |value: f64| (value, Some(value));
         match self {
             Self::Deviation(component) => {
@@ -83,7 +88,7 @@ impl Quantity {
     }
 
     /// What it is called, without its unit.
-    pub(crate) fn name(self, subject: &Subject) -> String {
+    pub(crate) fn name(self, subject: &LoadedSession) -> String {
         const AXES: [&str; 3] = ["x", "y", "z"];
         match self {
             Self::Deviation(component) => {
@@ -96,7 +101,7 @@ impl Quantity {
     }
 
     /// How it becomes a number on the screen; `span` is how far it reaches, inner units.
-    pub(crate) fn scale(self, subject: &Subject, units: Units, span: f64) -> Scale {
+    pub(crate) fn scale(self, subject: &LoadedSession, units: Units, span: f64) -> Scale {
         let per = |factor: f64, unit: &str| Scale {
             factor,
             origin: 0.0,
@@ -113,7 +118,7 @@ impl Quantity {
     }
 
     /// The heading of its column in a table, in English.
-    pub(crate) fn heading(self, subject: &Subject) -> String {
+    pub(crate) fn heading(self, subject: &LoadedSession) -> String {
         match self {
             Self::Deviation(component) => format!("{} deviation, mm", component.name()),
             Self::Column(over) => over.heading(subject),
@@ -123,7 +128,7 @@ impl Quantity {
     }
 
     /// A value as that table has it.
-    pub(crate) fn cell(self, subject: &Subject, value: f64) -> f64 {
+    pub(crate) fn cell(self, subject: &LoadedSession, value: f64) -> f64 {
         match self {
             Self::Column(over) => over.cell(subject, value),
             _ => value,

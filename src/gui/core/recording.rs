@@ -91,7 +91,7 @@ impl Heard {
     }
 
     /// In a line.
-    pub(crate) fn says(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         let recorded = usize::try_from(self.recorded).unwrap_or(usize::MAX);
         let lines = say!(one "{count} line", "{count} lines", count = grouped(recorded));
         let left_out = match self.refused {

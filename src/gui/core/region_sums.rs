@@ -24,7 +24,7 @@ use super::angles::pieces;
 type Sums = [f64; 5];
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Tally {
+pub(crate) struct RegionTotals {
     /// Angles of all samples that have one, ascending, rad.
     q: Vec<f64>,
     /// Sums over the samples to be fitted before each place; one more than angles.
@@ -33,14 +33,14 @@ pub(crate) struct Tally {
 
 /// What a region holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Held {
+pub(crate) struct RegionContents {
     /// Samples in it, whether they are fitted or not.
     pub(crate) samples: usize,
     /// Sums over those to be fitted.
     pub(crate) sums: RegionSums,
 }
 
-impl Held {
+impl RegionContents {
     /// Δθ in rad and Δl1 in mm, and the root mean square of what they leave in the plane, mm;
     /// `None` where nothing is to be fitted.
     pub(crate) fn correction(&self) -> Option<(f64, f64, f64)> {
@@ -55,7 +55,7 @@ impl Held {
     }
 }
 
-impl Tally {
+impl RegionTotals {
     /// Sorts the samples of a session with a single joint that turns.
     pub(crate) fn new(session: &Session, frame: &JointFrame, before: &Deviations) -> Self {
         let problem = Problem::new(session, JointValues::Commanded);
@@ -95,7 +95,7 @@ impl Tally {
     }
 
     /// What each of these regions holds; they may overlap, and leave gaps.
-    pub(crate) fn held(&self, regions: &[Region]) -> Vec<Held> {
+    pub(crate) fn held(&self, regions: &[Region]) -> Vec<RegionContents> {
         let mut held = vec![(0, [0.0; 5]); regions.len()];
         pieces(&self.q, regions, |owner, from, to| {
             let (samples, sums) = &mut held[owner];
@@ -105,7 +105,7 @@ impl Tally {
             }
         });
         let held = held.into_iter();
-        held.map(|(samples, sums)| Held {
+        held.map(|(samples, sums)| RegionContents {
             samples,
             sums: region_sums(sums),
         })
@@ -153,13 +153,13 @@ mod tests {
     #[test]
     fn every_division_has_the_sums_that_looking_at_every_sample_finds() {
         let workbench = workbench();
-        let subject = workbench.subject();
-        let tally = subject.tally();
+        let subject = workbench.loaded_session();
+        let totals = subject.region_totals();
         let mut problem = Problem::new(&subject.session, JointValues::Commanded);
         problem.axis_weights = [1.0, 1.0, 0.0];
         for regions in divisions() {
             let (expected, _) = sum_by_region(&problem, &regions);
-            let found = tally.held(&regions);
+            let found = totals.held(&regions);
             assert_eq!(found.len(), expected.len());
             for (found, expected) in found.iter().zip(&expected) {
                 assert_eq!(found.sums.samples, expected.samples, "{regions:?}");
@@ -175,8 +175,8 @@ mod tests {
     #[test]
     fn samples_are_counted_as_one_by_one() {
         let workbench = workbench();
-        let subject = workbench.subject();
-        let tally = subject.tally();
+        let subject = workbench.loaded_session();
+        let totals = subject.region_totals();
         for regions in divisions() {
             let assignment = Assignment::new(&regions);
             let mut counts = vec![0; regions.len()];
@@ -185,7 +185,7 @@ mod tests {
                     counts[region] += 1;
                 }
             }
-            let found = tally.held(&regions).into_iter().map(|held| held.samples);
+            let found = totals.held(&regions).into_iter().map(|held| held.samples);
             assert_eq!(found.collect::<Vec<_>>(), counts, "{regions:?}");
         }
     }
@@ -195,13 +195,13 @@ mod tests {
         use crate::fit::identify_regional;
         use crate::sessions::division::RegionChoice;
         let workbench = workbench();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let regions = regions(&[(-90.0, -30.0), (-30.0, 27.0), (27.0, 90.0)]);
-        let tally = subject.tally();
+        let totals = subject.region_totals();
         let choice = RegionChoice::Given(regions.clone());
         let whole = identify_regional(&subject.session, &choice, JointValues::Commanded)
             .expect("it can be identified");
-        for (held, result) in tally.held(&regions).iter().zip(&whole.regions) {
+        for (held, result) in totals.held(&regions).iter().zip(&whole.regions) {
             let (theta, l1_mm, left_mm) = held.correction().expect("there are samples");
             assert!((theta - result.correction.theta_rad).abs() < 1e-12);
             assert!((l1_mm - result.correction.l1_mm).abs() < 1e-9);

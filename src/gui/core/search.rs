@@ -4,17 +4,17 @@
 use crate::text::Template;
 use std::sync::Arc;
 
-use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};
+use crate::diagnosis::{DiagnoseError, Diagnosis, FoundEffect, Options, Progress};
 use crate::effects::Term;
 use crate::pipeline::diagnose;
 
-use super::loaded_session::Subject;
+use super::loaded_session::LoadedSession;
 use crate::gui::jobs::Watch;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Search {
     /// The session that was searched.
-    pub(crate) subject: Arc<Subject>,
+    pub(crate) subject: Arc<LoadedSession>,
     /// What was found, or why there is no answer.
     pub(crate) answer: Result<Diagnosis, String>,
 }
@@ -36,8 +36,8 @@ const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
 
 impl Search {
     /// Searches. Takes its time.
-    pub(crate) fn of(subject: Arc<Subject>, watch: &Watch) -> Self {
-        let answer = diagnose(&subject.session, &options(), &told(watch));
+    pub(crate) fn of(subject: Arc<LoadedSession>, watch: &Watch) -> Self {
+        let answer = diagnose(&subject.session, &options(), &progress_callback(watch));
         let answer = answer.map_err(|error| match error {
             DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
             other => other.to_string(),
@@ -58,7 +58,7 @@ pub(crate) fn options() -> Options {
 }
 
 /// Passes on how far a search is, and whether it was cancelled.
-pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
+pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
     |progress| {
         let mut share = 0.0;
         let stage = match progress {
@@ -90,7 +90,7 @@ pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
 
 /// The model's term of a name that was found. Names may come twice with another setting (two
 /// orders of a gear); the setting is their first parameter then.
-pub(crate) fn term_of(diagnosis: &Diagnosis, found: &Found) -> Option<Term> {
+pub(crate) fn term_of(diagnosis: &Diagnosis, found: &FoundEffect) -> Option<Term> {
     let first = found.parameters.first().map_or(0.0, |p| p.value);
     let robot = &diagnosis.model.robot;
     let distance = |term: &Term| {

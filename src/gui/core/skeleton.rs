@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn a_column_is_a_mast_and_an_arm() {
         let workbench = workbench();
-        let robot = &workbench.subject().session.robot;
+        let robot = &workbench.loaded_session().session.robot;
         let corners = Skeleton::new(robot, &Point3::origin()).at(&[0.0]);
         let expected = [
             [0.0, 0.0, 0.0],

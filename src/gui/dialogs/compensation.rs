@@ -5,13 +5,13 @@ use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, Whose};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, PrecedenceChoice};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::programs::Differing;
+use crate::programs::DifferingNumber;
 
 use super::ends;
 
@@ -35,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui,
         &say!("Compensate {name}", name = name.to_string_lossy()),
     );
-    let differs: &[Differing] = match &compensated.result {
+    let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],
     };
@@ -50,9 +50,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         Ok(corrected) => {
             widgets::fact_of(ui, phrase!("read as"), corrected.language);
             let detail = Detail::window(workbench.units());
-            let orientation = workbench.subject().session.robot.mobility() == 6;
+            let orientation = workbench.loaded_session().session.robot.mobility() == 6;
             let answer = &corrected.answer;
-            says(
+            describe(
                 ui,
                 &explain::program(answer, orientation, MOST_LEFT, detail),
             );
@@ -70,7 +70,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn asked(
     ui: &mut Ui,
     before: &CompensationRequest,
-    differs: &[Differing],
+    differs: &[DifferingNumber],
     commands: &mut Vec<Command>,
 ) {
     let mut wanted = before.clone();
@@ -83,11 +83,11 @@ fn asked(
     let says = say!("the measuring frame is the robot's base");
     ui.checkbox(&mut wanted.measured_frame, says);
     let tool = say!("Tool of the program");
-    if differs.contains(&Differing::Tool) || wanted.tool != Whose::Asked {
+    if differs.contains(&DifferingNumber::Tool) || wanted.tool != PrecedenceChoice::Asked {
         whose(ui, tool, &mut wanted.tool);
     }
     let frame = say!("Frame of the program");
-    if differs.contains(&Differing::Frame) || wanted.frame != Whose::Asked {
+    if differs.contains(&DifferingNumber::Frame) || wanted.frame != PrecedenceChoice::Asked {
         whose(ui, frame, &mut wanted.frame);
     }
     if wanted != *before {
@@ -96,12 +96,12 @@ fn asked(
 }
 
 /// Whose tool or frame holds.
-fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
+fn whose(ui: &mut Ui, of: &str, holds: &mut PrecedenceChoice) {
     ui.horizontal_wrapped(|ui| {
         ui.label(of);
         let choices = [
-            (Whose::Model, say!("the model's tool or base")),
-            (Whose::Program, say!("as the program writes it")),
+            (PrecedenceChoice::Model, say!("the model's tool or base")),
+            (PrecedenceChoice::Program, say!("as the program writes it")),
         ];
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
@@ -115,7 +115,7 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut Whose) {
 }
 
 /// What there is to say of the targets: how many, how far off, which are left and why.
-fn says(ui: &mut Ui, sections: &[Section]) {
+fn describe(ui: &mut Ui, sections: &[Section]) {
     ScrollArea::vertical()
         .id_salt("what became of the targets")
         .max_height(high(ui))

@@ -83,7 +83,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        let measured = !workbench.subject().is_empty();
+        let measured = !workbench.loaded_session().is_empty();
         let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
             commands.push(Command::Sheet(None));

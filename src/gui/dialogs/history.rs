@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let id = Id::unique("history of a machine");
-    let open = &workbench.subject().session.robot.name;
+    let open = &workbench.loaded_session().session.robot.name;
     let blank = || Choice {
         robot: open.clone(),
         ..Choice::default()

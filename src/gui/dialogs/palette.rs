@@ -4,7 +4,7 @@ use egui::{
     Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
 
-use crate::gui::actions::{self, Action, Now};
+use crate::gui::actions::{self, Action, WindowState};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
@@ -35,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if field.changed() {
         typed.chosen = 0;
     }
-    let now = Now {
+    let now = WindowState {
         ctx: &ctx,
         workbench,
     };
@@ -71,7 +71,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 }
 
 /// What has every word that was typed in its name or in what the list of keys says of it.
-fn fitting<'a>(now: Now<'_>, typed: &str) -> Vec<(&'a Action, String)> {
+fn fitting<'a>(now: WindowState<'_>, typed: &str) -> Vec<(&'a Action, String)> {
     let typed = typed.to_lowercase();
     let named = actions::ALL
         .iter()
@@ -87,7 +87,7 @@ fn fitting<'a>(now: Now<'_>, typed: &str) -> Vec<(&'a Action, String)> {
     named.filter(fits).collect()
 }
 
-fn row(ui: &mut Ui, now: Now<'_>, action: &Action, name: &str, chosen: bool) -> Response {
+fn row(ui: &mut Ui, now: WindowState<'_>, action: &Action, name: &str, chosen: bool) -> Response {
     let enabled = action.enabled(now);
     let button = Button::selectable(chosen, name).shortcut_text(action.keys(now.ctx));
     let room = egui::vec2(ui.available_width(), space::CONTROL);

@@ -16,7 +16,7 @@ fn language(
     next: &mut Preferences,
     commands: &mut Vec<Command>,
 ) {
-    let letters = workbench.letters();
+    let letters = workbench.characters();
     if !LANGUAGES
         .iter()
         .all(|(_, _, own)| letters.were_asked_for(own))

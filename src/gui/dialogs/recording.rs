@@ -11,7 +11,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.set_width(520.0);
     widgets::heading(ui, say!("Record from instrument"));
     if let Some((wanted, heard)) = workbench.recording() {
-        ui.label(heard.says());
+        ui.label(heard.describe());
         widgets::hint(
             ui,
             format!("{} → {}", wanted.address, wanted.path.display()),
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    let robot = &workbench.subject().session.robot;
+    let robot = &workbench.loaded_session().session.robot;
     widgets::hint(
         ui,
         say!(

@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ),
     );
     ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
-        for (index, left) in workbench.left_behind().iter().enumerate() {
+        for (index, left) in workbench.orphaned().iter().enumerate() {
             widgets::card(ui, |ui| {
                 let title = match &left.kept {
                     Ok(kept) => kept.session.name.clone(),
@@ -63,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
     });
     ui.columns(2, |columns| {
-        discard_all(&mut columns[0], workbench.left_behind().len(), commands);
+        discard_all(&mut columns[0], workbench.orphaned().len(), commands);
         if widgets::other(&mut columns[1], say!("Not now")).clicked() {
             commands.push(Command::Sheet(None));
         }

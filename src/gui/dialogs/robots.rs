@@ -64,7 +64,7 @@ impl<'w> Robot<'w> {
     }
 
     /// What stands behind its title.
-    fn beside(self) -> String {
+    fn subtitle(self) -> String {
         match self {
             Self::Own(_) => say!("typed").to_owned(),
             Self::Library(robot) => {
@@ -174,7 +174,7 @@ fn list<'w>(
             for robot in found {
                 let on = chosen.as_ref() == Some(&robot.key());
                 let title = robot.title();
-                let button = Button::selectable(on, title.as_str()).shortcut_text(robot.beside());
+                let button = Button::selectable(on, title.as_str()).shortcut_text(robot.subtitle());
                 let row = ui.add(button.min_size(vec2(ui.available_width(), space::CONTROL)));
                 row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, on, &title));
                 if on && moved {

@@ -5,25 +5,30 @@ use std::path::Path;
 use egui::Ui;
 
 use crate::gui::style::tokens::space;
-use crate::gui::view::Then;
+use crate::gui::view::NextAction;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
 /// Shows what would be lost, and what can be done about it.
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    then: &NextAction,
+    commands: &mut Vec<Command>,
+) {
     ui.set_width(420.0);
     let (title, discard) = match then {
-        Then::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
-        Then::Open(_) | Then::Example(_) => {
+        NextAction::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
+        NextAction::Open(_) | NextAction::Example(_) => {
             (say!("Open without saving?"), say!("Open without saving"))
         }
-        Then::Simulate(_) => (
+        NextAction::Simulate(_) => (
             say!("Simulate without saving?"),
             say!("Simulate without saving"),
         ),
     };
     widgets::heading(ui, title);
-    let name = &workbench.subject().session.name;
+    let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
     if losses.session {
         let file = workbench.file().and_then(Path::file_name);

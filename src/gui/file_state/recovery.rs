@@ -27,7 +27,7 @@ const ENDING: &str = "recovery";
 
 /// This window's own file.
 #[derive(Debug)]
-pub(crate) struct Keeper {
+pub(crate) struct RecoveryFile {
     path: PathBuf,
     /// Held, never read.
     _lock: File,
@@ -46,14 +46,14 @@ struct Header {
     regional: bool,
     effects: Vec<String>,
     #[serde(default)]
-    added: Vec<KeptTerm>,
+    added: Vec<SavedTerm>,
     bytes: u64,
     sha256: String,
 }
 
 /// What is to be kept of a document.
 #[derive(Debug, Clone)]
-pub(crate) struct Kept {
+pub(crate) struct SavedDocument {
     /// The session with the changes.
     pub(crate) session: Session,
     /// The file that it was opened from.
@@ -63,12 +63,12 @@ pub(crate) struct Kept {
     /// Effects of the exact fit.
     pub(crate) effects: Vec<String>,
     /// Effects that a search found and that were added to it.
-    pub(crate) added: Vec<KeptTerm>,
+    pub(crate) added: Vec<SavedTerm>,
 }
 
 /// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct KeptTerm {
+pub(crate) struct SavedTerm {
     effect: String,
     joint: usize,
     setting: f64,
@@ -76,7 +76,7 @@ pub(crate) struct KeptTerm {
     on: bool,
 }
 
-impl KeptTerm {
+impl SavedTerm {
     fn of(added: &Added) -> Option<Self> {
         let term = &added.term;
         (term.curve.is_none() && term.rest.is_none()).then(|| Self {
@@ -104,7 +104,7 @@ impl KeptTerm {
     }
 }
 
-impl Kept {
+impl SavedDocument {
     /// What is to be kept of this document.
     pub(crate) fn of(document: &Document, file: Option<PathBuf>) -> Self {
         Self {
@@ -113,7 +113,7 @@ impl Kept {
             identified: document.identified && document.given.is_none(),
             method: document.method,
             effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
-            added: document.added.iter().filter_map(KeptTerm::of).collect(),
+            added: document.added.iter().filter_map(SavedTerm::of).collect(),
         }
     }
 
@@ -132,16 +132,16 @@ impl Kept {
 
 /// A file that a window left behind, with its lock: nobody else offers it.
 #[derive(Debug)]
-pub(crate) struct LeftBehind {
+pub(crate) struct OrphanedRecovery {
     path: PathBuf,
     lock: (PathBuf, File),
     /// When it was written.
     pub(crate) when: Option<SystemTime>,
     /// What it holds, or what is wrong with it.
-    pub(crate) kept: Result<Kept, String>,
+    pub(crate) kept: Result<SavedDocument, String>,
 }
 
-impl Keeper {
+impl RecoveryFile {
     /// A file of its own for this window.
     pub(crate) fn new(folder: &Path) -> io::Result<Self> {
         let folder = folder.join("recovery");
@@ -176,7 +176,7 @@ impl Keeper {
 }
 
 /// Keeps it in this file, whole or not at all.
-pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
+pub(crate) fn write(path: &Path, kept: &SavedDocument) -> Result<(), WriteError> {
     let failed = |source| WriteError::Io {
         path: path.to_path_buf(),
         source,
@@ -203,7 +203,7 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
     })
 }
 
-fn read(path: &Path) -> Result<Kept, String> {
+fn read(path: &Path) -> Result<SavedDocument, String> {
     let bytes = fs::read(path).map_err(|e| e.to_string())?;
     let end = memchr::memchr(b'\n', &bytes).ok_or(say!("its first line is not complete"))?;
     let (first, document) = (&bytes[..end], &bytes[end + 1..]);
@@ -223,7 +223,7 @@ fn read(path: &Path) -> Result<Kept, String> {
         return Err(say!("its contents do not agree with their hash").to_owned());
     }
     let loaded = pipeline::parse(document).map_err(|e| e.to_string())?;
-    Ok(Kept {
+    Ok(SavedDocument {
         session: loaded.session,
         file: header.file,
         identified: header.identified,
@@ -239,7 +239,7 @@ fn read(path: &Path) -> Result<Kept, String> {
 
 /// What windows that are gone have left behind, newest first. Locks without anything beside them
 /// are cleared away.
-pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
+pub(crate) fn orphaned(folder: &Path) -> Vec<OrphanedRecovery> {
     let folder = folder.join("recovery");
     let Ok(entries) = fs::read_dir(&folder) else {
         return Vec::new();
@@ -263,7 +263,7 @@ pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
             let _ = fs::remove_file(lock);
             continue;
         };
-        left.push(LeftBehind {
+        left.push(OrphanedRecovery {
             kept: read(&path),
             when: metadata.modified().ok(),
             lock: (lock.clone(), file),
@@ -274,7 +274,7 @@ pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
     left
 }
 
-impl LeftBehind {
+impl OrphanedRecovery {
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }
@@ -299,14 +299,14 @@ mod tests {
     use super::*;
     use crate::gui::files::first_example;
 
-    fn kept() -> Kept {
+    fn kept() -> SavedDocument {
         let document = Document::new(first_example());
-        Kept::of(&document, Some("a b.json".into()))
+        SavedDocument::of(&document, Some("a b.json".into()))
     }
 
     /// A window that keeps something and is killed.
     fn killed(folder: &Path) -> PathBuf {
-        let keeper = Keeper::new(folder).unwrap();
+        let keeper = RecoveryFile::new(folder).unwrap();
         write(keeper.path(), &kept()).unwrap();
         keeper.path().to_path_buf()
     }
@@ -315,7 +315,7 @@ mod tests {
     fn what_a_killed_window_kept_is_there_to_the_last_bit() {
         let folder = tempfile::tempdir().unwrap();
         killed(folder.path());
-        let mut left = left_behind(folder.path());
+        let mut left = orphaned(folder.path());
         assert_eq!(left.len(), 1);
         let left = left.remove(0);
         let found = left.kept.as_ref().unwrap();
@@ -323,11 +323,11 @@ mod tests {
         assert_eq!(found.session.regions, kept().session.regions);
         assert_eq!(found.file, Some("a b.json".into()));
         assert!(
-            left_behind(folder.path()).is_empty(),
+            orphaned(folder.path()).is_empty(),
             "offered to one window only"
         );
         left.remove();
-        assert!(left_behind(folder.path()).is_empty());
+        assert!(orphaned(folder.path()).is_empty());
         let entries = fs::read_dir(folder.path().join("recovery")).unwrap();
         assert_eq!(entries.count(), 0);
     }
@@ -336,15 +336,15 @@ mod tests {
     fn a_window_that_lives_keeps_its_file_to_itself() {
         let folder = tempfile::tempdir().unwrap();
         let (one, two) = (
-            Keeper::new(folder.path()).unwrap(),
-            Keeper::new(folder.path()).unwrap(),
+            RecoveryFile::new(folder.path()).unwrap(),
+            RecoveryFile::new(folder.path()).unwrap(),
         );
         assert_ne!(one.path(), two.path());
         write(one.path(), &kept()).unwrap();
         write(two.path(), &kept()).unwrap();
-        assert!(left_behind(folder.path()).is_empty());
+        assert!(orphaned(folder.path()).is_empty());
         drop(one);
-        assert_eq!(left_behind(folder.path()).len(), 1);
+        assert_eq!(orphaned(folder.path()).len(), 1);
         two.tidy();
         assert!(!two.path().exists());
     }
@@ -368,11 +368,11 @@ mod tests {
         let damaged = cuts.map(|cut| whole[..cut].to_vec());
         for bytes in damaged.into_iter().chain([flipped]) {
             fs::write(&path, &bytes).unwrap();
-            let mut left = left_behind(folder.path());
+            let mut left = orphaned(folder.path());
             assert!(left.remove(0).kept.is_err(), "{} bytes", bytes.len());
             assert_eq!(fs::read(&path).unwrap(), bytes);
         }
-        let aside = left_behind(folder.path()).remove(0).put_aside();
-        assert!(aside.exists() && left_behind(folder.path()).is_empty());
+        let aside = orphaned(folder.path()).remove(0).put_aside();
+        assert!(aside.exists() && orphaned(folder.path()).is_empty());
     }
 }

@@ -11,7 +11,7 @@ use std::time::Duration;
 use crate::diagnostic::Rejected;
 use crate::sessions::{Growing, Growth};
 
-use crate::gui::core::disk::{Fate, Print};
+use crate::gui::core::disk::{FileChange, Fingerprint};
 
 /// Between two looks.
 pub(crate) const EVERY: Duration = Duration::from_secs(1);
@@ -20,7 +20,7 @@ pub(crate) const EVERY: Duration = Duration::from_secs(1);
 #[derive(Debug, Clone)]
 pub(crate) enum Order {
     /// These files, as they looked when they were read, and the number of this order.
-    Files(u64, Vec<Print>),
+    Files(u64, Vec<Fingerprint>),
     /// This file grows; `None`: follow none.
     Follow(Option<Box<Growing>>),
     /// Whether these files are there.
@@ -30,11 +30,11 @@ pub(crate) enum Order {
 #[derive(Debug)]
 pub(crate) enum Seen {
     /// A file is not what it was when the order of this number was given; `None`: it is again.
-    Fate(u64, PathBuf, Option<Fate>),
+    Fate(u64, PathBuf, Option<FileChange>),
     /// The followed file has grown, was rewritten, or cannot be followed any more.
     Grew(Box<Result<Growth, Rejected>>),
     /// A file that was followed, as it is now that it was read to its end.
-    Read(Print),
+    Read(Fingerprint),
     /// Which of the recent files are not there.
     Missing(Vec<PathBuf>),
 }
@@ -42,7 +42,7 @@ pub(crate) enum Seen {
 #[derive(Debug, Default)]
 pub(crate) struct Watched {
     /// With what was said last about each.
-    files: Vec<(Print, Option<Fate>)>,
+    files: Vec<(Fingerprint, Option<FileChange>)>,
     /// The order that these files came with.
     number: u64,
     followed: Option<Box<Growing>>,
@@ -61,7 +61,7 @@ impl Watched {
             Order::Recent(recent) => self.recent = recent,
             Order::Follow(followed) => {
                 let before = std::mem::replace(&mut self.followed, followed)?;
-                let print = Print::of(before.path())?;
+                let print = Fingerprint::of(before.path())?;
                 // What was not read is a change that has to be told.
                 if before.has_read(print.length()) {
                     let same = self.files.iter_mut().find(|(f, _)| f.path == print.path);
@@ -86,7 +86,7 @@ impl Watched {
             // A file that was changed and then taken away is gone, which asks for something else;
             // one that was changed is not read again and again.
             let fate = match said {
-                Some(Fate::Changed) if print.path.is_file() => *said,
+                Some(FileChange::Changed) if print.path.is_file() => *said,
                 _ => print.look(),
             };
             if fate != *said {

@@ -27,7 +27,9 @@ pub(super) fn advice(error: &WriteError) -> String {
                 path = path.display()
             );
         }
-        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return spoken(error.says()),
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => {
+            return spoken(error.describe());
+        }
         WriteError::Cancelled(_) => return cancelled(),
     };
     let what_to_do = match source.kind() {
@@ -44,7 +46,7 @@ pub(super) fn advice(error: &WriteError) -> String {
                 "the name is too long, or has a sign in it that no name may have: choose another name"
             )
         }
-        _ => return spoken(error.says()),
+        _ => return spoken(error.describe()),
     };
     format!("{what_to_do} ({source})")
 }

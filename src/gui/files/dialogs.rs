@@ -3,7 +3,7 @@
 use crate::text::{Template, spoken};
 use std::path::{Path, PathBuf};
 
-use crate::gui::import_draft::{Beside, ROBOTS, TABLES};
+use crate::gui::import_draft::{Companion, ROBOTS, TABLES};
 use crate::gui::view::What;
 use crate::programs::LANGUAGES;
 
@@ -57,14 +57,14 @@ pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
 }
 
 /// Asks the user for a file that goes with a measured one, beside that.
-pub(crate) fn choose_beside(which: Beside, measured: Option<&Path>) -> Option<PathBuf> {
+pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option<PathBuf> {
     let title = match which {
-        Beside::Robot => say!("Which robot was measured"),
-        Beside::Commands => say!("Where the robot was sent"),
-        Beside::Reference => say!("Points known in the base frame"),
-        Beside::Targets => say!("Reflectors in the tool frame"),
+        Companion::Robot => say!("Which robot was measured"),
+        Companion::Commands => say!("Where the robot was sent"),
+        Companion::Reference => say!("Points known in the base frame"),
+        Companion::Targets => say!("Reflectors in the tool frame"),
     };
-    let (name, kinds) = if which == Beside::Robot {
+    let (name, kinds) = if which == Companion::Robot {
         (say!("Robots and sessions (*.json, *.urdf, *.xml)"), ROBOTS)
     } else {
         (say!("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)"), TABLES)

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::gui::core::examples::EXAMPLES;
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::view::Message;
 use crate::pipeline;
 use crate::progress::{Progress, ReadError, unwatched};
@@ -11,12 +11,12 @@ use crate::progress::{Progress, ReadError, unwatched};
 use super::opening::{Opened, looked_through, not_read};
 
 /// The example that the window opens on.
-pub(crate) fn first_example() -> Arc<Subject> {
+pub(crate) fn first_example() -> Arc<LoadedSession> {
     let example = &EXAMPLES[0];
     let (document, samples) = example.files();
     let loaded = pipeline::parse_with_csv(document, samples);
     let loaded = loaded.expect("a test reads every bundled session");
-    Arc::new(Subject::new(
+    Arc::new(LoadedSession::new(
         loaded.session,
         loaded.findings,
         Origin::Bundled,

@@ -4,7 +4,7 @@ use crate::language::spoken;
 use std::path::{Path, PathBuf};
 
 use crate::atomic::{
-    Prepared, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
+    StagedFile, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
 };
 use crate::export::{Document, Job};
 use crate::pipeline;
@@ -52,7 +52,7 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
     };
     let session = &wanted.outcome.question.subject.session;
     let export =
-        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.says()))?;
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
     Ok(export.export.documents)
 }
 
@@ -75,9 +75,9 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     }
     // All of them are on the disk before the first has its name.
     let write = |(place, document): (&PathBuf, &Document)| {
-        Prepared::write(place, replace, |file| file.write_all(&document.bytes))
+        StagedFile::write(place, replace, |file| file.write_all(&document.bytes))
     };
-    let written: Result<Vec<Prepared>, WriteError> =
+    let written: Result<Vec<StagedFile>, WriteError> =
         places.iter().zip(documents).map(write).collect();
     let mut written = written.map_err(|error| advice(&error))?;
     let committed = if written.len() == 2
@@ -85,7 +85,7 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     {
         commit_both(first, second)
     } else {
-        written.into_iter().try_for_each(Prepared::commit)
+        written.into_iter().try_for_each(StagedFile::commit)
     };
     committed.map_err(|error| advice(&error))
 }

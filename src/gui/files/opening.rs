@@ -7,16 +7,16 @@ use std::sync::Arc;
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::RobotSource;
 use crate::pipeline::{self, is_model, load_model};
-use crate::progress::{Cancelled, Part, Progress, ReadError};
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
 use crate::sessions::Loaded;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
-use crate::gui::core::disk::Print;
-use crate::gui::core::loaded_model::Given;
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::loaded_model::LoadedModel;
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::Foreign;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 use crate::language::{finding, spoken};
@@ -26,11 +26,11 @@ use super::advice::cancelled;
 #[derive(Debug)]
 pub(crate) enum Opened {
     /// A session was read or made.
-    Session(Arc<Subject>),
+    Session(Arc<LoadedSession>),
     /// A model was read.
-    Model(Arc<Given>),
+    Model(Arc<LoadedModel>),
     /// A file that an instrument wrote was looked at.
-    Foreign(Box<Foreign>),
+    Foreign(Box<ImportDraft>),
 }
 
 /// Reads a session or a model: its key `format` says which it is. A session that names no URDF is drawn
@@ -42,14 +42,14 @@ pub(crate) fn open(
 ) -> Result<Opened, Message> {
     if is_model(path) {
         return match load_model(path) {
-            Ok(calibration) => Ok(Opened::Model(Arc::new(Given::new(calibration, path)))),
+            Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
             Err(rejected) => Err(not_read(path.display(), say!("opened"), &rejected.into())),
         };
     }
-    let told = watch.told();
+    let told = watch.progress_callback();
     let progress = Progress::new(&told);
     let whole = progress.whole();
-    match Foreign::of(path, whole) {
+    match ImportDraft::of(path, whole) {
         None => {}
         Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
@@ -82,13 +82,18 @@ pub(super) fn looked_through(
     loaded: Loaded,
     origin: Origin,
     appearance: Option<Appearance>,
-    part: Part<'_>,
-) -> Result<Arc<Subject>, Cancelled> {
+    part: ProgressSpan<'_>,
+) -> Result<Arc<LoadedSession>, Cancelled> {
     let in_a_file = !loaded.session.samples.line.is_empty();
     let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
     let findings = loaded.findings;
-    let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
-    subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
+    let mut subject =
+        LoadedSession::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
+    subject.files = loaded
+        .files
+        .iter()
+        .filter_map(|f| Fingerprint::of(f))
+        .collect();
     subject.appearance = appearance.map(Arc::new);
     subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
     // Made here, so that the window never waits for it.
@@ -131,9 +136,9 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
 
 /// Makes a session by simulation.
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
-    match form.session(watch.told()) {
+    match form.session(watch.progress_callback()) {
         Ok((session, hidden)) => {
-            let mut subject = Subject::new(session, Vec::new(), Origin::Simulated);
+            let mut subject = LoadedSession::new(session, Vec::new(), Origin::Simulated);
             subject.hidden = Some(hidden.into());
             Cloud::of(&subject);
             Ok(Opened::Session(Arc::new(subject)))
@@ -150,7 +155,7 @@ mod tests {
     use super::*;
     use crate::gui::core::examples::EXAMPLES;
     use crate::gui::testing::session_of_a_urdf;
-    use crate::progress::testing::{assert_grows, no_at, told};
+    use crate::progress::testing::{assert_grows, no_at, report_to};
 
     #[test]
     fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
@@ -163,7 +168,7 @@ mod tests {
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, None, progress.whole())
         };
-        let (shares, subject) = told(through);
+        let (shares, subject) = report_to(through);
         assert_grows(&shares);
         assert_eq!(subject.map(|s| s.len()).ok(), Some(30));
         for number in 0..shares.len() {

@@ -12,7 +12,7 @@ use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{ExportedTable, Extras, Kind};
 
-use crate::gui::cache::identified::Outcome;
+use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::core::document::Document;
 use crate::gui::core::search::{self, Search};
 use crate::gui::core::stated::Stated;
@@ -24,8 +24,12 @@ use crate::gui::view::Message;
 #[derive(Debug, Clone)]
 pub(crate) enum Source {
     /// A session, with its search if there was one, and the model in use if there is one.
-    Session(Arc<Document>, Option<Arc<Search>>, Option<Arc<Outcome>>),
-    Model(Arc<Outcome>),
+    Session(
+        Arc<Document>,
+        Option<Arc<Search>>,
+        Option<Arc<IdentifiedAnswer>>,
+    ),
+    Model(Arc<IdentifiedAnswer>),
 }
 
 /// A report to be written.
@@ -84,14 +88,14 @@ fn make(
                 found
             } else {
                 details.push(say!("The diagnosis was run for it").to_owned());
-                made = pipeline::diagnose(&session, &options, &search::told(watch))
-                    .map_err(|e| spoken(e.says()))?;
+                made = pipeline::diagnose(&session, &options, &search::progress_callback(watch))
+                    .map_err(|e| spoken(e.describe()))?;
                 &made
             };
             let in_use = in_use.as_ref().filter(|o| o.answer.is_ok());
             let in_use = in_use.map(|o| o.handed_out()).transpose()?;
             pipeline::report_of_diagnosis(&session, found, in_use.as_deref(), &options, &extras)
-                .map_err(|e| spoken(e.says()))?
+                .map_err(|e| spoken(e.describe()))?
         }
     };
     let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
@@ -110,7 +114,7 @@ fn past(wanted: &ReportRequest, watch: &Watch) -> Result<Option<History>, String
     let Some((folder, robot)) = &wanted.past else {
         return Ok(None);
     };
-    let told = watch.told();
+    let told = watch.progress_callback();
     pipeline::history_of_robot(folder, robot, &told).map_err(|_| files::cancelled())
 }
 
@@ -129,7 +133,7 @@ fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTab
             }
             Err(because) => details.push(say!(
                 "A table is not named in it: {because}",
-                because = spoken(because.says())
+                because = spoken(because.describe())
             )),
         }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::pipeline;
 use crate::sessions::{Replacing, samples_path};
 
-use crate::gui::core::disk::{Fate, Print};
+use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
@@ -31,7 +31,7 @@ pub(crate) struct Saved {
     pub(crate) document: Arc<crate::gui::core::document::Document>,
     pub(crate) path: PathBuf,
     /// The files as they look now, the document first; or why there are none.
-    pub(crate) result: Result<Vec<Print>, NotSaved>,
+    pub(crate) result: Result<Vec<Fingerprint>, NotSaved>,
 }
 
 /// Why a session was not saved.
@@ -49,7 +49,7 @@ pub(crate) fn save(
     document: Arc<crate::gui::core::document::Document>,
     path: &Path,
     replace: Replace,
-    mut known: Vec<Print>,
+    mut known: Vec<Fingerprint>,
     watch: &Watch,
 ) -> Saved {
     let path = if path.extension().is_none() {
@@ -60,7 +60,7 @@ pub(crate) fn save(
     let outputs = [path.clone(), samples_path(&path)];
     let changed = outputs.iter().find(|output| {
         let print = known.iter_mut().find(|k| same_file(&k.path, output));
-        print.is_some_and(|print| print.look() == Some(Fate::Changed))
+        print.is_some_and(|print| print.look() == Some(FileChange::Changed))
     });
     let result = if let (Some(changed), true) = (changed, replace != Replace::Whatever) {
         Err(NotSaved::Changed(changed.clone()))
@@ -73,8 +73,8 @@ pub(crate) fn save(
         };
         let replacing = Replacing { force, inputs: &[] };
         let session = document.session_to_save();
-        match pipeline::save_watched(&session, &path, replacing, watch.told()) {
-            Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
+        match pipeline::save_watched(&session, &path, replacing, watch.progress_callback()) {
+            Ok(_) => Ok(outputs.iter().filter_map(|o| Fingerprint::of(o)).collect()),
             Err(error) => Err(NotSaved::Because(Message::wrong(
                 say!("{path} could not be saved", path = path.display()),
                 vec![

@@ -8,7 +8,7 @@ use super::robot::RobotFrom;
 
 /// What a person said.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Said {
+pub(crate) struct ImportAnswers {
     /// What the session is called.
     pub(crate) name: String,
     /// About the measured file.
@@ -33,7 +33,7 @@ pub(crate) struct Said {
 
 /// A file beside the measured one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Beside {
+pub(crate) enum Companion {
     Robot,
     /// Where it was sent.
     Commands,
@@ -43,19 +43,19 @@ pub(crate) enum Beside {
     Targets,
 }
 
-impl Beside {
+impl Companion {
     pub(crate) const ALL: [Self; 4] = [Self::Robot, Self::Commands, Self::Reference, Self::Targets];
 }
 
-impl Said {
+impl ImportAnswers {
     /// Takes a file that was chosen.
-    pub(crate) fn choose(&mut self, which: Beside, path: &Path) {
+    pub(crate) fn choose(&mut self, which: Companion, path: &Path) {
         let typed = path.to_string_lossy().into_owned();
         match which {
-            Beside::Robot => self.robot = self.robot.of_file(typed),
-            Beside::Commands => self.commands = typed,
-            Beside::Reference => self.reference = typed,
-            Beside::Targets => self.targets = typed,
+            Companion::Robot => self.robot = self.robot.of_file(typed),
+            Companion::Commands => self.commands = typed,
+            Companion::Reference => self.reference = typed,
+            Companion::Targets => self.targets = typed,
         }
     }
 }

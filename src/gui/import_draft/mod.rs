@@ -17,12 +17,12 @@ use std::sync::Arc;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::importers::{ColumnGuess, Inspection, Reading, inspect_watched};
 use crate::kinematics::Robot;
-use crate::progress::{Cancelled, Part, Progress, ReadError};
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
 use crate::sessions::files::open;
 
 use crate::gui::jobs::Watch;
 
-pub(crate) use answers::{Beside, Said};
+pub(crate) use answers::{Companion, ImportAnswers};
 pub(crate) use neighbours::{Neighbours, ROBOTS, TABLES};
 pub(crate) use robot::{RobotFrom, TypedAxis};
 pub(crate) use trial::{Trial, in_the_sheets_words};
@@ -35,9 +35,9 @@ pub(crate) const LOOKING: Template = phrase!("Looking at the file…");
 
 /// What was seen with what was said.
 #[derive(Debug)]
-pub(crate) struct Look {
+pub(crate) struct InspectedDraft {
     /// What had been said then.
-    pub(crate) said: Said,
+    pub(crate) said: ImportAnswers,
     /// What was found out about the file.
     pub(crate) inspection: Inspection,
     /// The robot, or why there is none; `None` while nobody has said which.
@@ -47,22 +47,22 @@ pub(crate) struct Look {
 }
 
 #[derive(Debug, Clone)]
-pub(crate) struct Foreign {
+pub(crate) struct ImportDraft {
     pub(crate) path: PathBuf,
     bytes: Arc<Vec<u8>>,
     /// What lies beside it.
     pub(crate) neighbours: Arc<Neighbours>,
     /// What of it was taken because its name is that of the file.
-    pub(crate) taken: Vec<(Beside, PathBuf)>,
+    pub(crate) taken: Vec<(Companion, PathBuf)>,
     /// What a person said.
-    pub(crate) said: Said,
+    pub(crate) said: ImportAnswers,
     /// What was seen last.
-    pub(crate) seen: Arc<Look>,
+    pub(crate) seen: Arc<InspectedDraft>,
     /// The meanings of the columns that somebody has looked at.
     confirmed: Option<Vec<String>>,
 }
 
-impl PartialEq for Foreign {
+impl PartialEq for ImportDraft {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.bytes, &other.bytes)
             && Arc::ptr_eq(&self.seen, &other.seen)
@@ -71,10 +71,10 @@ impl PartialEq for Foreign {
     }
 }
 
-impl Foreign {
+impl ImportDraft {
     /// Reads a file if it is none of the program's own: those begin like one. `None`: it is.
     /// Told as this part of something.
-    pub(crate) fn of(path: &Path, part: Part<'_>) -> Option<Result<Self, ReadError>> {
+    pub(crate) fn of(path: &Path, part: ProgressSpan<'_>) -> Option<Result<Self, ReadError>> {
         if path
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("json"))
@@ -101,8 +101,8 @@ impl Foreign {
         (!is_own).then(|| Self::read(path, bytes, part.part(0.1, 1.0)))
     }
 
-    fn read(path: &Path, bytes: Vec<u8>, part: Part<'_>) -> Result<Self, ReadError> {
-        let mut said = Said {
+    fn read(path: &Path, bytes: Vec<u8>, part: ProgressSpan<'_>) -> Result<Self, ReadError> {
+        let mut said = ImportAnswers {
             name: path
                 .file_stem()
                 .unwrap_or_default()
@@ -112,7 +112,7 @@ impl Foreign {
                 file: Some(path.to_path_buf()),
                 ..Reading::default()
             },
-            ..Said::default()
+            ..ImportAnswers::default()
         };
         let neighbours = Neighbours::of(path);
         let mut taken = neighbours.named_alike(path);
@@ -120,12 +120,12 @@ impl Foreign {
             said.choose(*which, file);
         }
         let first = if said.commands.is_empty() { 1.0 } else { 0.9 };
-        let mut seen = Look::of(&bytes, path, &said, part.part(0.0, first))?;
+        let mut seen = InspectedDraft::of(&bytes, path, &said, part.part(0.0, first))?;
         // A file that has its commands itself needs no others.
         if !said.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
-            taken.retain(|(which, _)| *which != Beside::Commands);
+            taken.retain(|(which, _)| *which != Companion::Commands);
             said.commands.clear();
-            seen = Look::of(&bytes, path, &said, part.part(first, 1.0))?;
+            seen = InspectedDraft::of(&bytes, path, &said, part.part(first, 1.0))?;
         }
         part.reached(1.0)?;
         if seen.inspection.kind.is_none() {
@@ -150,14 +150,14 @@ impl Foreign {
     ///
     /// # Errors
     /// Nobody wants it any more.
-    pub(crate) fn look(&self, watch: &Watch) -> Result<Look, Cancelled> {
-        let told = watch.told();
+    pub(crate) fn look(&self, watch: &Watch) -> Result<InspectedDraft, Cancelled> {
+        let told = watch.progress_callback();
         let progress = Progress::new(&told);
-        Look::of(&self.bytes, &self.path, &self.said, progress.whole())
+        InspectedDraft::of(&self.bytes, &self.path, &self.said, progress.whole())
     }
 
     /// Takes what was seen, if it was seen of this file.
-    pub(crate) fn take(&mut self, other: &Self, seen: Look) {
+    pub(crate) fn take(&mut self, other: &Self, seen: InspectedDraft) {
         if Arc::ptr_eq(&self.bytes, &other.bytes) {
             self.seen = Arc::new(seen);
         }
@@ -249,8 +249,13 @@ fn is_command(column: &ColumnGuess) -> bool {
     joint.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-impl Look {
-    fn of(bytes: &[u8], path: &Path, said: &Said, part: Part<'_>) -> Result<Self, Cancelled> {
+impl InspectedDraft {
+    fn of(
+        bytes: &[u8],
+        path: &Path,
+        said: &ImportAnswers,
+        part: ProgressSpan<'_>,
+    ) -> Result<Self, Cancelled> {
         let robot = said
             .robot
             .robot()

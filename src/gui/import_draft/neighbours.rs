@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use super::{Beside, RobotFrom};
+use super::{Companion, RobotFrom};
 
 /// Endings of files with tables.
 pub(crate) const TABLES: &[&str] = &["csv", "txt", "tsv", "dat", "asc"];
@@ -35,9 +35,9 @@ impl Neighbours {
 
     /// Those whose name is that of the measured file with a word behind it (`run-commands.csv` of
     /// `run.csv`), a robot's also with its ending alone (`run.json`): one for each purpose at most.
-    pub(crate) fn named_alike(&self, measured: &Path) -> Vec<(Beside, PathBuf)> {
+    pub(crate) fn named_alike(&self, measured: &Path) -> Vec<(Companion, PathBuf)> {
         let own = text(measured.file_stem());
-        let taken = |which: Beside| {
+        let taken = |which: Companion| {
             let (endings, words) = known_by(which);
             let alike = |path: &&PathBuf| {
                 let name = text(path.file_stem());
@@ -46,26 +46,30 @@ impl Neighbours {
                 };
                 let word = more.strip_prefix(['-', '_', ' ', '.']);
                 let named = word.is_some_and(|word| words.iter().any(|w| word.starts_with(w)));
-                let bare = which == Beside::Robot && more.is_empty();
+                let bare = which == Companion::Robot && more.is_empty();
                 endings.contains(&&*text(path.extension())) && (named || bare)
             };
             let reads = |path: &&PathBuf| {
                 let robot = || RobotFrom::Open.of_file(path.display().to_string()).robot();
-                which != Beside::Robot || robot().is_some_and(|robot| robot.is_ok())
+                which != Companion::Robot || robot().is_some_and(|robot| robot.is_ok())
             };
             let mut all = self.0.iter().filter(alike).filter(reads);
             let one = all.next()?;
             // Of two nothing says which.
             all.next().is_none().then(|| (which, one.clone()))
         };
-        Beside::ALL.into_iter().filter_map(taken).collect()
+        Companion::ALL.into_iter().filter_map(taken).collect()
     }
 
     /// Those that may serve a purpose: by their ending, a table also by a word in its name.
-    pub(crate) fn suiting(&self, which: Beside) -> impl Iterator<Item = &PathBuf> {
+    pub(crate) fn suiting(&self, which: Companion) -> impl Iterator<Item = &PathBuf> {
         let (endings, words) = known_by(which);
         // A robot may have any name.
-        let words = if which == Beside::Robot { &[""] } else { words };
+        let words = if which == Companion::Robot {
+            &[""]
+        } else {
+            words
+        };
         let suits = move |path: &&PathBuf| {
             let (ending, name) = (text(path.extension()), text(path.file_stem()));
             endings.contains(&&*ending)
@@ -77,12 +81,12 @@ impl Neighbours {
 }
 
 /// Endings of a file that serves a purpose, and words in its name.
-fn known_by(which: Beside) -> (&'static [&'static str], &'static [&'static str]) {
+fn known_by(which: Companion) -> (&'static [&'static str], &'static [&'static str]) {
     match which {
-        Beside::Robot => (ROBOTS, &["robot", "arm", "machine"]),
-        Beside::Commands => (TABLES, &["command", "pose", "joint", "sent", "program"]),
-        Beside::Reference => (TABLES, &["reference", "base", "known", "datum", "fixed"]),
-        Beside::Targets => (TABLES, &["target", "reflector", "smr", "marker"]),
+        Companion::Robot => (ROBOTS, &["robot", "arm", "machine"]),
+        Companion::Commands => (TABLES, &["command", "pose", "joint", "sent", "program"]),
+        Companion::Reference => (TABLES, &["reference", "base", "known", "datum", "fixed"]),
+        Companion::Targets => (TABLES, &["target", "reflector", "smr", "marker"]),
     }
 }
 
@@ -117,7 +121,7 @@ fn a_file_belongs_to_another_by_its_name() {
     // Two tables of targets are one too many, and what is no robot is none.
     assert_eq!(
         taken,
-        [(Beside::Robot, robot), (Beside::Commands, commands)]
+        [(Companion::Robot, robot), (Companion::Commands, commands)]
     );
 }
 
@@ -141,7 +145,7 @@ fn files_are_offered_by_their_ending_and_tables_by_their_name() {
             .map(|n| n.to_string_lossy().into_owned())
             .collect::<Vec<_>>()
     };
-    assert_eq!(names(Beside::Commands), ["commands.csv"]);
-    assert_eq!(names(Beside::Robot), ["arm.urdf"]);
-    assert!(names(Beside::Targets).is_empty());
+    assert_eq!(names(Companion::Commands), ["commands.csv"]);
+    assert_eq!(names(Companion::Robot), ["arm.urdf"]);
+    assert!(names(Companion::Targets).is_empty());
 }

@@ -4,23 +4,23 @@ use crate::text::{Template, spoken};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::answers::Said;
+use super::answers::ImportAnswers;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::explain::{Detail, Section, imported};
 use crate::gui::core::appearance::seen;
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings};
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
 use crate::present::units::Units;
-use crate::progress::{Part, ReadError};
+use crate::progress::{ProgressSpan, ReadError};
 use crate::sessions::files::open;
 
 /// What an import brings.
 #[derive(Debug)]
 pub(crate) struct Trial {
     /// The session, ready to be opened.
-    pub(crate) subject: Arc<Subject>,
+    pub(crate) subject: Arc<LoadedSession>,
     /// How commands found their measurements.
     pub(crate) matched: Option<Matched>,
     /// How the points came into the base frame.
@@ -37,9 +37,9 @@ impl Trial {
     pub(super) fn of(
         bytes: &[u8],
         path: &Path,
-        said: &Said,
+        said: &ImportAnswers,
         robot: &Robot,
-        part: Part<'_>,
+        part: ProgressSpan<'_>,
     ) -> Result<Self, ReadError> {
         let commands = read(&said.commands)?;
         let reference = read(&said.reference)?;
@@ -69,7 +69,7 @@ impl Trial {
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
-        let mut subject = Subject::watched(imported.session, findings, origin, looking)?;
+        let mut subject = LoadedSession::watched(imported.session, findings, origin, looking)?;
         subject.appearance = appearance.map(Arc::new);
         Ok(Self {
             subject: Arc::new(subject),

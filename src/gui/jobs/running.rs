@@ -27,7 +27,7 @@ impl Watch {
     }
 
     /// What the library tells: which part is done. Goes on while somebody wants it.
-    pub(crate) fn told(&self) -> impl Fn(f64) -> ControlFlow<()> {
+    pub(crate) fn progress_callback(&self) -> impl Fn(f64) -> ControlFlow<()> {
         |part| {
             self.done(part);
             if self.stopped() {
@@ -89,7 +89,7 @@ pub(crate) struct Running {
 
 impl Running {
     /// What it does now, as the status bar says it.
-    pub(crate) fn says(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         if self.watch.stopped() {
             return say!("cancelling").to_owned();
         }

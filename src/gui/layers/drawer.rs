@@ -12,7 +12,7 @@ use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 use super::frame::Frame;
 use super::pipelines::{BySample, SAMPLE, columns, group, pipeline, pipeline_layout, shader};
 use super::target::Space;
-use crate::gui::cache::cloud::{Cloud, Left, Place, Remainder};
+use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
 use crate::gui::cache::heat::Heat;
 
 /// Samples in one buffer: far below the 256 MiB that every device offers.
@@ -247,7 +247,7 @@ fn vertices(device: &Device, contents: &[u8]) -> Buffer {
 fn zeros(device: &Device, rows: usize) -> Buffer {
     device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("nothing left"),
-        size: (rows * size_of::<Left>()) as u64,
+        size: (rows * size_of::<RemainderRow>()) as u64,
         usage: BufferUsages::VERTEX,
         mapped_at_creation: false,
     })

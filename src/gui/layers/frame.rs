@@ -26,7 +26,7 @@ pub(crate) const FADE: f32 = 0.6;
 
 /// What the layers show, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Look {
+pub(crate) struct LayerOptions {
     pub(crate) facing: Facing,
     /// What is nearer or farther than the middle by no more than this is drawn by its depth, mm;
     /// `None`: depth does not count.
@@ -50,7 +50,7 @@ pub(crate) struct Look {
     pub(crate) mark: f32,
 }
 
-impl Look {
+impl LayerOptions {
     /// Whether the deviations before stand pale beside those that are shown: only where no colour
     /// has to be compared with theirs.
     pub(crate) fn ghosts(&self) -> bool {
@@ -67,7 +67,7 @@ pub(crate) struct Frame {
 impl Frame {
     /// The frame of a plot. `pixels` is how many of the screen's pixels a point takes.
     pub(crate) fn new(
-        look: &Look,
+        look: &LayerOptions,
         palette: &Palette,
         transform: &PlotTransform,
         heat: Option<&Heat>,
@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use crate::gui::style::tokens::LIGHT;
 
-    const LOOK: Look = Look {
+    const LOOK: LayerOptions = LayerOptions {
         facing: Facing {
             right: [1.0, 0.0, 0.0],
             up: [0.0, 0.0, 1.0],

@@ -51,7 +51,7 @@ pub(crate) struct HeatLayer {
 
 /// A layer of a plot: what it uploads before a frame, and how it is drawn in it.
 pub(crate) trait Layer: Sized + Send + Sync + 'static {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>);
+    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>);
 
     fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>);
 
@@ -62,7 +62,7 @@ pub(crate) trait Layer: Sized + Send + Sync + 'static {
 }
 
 /// What a layer prepares itself with.
-pub(crate) struct Prepared<'a> {
+pub(crate) struct PrepareContext<'a> {
     pub(super) device: &'a Device,
     pub(super) queue: &'a Queue,
     pub(super) encoder: &'a mut wgpu::CommandEncoder,
@@ -81,7 +81,7 @@ impl<L: Layer> CallbackTrait for CalledBack<L> {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(drawer) = resources.get_mut::<Drawer>() {
-            let mut on = Prepared {
+            let mut on = PrepareContext {
                 device,
                 queue,
                 encoder,
@@ -117,7 +117,7 @@ impl CloudLayer {
 }
 
 impl Layer for CloudLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
         drawer.upload_cloud(on.device, &self.cloud);
         drawer.upload_remainder(on.device, &self.cloud, self.remainder.as_ref());
         drawer
@@ -131,7 +131,7 @@ impl Layer for CloudLayer {
 }
 
 impl Layer for HeatLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
         drawer.upload_heat(on.device, on.queue, &self.heat);
         drawer
             .heat_uniform

@@ -22,6 +22,6 @@ mod target;
 #[cfg(all(test, feature = "window-tests"))]
 mod tests;
 
-pub(crate) use frame::{Frame, HEAT, Look, OUTLINE, WEDGE, WIDTH, scale_at};
+pub(crate) use frame::{Frame, HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH, scale_at};
 pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, register};
 pub(crate) use space::SpaceLayer;

@@ -2,7 +2,7 @@
 
 use egui_wgpu::wgpu::{self, Device};
 
-use crate::gui::cache::cloud::{Left, Place};
+use crate::gui::cache::cloud::{Place, RemainderRow};
 
 /// What arrows and marks are both drawn from.
 pub(super) const SAMPLE: &str = include_str!("sample.wgsl");
@@ -39,7 +39,7 @@ pub(super) fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     };
     [
         Some(layout(size_of::<Place>(), &PLACE)),
-        Some(layout(size_of::<Left>(), &REMAINS)),
+        Some(layout(size_of::<RemainderRow>(), &REMAINS)),
     ]
 }
 

@@ -8,14 +8,14 @@
 use egui_wgpu::wgpu;
 
 use super::drawer::Drawer;
-use super::gpu::{CloudLayer, Layer, Prepared};
+use super::gpu::{CloudLayer, Layer, PrepareContext};
 use super::target::{Drawn, Target};
 
 /// Error vectors and measured points by their depth.
 pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
 
 impl Layer for SpaceLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut Prepared<'_>) {
+    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
         let layer = &self.0;
         layer.prepare(drawer, on);
         let most = on.device.limits().max_texture_dimension_2d;
@@ -54,7 +54,7 @@ impl Layer for SpaceLayer {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::frame::{Frame, Look, scale_at};
+    use super::super::frame::{Frame, LayerOptions, scale_at};
     use super::super::tests::{as_parts, can_draw, drawn, frame, look, transform};
     use super::*;
     use crate::gui::cache::cloud::{Cloud, Place};
@@ -71,7 +71,7 @@ mod tests {
             samples: vec![0, 1],
             ..Cloud::default()
         });
-        let look = Look {
+        let look = LayerOptions {
             deep_mm,
             ..look(Colouring::Load, 0.0)
         };

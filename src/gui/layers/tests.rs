@@ -14,7 +14,7 @@ use egui_wgpu::RendererOptions;
 use crate::gui::style::tokens::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::frame::{Frame, HEAT, Look, OUTLINE, WIDTH, scale_at};
+use super::frame::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, scale_at};
 use super::gpu::{CloudLayer, HeatLayer, Layer, register};
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
@@ -82,8 +82,8 @@ pub(super) fn transform() -> PlotTransform {
     PlotTransform::new(frame(), bounds, false)
 }
 
-pub(super) fn look(colouring: Colouring, blend: f32) -> Look {
-    Look {
+pub(super) fn look(colouring: Colouring, blend: f32) -> LayerOptions {
+    LayerOptions {
         facing: Plane::Xy.facing(),
         deep_mm: None,
         framed: false,
@@ -267,7 +267,7 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
     const SIZE: f32 = 3.0;
     const TOLERANCE_MM: f64 = 1.5;
     let (cloud, remainder) = cloud();
-    let look = Look {
+    let look = LayerOptions {
         magnification: 0.0,
         tolerance_mm: Some(TOLERANCE_MM),
         mark: SIZE,
@@ -364,12 +364,12 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
         return;
     }
     let workbench = crate::gui::testing::workbench();
-    let subject = Arc::clone(workbench.subject());
+    let subject = Arc::clone(workbench.loaded_session());
     let heat = Arc::new(Heat::of(&subject, None, Plane::Xy).expect("there are samples"));
     let side = 1.1 * subject.arm_mm;
     let bounds = PlotBounds::from_min_max([-1.5625 * side, -side], [1.5625 * side, side]);
     let transform = PlotTransform::new(frame(), bounds, false);
-    let look = Look {
+    let look = LayerOptions {
         centre_mm: Cloud::of(&subject).centre_mm,
         long_mm: 20.0,
         ..look(Colouring::Deviation, 0.0)

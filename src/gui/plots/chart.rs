@@ -9,21 +9,21 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::scene::dashes;
 use crate::gui::style::tokens::{Palette, size};
-use crate::present::chart::{Bar, Chart, Item, Stands, Ticks};
+use crate::present::chart::{Bar, Chart, ColourRole, Item, Ticks};
 use crate::present::drawing::Anchor;
 
 use super::axes::{of_chart, places};
 use super::{Drawing, gestures, marks};
 
 /// What something that stands for this is drawn in.
-pub(super) fn color(stands: Stands, palette: &Palette) -> Color32 {
+pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
     match stands {
-        Stands::Before => palette.before,
-        Stands::After | Stands::Corrected => palette.after,
-        Stands::Reference => palette.nominal,
-        Stands::Tolerance => palette.within,
-        Stands::Noise => palette.muted,
-        Stands::Curve => palette.accent,
+        ColourRole::Before => palette.before,
+        ColourRole::After | ColourRole::Corrected => palette.after,
+        ColourRole::Reference => palette.nominal,
+        ColourRole::Tolerance => palette.within,
+        ColourRole::Noise => palette.muted,
+        ColourRole::Curve => palette.accent,
     }
 }
 
@@ -39,8 +39,8 @@ pub(crate) fn show<'a>(
     let alone = !chart
         .items
         .iter()
-        .any(|item| item.stands() == Some(Stands::After));
-    let beside = beside(ui.painter(), chart, &palette);
+        .any(|item| item.colour_role() == Some(ColourRole::After));
+    let beside = label_width(ui.painter(), chart, &palette);
     // No closer than their numbers need, which are left out otherwise.
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
@@ -64,7 +64,7 @@ pub(crate) fn show<'a>(
 }
 
 /// Room for the words beside a chart, points; none where it has numbers.
-fn beside(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
+fn label_width(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
     let Ticks::Words(words) = &chart.upwards.ticks else {
         return 0.0;
     };
@@ -118,7 +118,9 @@ impl Canvas<'_> {
 
     pub(crate) fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
         let palette = self.palette;
-        let color = item.stands().map_or(palette.muted, |s| color(s, palette));
+        let color = item
+            .colour_role()
+            .map_or(palette.muted, |s| color(s, palette));
         match item {
             Item::Band([low, high], _) => {
                 let frame = self.transform.frame();

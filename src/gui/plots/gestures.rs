@@ -9,7 +9,7 @@ use egui::{Context, Rect, Response, RichText, Ui, Vec2, vec2};
 use egui_plot::{Plot, PlotResponse, PlotUi};
 
 use crate::gui::style::tokens::{size, strong};
-use crate::gui::widgets::sign;
+use crate::gui::widgets::icon_button;
 use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
@@ -101,7 +101,7 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<Command>) {
-    let sign = sign(ui, name);
+    let sign = icon_button(ui, name);
     let painter = ui.painter();
     let at = |x, y| sign.at(x, y);
     for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {

@@ -8,7 +8,7 @@ use egui::{
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
-use crate::present::chart::{Chart, Entry, Sign};
+use crate::present::chart::{Chart, Entry, LegendSymbol};
 
 use super::{chart, marks};
 
@@ -108,7 +108,7 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let middle = pos2(rect.left() + 5.0, rect.center().y);
     let full = chart::color(entry.stands, &palette);
     let faded = if off { full.gamma_multiply(0.35) } else { full };
-    painter.extend(sign(middle, entry, faded));
+    painter.extend(symbol(middle, entry, faded));
     let at = pos2(rect.left() + MARK, rect.center().y - 0.5 * galley.size().y);
     let right = at.x + galley.size().x;
     painter.galley(at, galley, color);
@@ -127,9 +127,9 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     clicked
 }
 
-fn sign(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
+fn symbol(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
     match entry.sign {
-        Sign::Mark(form) => {
+        LegendSymbol::Mark(form) => {
             let fill = if entry.filled {
                 color
             } else {
@@ -137,9 +137,9 @@ fn sign(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
             };
             vec![marks::mark(at, 3.4, form, fill, Stroke::new(1.2, color))]
         }
-        Sign::Bar | Sign::Band => {
+        LegendSymbol::Bar | LegendSymbol::Band => {
             let rect = Rect::from_center_size(at, vec2(9.0, 9.0));
-            vec![if entry.sign == Sign::Band {
+            vec![if entry.sign == LegendSymbol::Band {
                 Shape::rect_filled(rect, 1.0, color.gamma_multiply(0.3))
             } else if entry.filled {
                 Shape::rect_filled(rect, 1.0, color)
@@ -148,7 +148,7 @@ fn sign(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
                 Shape::rect_stroke(rect, 1.0, Stroke::new(1.5, color), inside)
             }]
         }
-        Sign::Line => {
+        LegendSymbol::Line => {
             let ends = [at - vec2(6.0, 0.0), at + vec2(6.0, 0.0)];
             let stroke = Stroke::new(1.8, color);
             if entry.filled {

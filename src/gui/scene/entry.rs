@@ -1,11 +1,11 @@
 //! What stands in a legend.
 
-use super::ink::{Ink, Stroke};
 use super::items::{Item, Mark, Place};
+use super::tint::{Stroke, Tint};
 
 /// A name in a legend, with its sign: points to the right and up of its middle.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry {
+pub(crate) struct LegendEntry {
     pub(crate) name: String,
     pub(crate) sign: Vec<Item>,
     /// Points.
@@ -15,7 +15,7 @@ pub(crate) struct Entry {
 /// Width of the sign of a mark or a line, points.
 pub(crate) const SIGN: f32 = 14.0;
 
-impl Entry {
+impl LegendEntry {
     fn new(name: impl Into<String>, sign: Item) -> Self {
         Self {
             name: name.into(),
@@ -34,7 +34,7 @@ impl Entry {
     }
 
     /// A part of a band.
-    pub(crate) fn band(name: impl Into<String>, ink: Ink) -> Self {
+    pub(crate) fn band(name: impl Into<String>, ink: Tint) -> Self {
         let corners = [[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]];
         let corners = corners.map(|[x, y]| Place::from([x, y, 0.0]));
         Self::new(name, Item::Area(corners.to_vec(), Some(ink), None))

@@ -6,10 +6,10 @@ use egui::Align2;
 
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::cache::heat::Heat;
-use crate::gui::layers::Look;
+use crate::gui::layers::LayerOptions;
 use crate::gui::style::tokens::size;
 
-use super::ink::{Ink, Stroke};
+use super::tint::{Stroke, Tint};
 
 /// A place: mm, and so many points from there to the right and down in the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +27,7 @@ impl From<[f64; 3]> for Place {
 
 impl Place {
     /// So many points to the right and down from here.
-    pub(crate) fn beside(self, right: f32, down: f32) -> Self {
+    pub(crate) fn shifted(self, right: f32, down: f32) -> Self {
         let [x, y] = self.aside;
         Self {
             at: self.at,
@@ -54,7 +54,7 @@ pub(crate) struct Mark {
     pub(crate) form: Form,
     /// Points.
     pub(crate) radius: f32,
-    pub(crate) fill: Option<Ink>,
+    pub(crate) fill: Option<Tint>,
     pub(crate) edge: Option<Stroke>,
     /// Whose it is.
     pub(crate) sample: Option<usize>,
@@ -66,7 +66,7 @@ impl Mark {
         at: impl Into<Place>,
         form: Form,
         radius: f32,
-        fill: impl Into<Ink>,
+        fill: impl Into<Tint>,
     ) -> Self {
         Self {
             at: at.into(),
@@ -110,7 +110,7 @@ impl Mark {
 pub(crate) struct Label {
     pub(crate) at: Place,
     pub(crate) text: String,
-    pub(crate) ink: Ink,
+    pub(crate) ink: Tint,
     pub(crate) anchor: Align2,
     /// Points.
     pub(crate) size: f32,
@@ -121,11 +121,11 @@ pub(crate) struct Label {
     /// stays within the picture.
     pub(crate) room: Option<[f32; 2]>,
     /// What is behind it in its room.
-    pub(crate) ground: Option<Ink>,
+    pub(crate) ground: Option<Tint>,
 }
 
 impl Label {
-    pub(crate) fn new(at: impl Into<Place>, text: impl Into<String>, ink: impl Into<Ink>) -> Self {
+    pub(crate) fn new(at: impl Into<Place>, text: impl Into<String>, ink: impl Into<Tint>) -> Self {
         Self {
             at: at.into(),
             text: text.into(),
@@ -149,11 +149,11 @@ pub(crate) enum Item {
     /// Through its places.
     Line(Vec<Place>, Stroke),
     /// The area that places enclose: convex, whatever their order.
-    Area(Vec<Place>, Option<Ink>, Option<Stroke>),
+    Area(Vec<Place>, Option<Tint>, Option<Stroke>),
     /// Without edges, so that neighbours leave no seams; the first is at the bottom.
-    Triangles(Vec<(Triangle, Ink)>),
+    Triangles(Vec<(Triangle, Tint)>),
     /// A net of coloured corners, so many in a row.
-    Net(Vec<(Place, Ink)>, usize),
+    Net(Vec<(Place, Tint)>, usize),
     /// An arrow.
     Vector([Place; 2], Stroke),
     Mark(Mark),
@@ -166,7 +166,7 @@ pub(crate) enum Item {
 pub(crate) enum Layer {
     Samples(Samples),
     /// The error between samples.
-    Heat(Arc<Heat>, Look),
+    Heat(Arc<Heat>, LayerOptions),
 }
 
 /// Measured points and error vectors.
@@ -175,7 +175,7 @@ pub(crate) struct Samples {
     pub(crate) cloud: Arc<Cloud>,
     /// What an answer leaves.
     pub(crate) remainder: Option<Arc<Remainder>>,
-    pub(crate) look: Look,
+    pub(crate) look: LayerOptions,
     /// So many of their points, and so many of their vectors.
     pub(crate) counts: [usize; 2],
 }

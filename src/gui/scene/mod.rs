@@ -5,17 +5,17 @@
 
 mod camera;
 mod entry;
-mod ink;
 mod items;
 mod paint;
 mod paper;
 mod screen;
 mod sheet;
+mod tint;
 
 pub(crate) use camera::{Bearing, Camera, Projection};
-pub(crate) use entry::{Entry, SIGN};
-pub(crate) use ink::{Ink, Stroke, Token};
+pub(crate) use entry::{LegendEntry, SIGN};
 pub(crate) use items::{Form, Item, Label, Layer, Mark, Place, Samples, Scene, Triangle};
 pub(crate) use paint::{DIAMOND, TRIANGLE, corners_of, paint};
 pub(crate) use screen::{Screen, dashes};
 pub(crate) use sheet::{SIZE, Sheet};
+pub(crate) use tint::{ColourToken, Stroke, Tint};

@@ -3,21 +3,21 @@
 use egui::{Pos2, Rect, Vec2, vec2};
 
 use super::camera::Camera;
-use super::ink::{Ink, Stroke};
 use super::items::{Form, Item, Label, Layer, Mark, Scene};
+use super::tint::{Stroke, Tint};
 
 /// What a picture is drawn on. Everything is in points, and areas are convex.
 pub(crate) trait Canvas {
     fn line(&mut self, points: Vec<Pos2>, stroke: Stroke);
 
-    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Ink>, edge: Option<Stroke>);
+    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Tint>, edge: Option<Stroke>);
 
-    fn disc(&mut self, at: Pos2, radius: f32, fill: Option<Ink>, edge: Option<Stroke>);
+    fn disc(&mut self, at: Pos2, radius: f32, fill: Option<Tint>, edge: Option<Stroke>);
 
-    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Ink)>);
+    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Tint)>);
 
     /// Coloured corners, so many in a row.
-    fn net(&mut self, corners: &[(Pos2, Ink)], across: usize);
+    fn net(&mut self, corners: &[(Pos2, Tint)], across: usize);
 
     /// Width and height of words.
     fn size(&self, label: &Label) -> Vec2;

@@ -2,9 +2,9 @@
 
 use egui::{Align, Pos2, Rect, Vec2, pos2, vec2};
 
-use super::ink::{Ink, Stroke};
 use super::items::Label;
 use super::paint::Canvas;
+use super::tint::{Stroke, Tint};
 use crate::gui::style::tokens::LIGHT;
 use crate::present::chart::is_wide;
 use crate::present::drawing::{self, Anchor, Colour, Drawing, Item};
@@ -87,7 +87,7 @@ fn cut_short(label: &Label) -> String {
 }
 
 /// On paper nothing shines through: it is mixed with white.
-fn colour(ink: Ink) -> Colour {
+fn colour(ink: Tint) -> Colour {
     let [r, g, b, a] = ink.color(&LIGHT).to_array();
     let [r, g, b] = [r, g, b].map(|part| part.saturating_add(255 - a));
     Colour(r, g, b)
@@ -111,7 +111,7 @@ impl Canvas for Paper<'_> {
         self.lines(lines, stroke);
     }
 
-    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Ink>, edge: Option<Stroke>) {
+    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Tint>, edge: Option<Stroke>) {
         if let Some(ink) = fill {
             self.filled(&corners, colour(ink));
         }
@@ -121,7 +121,7 @@ impl Canvas for Paper<'_> {
         }
     }
 
-    fn disc(&mut self, at: Pos2, radius: f32, fill: Option<Ink>, edge: Option<Stroke>) {
+    fn disc(&mut self, at: Pos2, radius: f32, fill: Option<Tint>, edge: Option<Stroke>) {
         let corner = |k: u8| {
             let (sin, cos) = (std::f32::consts::TAU * f32::from(k) / f32::from(CORNERS)).sin_cos();
             at + radius * vec2(cos, sin)
@@ -130,14 +130,14 @@ impl Canvas for Paper<'_> {
     }
 
     /// In 32 steps of each colour, so that neighbours share one.
-    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Ink)>) {
+    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Tint)>) {
         for (corners, ink) in triangles {
             let Colour(r, g, b) = colour(ink);
             self.filled(&corners, Colour(r | 7, g | 7, b | 7));
         }
     }
 
-    fn net(&mut self, corners: &[(Pos2, Ink)], across: usize) {
+    fn net(&mut self, corners: &[(Pos2, Tint)], across: usize) {
         for here in across..corners.len() {
             // What is hardly there must not hide what is beneath.
             let there = corners[here].1.color(&LIGHT).a() > HARDLY;
@@ -274,10 +274,13 @@ mod tests {
 
     #[test]
     fn what_is_seen_through_is_mixed_with_white() {
-        use super::super::ink::Token;
-        assert_eq!(colour(Token::Surface.into()), Colour(255, 255, 255));
-        assert_eq!(colour(Token::Before.clear(0.0)), Colour(255, 255, 255));
-        let Colour(r, g, b) = colour(Token::Before.clear(0.5));
+        use super::super::tint::ColourToken;
+        assert_eq!(colour(ColourToken::Surface.into()), Colour(255, 255, 255));
+        assert_eq!(
+            colour(ColourToken::Before.clear(0.0)),
+            Colour(255, 255, 255)
+        );
+        let Colour(r, g, b) = colour(ColourToken::Before.clear(0.5));
         let [r0, g0, b0, _] = LIGHT.before.to_array();
         for (mixed, full) in [(r, r0), (g, g0), (b, b0)] {
             let wanted = f32::midpoint(f32::from(full), 255.0);

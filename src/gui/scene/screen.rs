@@ -7,11 +7,11 @@ use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Vec2};
 
 use super::camera::Camera;
-use super::entry::Entry;
-use super::ink::{Ink, Stroke, Token};
+use super::entry::LegendEntry;
 use super::items::{Label, Layer};
 use super::paint::{Canvas, items};
-use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Layer as _, Look, SpaceLayer};
+use super::tint::{ColourToken, Stroke, Tint};
+use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Layer as _, LayerOptions, SpaceLayer};
 use crate::gui::style::tokens::{Palette, strong};
 
 /// Shapes in the colours of a theme.
@@ -35,14 +35,14 @@ impl<'a> Screen<'a> {
     }
 
     /// Draws the sign of a legend about its middle.
-    pub(crate) fn sign(painter: &Painter, palette: &Palette, entry: &Entry, at: Pos2) {
+    pub(crate) fn symbol(painter: &Painter, palette: &Palette, entry: &LegendEntry, at: Pos2) {
         let mut shapes = Vec::new();
         let mut screen = Screen::new(painter, palette, &mut shapes);
         items(&entry.sign, &Camera::of_signs(at), &mut screen);
         painter.extend(shapes);
     }
 
-    fn color(&self, ink: Option<Ink>) -> Color32 {
+    fn color(&self, ink: Option<Tint>) -> Color32 {
         ink.map_or(Color32::TRANSPARENT, |ink| ink.color(self.palette))
     }
 
@@ -79,12 +79,12 @@ impl Canvas for Screen<'_> {
         });
     }
 
-    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Ink>, edge: Option<Stroke>) {
+    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Tint>, edge: Option<Stroke>) {
         let shape = Shape::convex_polygon(corners, self.color(fill), self.stroke(edge));
         self.shapes.push(shape);
     }
 
-    fn disc(&mut self, center: Pos2, radius: f32, fill: Option<Ink>, edge: Option<Stroke>) {
+    fn disc(&mut self, center: Pos2, radius: f32, fill: Option<Tint>, edge: Option<Stroke>) {
         self.shapes.push(Shape::Circle(CircleShape {
             center,
             radius,
@@ -93,7 +93,7 @@ impl Canvas for Screen<'_> {
         }));
     }
 
-    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Ink)>) {
+    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Tint)>) {
         let mut mesh = Mesh::default();
         for (corners, ink) in triangles {
             let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
@@ -106,7 +106,7 @@ impl Canvas for Screen<'_> {
         self.shapes.push(Shape::mesh(mesh));
     }
 
-    fn net(&mut self, corners: &[(Pos2, Ink)], across: usize) {
+    fn net(&mut self, corners: &[(Pos2, Tint)], across: usize) {
         let mut mesh = Mesh::default();
         let row = u32::try_from(across).unwrap_or(u32::MAX);
         for (here, (at, ink)) in (0_u32..).zip(corners) {
@@ -122,8 +122,9 @@ impl Canvas for Screen<'_> {
 
     fn layer(&mut self, layer: &Layer, camera: &Camera) {
         let pixels = self.painter.pixels_per_point();
-        let frame =
-            |look: &Look, heat| Frame::new(look, self.palette, camera.transform(), heat, pixels);
+        let frame = |look: &LayerOptions, heat| {
+            Frame::new(look, self.palette, camera.transform(), heat, pixels)
+        };
         let rect = camera.frame();
         self.shapes.push(match layer {
             Layer::Heat(heat, look) => HeatLayer {
@@ -162,7 +163,7 @@ impl Canvas for Screen<'_> {
             // Whole, over whatever is there.
             let whole = Label {
                 most: None,
-                ink: Token::Text.into(),
+                ink: ColourToken::Text.into(),
                 ..label.clone()
             };
             let size = self.size(&whole);

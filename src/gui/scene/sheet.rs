@@ -4,11 +4,11 @@
 use egui::{Align2, Pos2, Rect, Vec2, vec2};
 
 use super::camera::Camera;
-use super::entry::Entry;
-use super::ink::Token;
+use super::entry::LegendEntry;
 use super::items::{Label, Scene};
 use super::paint::{Canvas, items, paint};
 use super::paper::{Paper, SCALE, width};
+use super::tint::ColourToken;
 use crate::gui::style::tokens::size;
 use crate::present::chart::Axis;
 use crate::present::chart::panel::Panel;
@@ -29,7 +29,7 @@ pub(crate) struct Sheet {
     pub(crate) title: String,
     /// What stands at the axes, and what they show of a mm.
     pub(crate) axes: Option<([String; 2], f64)>,
-    pub(crate) legend: Vec<Entry>,
+    pub(crate) legend: Vec<LegendEntry>,
     /// A line each.
     pub(crate) notes: Vec<String>,
 }
@@ -98,7 +98,7 @@ impl Sheet {
         let line = LINE / SCALE;
         let mut at = Pos2::new(0.0, 0.5 * line);
         for entry in &self.legend {
-            let mut label = Label::new([0.0; 3], &entry.name, Token::Muted);
+            let mut label = Label::new([0.0; 3], &entry.name, ColourToken::Muted);
             label.anchor = Align2::LEFT_CENTER;
             let size = paper.size(&label);
             let wide = entry.wide + BESIDE + size.x;

@@ -14,10 +14,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use egui::epaint::text::{FontPriority, InsertFontFamily, VariationCoords};
 use egui::{Context, FallbackRequest, FontData, FontFamily, FontInsert, FontProvider};
 
-use crate::fonts::{Found, Library, SystemFace, is_worth_a_font};
+use crate::fonts::{FaceSelection, Library, SystemFace, is_worth_a_font};
 
 /// What is known of letters, at the workbench.
-pub(crate) struct Letters {
+pub(crate) struct Characters {
     /// Where faces are found.
     pub(crate) library: Arc<Library>,
     /// Faces that were found.
@@ -32,7 +32,7 @@ pub(crate) struct Letters {
     pub(crate) unshown: BTreeSet<char>,
 }
 
-impl Default for Letters {
+impl Default for Characters {
     fn default() -> Self {
         Self {
             library: Library::system(),
@@ -45,7 +45,7 @@ impl Default for Letters {
     }
 }
 
-impl Letters {
+impl Characters {
     /// Those of them that have not been looked for, and are from now on.
     pub(crate) fn new_among(&mut self, wanted: BTreeSet<char>) -> BTreeSet<char> {
         let wanted = wanted.into_iter();
@@ -70,7 +70,7 @@ impl Letters {
     }
 
     /// Takes what a search brought.
-    pub(crate) fn take(&mut self, found: Found, aloud: bool) {
+    pub(crate) fn take(&mut self, found: FaceSelection, aloud: bool) {
         for face in found.faces {
             // Two searches at a time may find the same.
             if !self.faces.contains(&face) {

@@ -21,7 +21,7 @@ const SAMPLES_TOO: f32 = 2400.0;
 const LOW: f32 = 640.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Room {
+pub(crate) struct Layout {
     /// Width of the steps and their controls.
     pub(crate) left: f32,
     /// Width of the results, where they stand beside the plots.
@@ -34,7 +34,7 @@ pub(crate) struct Room {
     pub(crate) low: bool,
 }
 
-impl Room {
+impl Layout {
     /// In a window of this size; `wanted` is whether the results are opened or shut by hand, `pulled`
     /// the widths of steps and results where they were pulled.
     pub(crate) fn of(
@@ -113,10 +113,10 @@ mod tests {
 
     #[test]
     fn the_sides_never_shrink_as_the_window_grows_and_the_plots_grow_with_it() {
-        let mut last = Room::of(600.0, 700.0, None, [None; 2]);
+        let mut last = Layout::of(600.0, 700.0, None, [None; 2]);
         for width in (600..4000).step_by(7) {
             let width = width as f32;
-            let room = Room::of(width, 700.0, None, [None; 2]);
+            let room = Layout::of(width, 700.0, None, [None; 2]);
             assert!(
                 room.left >= last.left && room.right >= last.right,
                 "{width}"
@@ -136,27 +136,27 @@ mod tests {
 
     #[test]
     fn results_that_have_no_room_beside_the_plots_can_be_opened_in_their_place() {
-        let narrow = |wanted| Room::of(683.0, 384.0, wanted, [None; 2]);
+        let narrow = |wanted| Layout::of(683.0, 384.0, wanted, [None; 2]);
         assert!(!narrow(None).results());
         assert!(narrow(Some(true)).instead && narrow(Some(true)).right.is_none());
         assert!(
-            Room::of(960.0, 540.0, Some(true), [None; 2])
+            Layout::of(960.0, 540.0, Some(true), [None; 2])
                 .right
                 .is_some()
         );
-        assert!(!Room::of(1920.0, 1080.0, Some(false), [None; 2]).results());
-        assert!(Room::of(1024.0, 700.0, None, [None; 2]).right.is_some());
+        assert!(!Layout::of(1920.0, 1080.0, Some(false), [None; 2]).results());
+        assert!(Layout::of(1024.0, 700.0, None, [None; 2]).right.is_some());
     }
 
     #[test]
     fn a_low_window_has_one_line_for_each_step() {
-        assert!(Room::of(911.0, 512.0, None, [None; 2]).low);
-        assert!(!Room::of(1024.0, 700.0, None, [None; 2]).low);
+        assert!(Layout::of(911.0, 512.0, None, [None; 2]).low);
+        assert!(!Layout::of(1024.0, 700.0, None, [None; 2]).low);
     }
 
     #[test]
     fn pulled_widths_hold_within_what_can_be_read_and_leave_room_for_the_plots() {
-        let pulled = |left, right| Room::of(1280.0, 800.0, None, [Some(left), Some(right)]);
+        let pulled = |left, right| Layout::of(1280.0, 800.0, None, [Some(left), Some(right)]);
         let room = pulled(380.0, 420.0);
         assert_eq!((room.left, room.right), (380.0, Some(420.0)));
         for (left, right) in [(1.0, 1.0), (5000.0, 5000.0), (700.0, 10.0), (10.0, 900.0)] {

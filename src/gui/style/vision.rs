@@ -11,7 +11,7 @@ use egui::Color32;
 
 /// How somebody sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sight {
+pub(crate) enum ColourVision {
     /// As most people do.
     Usual,
     /// Without the cones for long waves.
@@ -22,7 +22,7 @@ pub(crate) enum Sight {
     Tritanopia,
 }
 
-impl Sight {
+impl ColourVision {
     pub(crate) const ALL: [Self; 4] = [
         Self::Usual,
         Self::Protanopia,
@@ -70,7 +70,7 @@ fn through(matrix: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
 }
 
 /// Light of this colour as it is seen, within what a screen can show.
-fn seen(color: Color32, sight: Sight) -> [f64; 3] {
+fn seen(color: Color32, sight: ColourVision) -> [f64; 3] {
     through(sight.matrix(), linear(color)).map(|c| c.clamp(0.0, 1.0))
 }
 
@@ -96,14 +96,14 @@ fn lab(light: [f64; 3]) -> [f64; 3] {
 }
 
 /// How far apart somebody sees two colours, ΔE*ab.
-pub(crate) fn apart(a: Color32, b: Color32, sight: Sight) -> f64 {
+pub(crate) fn colour_distance(a: Color32, b: Color32, sight: ColourVision) -> f64 {
     let (a, b) = (lab(seen(a, sight)), lab(seen(b, sight)));
     let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
     squares.sum::<f64>().sqrt()
 }
 
 /// How light somebody sees a colour, L*: from 0, black, to 100, white.
-pub(crate) fn lightness(color: Color32, sight: Sight) -> f64 {
+pub(crate) fn lightness(color: Color32, sight: ColourVision) -> f64 {
     lab(seen(color, sight))[0]
 }
 
@@ -120,7 +120,7 @@ pub(crate) fn contrast(a: Color32, b: Color32) -> f64 {
 #[test]
 fn greys_look_the_same_to_everybody_and_each_deficiency_takes_its_own_pair_of_colours() {
     let grey = Color32::from_gray(128);
-    for sight in Sight::ALL {
+    for sight in ColourVision::ALL {
         let [r, g, b] = seen(grey, sight);
         assert!((r - g).abs() < 1e-4 && (g - b).abs() < 1e-4, "{sight:?}");
     }
@@ -132,12 +132,13 @@ fn greys_look_the_same_to_everybody_and_each_deficiency_takes_its_own_pair_of_co
         Color32::from_rgb(60, 90, 190),
         Color32::from_rgb(0, 120, 130),
     );
-    let left = |a, b, sight| apart(a, b, sight) / apart(a, b, Sight::Usual);
-    assert!(left(red, green, Sight::Deuteranopia) < 0.5);
-    assert!(left(red, green, Sight::Protanopia) < 0.7);
-    assert!(left(red, green, Sight::Tritanopia) > 0.8);
-    assert!(left(blue, teal, Sight::Tritanopia) < 0.5);
-    assert!(left(blue, teal, Sight::Deuteranopia) > 0.6);
+    let left =
+        |a, b, sight| colour_distance(a, b, sight) / colour_distance(a, b, ColourVision::Usual);
+    assert!(left(red, green, ColourVision::Deuteranopia) < 0.5);
+    assert!(left(red, green, ColourVision::Protanopia) < 0.7);
+    assert!(left(red, green, ColourVision::Tritanopia) > 0.8);
+    assert!(left(blue, teal, ColourVision::Tritanopia) < 0.5);
+    assert!(left(blue, teal, ColourVision::Deuteranopia) > 0.6);
 }
 
 #[test]
@@ -145,8 +146,8 @@ fn contrast_and_lightness_are_those_of_their_definitions() {
     let (black, white) = (Color32::BLACK, Color32::WHITE);
     assert!((contrast(black, white) - 21.0).abs() < 1e-9);
     assert!((contrast(Color32::from_gray(0x76), white) - 4.54).abs() < 0.01);
-    assert!((lightness(white, Sight::Usual) - 100.0).abs() < 1e-2);
+    assert!((lightness(white, ColourVision::Usual) - 100.0).abs() < 1e-2);
     // CIE: a grey of 18 % is half as light as white.
-    assert!((lightness(Color32::from_gray(0x77), Sight::Usual) - 50.0).abs() < 0.5);
-    assert!((apart(black, white, Sight::Usual) - 100.0).abs() < 1e-2);
+    assert!((lightness(Color32::from_gray(0x77), ColourVision::Usual) - 50.0).abs() < 0.5);
+    assert!((colour_distance(black, white, ColourVision::Usual) - 100.0).abs() < 1e-2);
 }

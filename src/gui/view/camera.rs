@@ -275,7 +275,7 @@ impl Camera {
     }
 
     /// In words: the view's name, or from which direction.
-    pub(crate) fn says(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         if let Some(view) = self.standard() {
             return say!("{view} view", view = view.name());
         }

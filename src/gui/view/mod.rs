@@ -12,15 +12,15 @@ pub(crate) use camera::{Ball, Camera, Facing, Standard};
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
 pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
-pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, Part, Tile};
-pub(crate) use sheet::{Sheet, Then};
+pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
+pub(crate) use sheet::{NextAction, Sheet};
 
 use crate::text::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
 use crate::gui::core::boundary_entry::Typed;
-use crate::gui::core::disk::Fate;
+use crate::gui::core::disk::FileChange;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
@@ -72,7 +72,7 @@ pub(crate) enum Side {
 pub(crate) struct OnDisk {
     pub(crate) path: PathBuf,
     /// What became of it.
-    pub(crate) fate: Fate,
+    pub(crate) fate: FileChange,
 }
 
 /// What decides which panels there are and how high: egui lays a panel out with the size that it
@@ -121,7 +121,7 @@ pub(crate) struct ViewState {
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// The workspace is drawn over so many points where all of it is in sight.
-    pub(crate) room: f64,
+    pub(crate) plot_size: f64,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
     /// What the colour of error vectors says.
@@ -203,7 +203,7 @@ impl Default for ViewState {
             camera: Camera::default(),
             pose: None,
             magnification: None,
-            room: ROOM,
+            plot_size: ROOM,
             blend: 1.0,
             colouring: Colouring::default(),
             heat: false,

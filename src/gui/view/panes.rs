@@ -53,7 +53,7 @@ pub(crate) struct Pane {
 
 /// A part of a split, and how much of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Part {
+pub(crate) struct SplitShare {
     pub(crate) share: f32,
     pub(crate) tile: Tile,
 }
@@ -63,9 +63,9 @@ pub(crate) struct Part {
 pub(crate) enum Tile {
     Pane(Pane),
     /// Side by side.
-    Beside(Vec<Part>),
+    Beside(Vec<SplitShare>),
     /// One below the other.
-    Below(Vec<Part>),
+    Below(Vec<SplitShare>),
 }
 
 /// An edge of a pane, or of the whole middle.
@@ -80,7 +80,7 @@ pub(crate) enum Edge {
 impl Edge {
     pub(crate) const ALL: [Self; 4] = [Self::Left, Self::Right, Self::Top, Self::Bottom];
 
-    fn beside(self) -> bool {
+    fn is_sideways(self) -> bool {
         matches!(self, Self::Left | Self::Right)
     }
 }
@@ -99,7 +99,7 @@ pub(crate) struct Panes {
 impl Default for Panes {
     /// The workspace, and below it the chart that suits the step.
     fn default() -> Self {
-        let part = |share, shows| Part {
+        let part = |share, shows| SplitShare {
             share,
             tile: Tile::Pane(Pane { key: 0, shows }),
         };
@@ -113,14 +113,14 @@ impl Default for Panes {
 }
 
 impl Tile {
-    fn parts(&self) -> &[Part] {
+    fn parts(&self) -> &[SplitShare] {
         match self {
             Self::Pane(_) => &[],
             Self::Beside(parts) | Self::Below(parts) => parts,
         }
     }
 
-    fn split(beside: bool, parts: Vec<Part>) -> Self {
+    fn split(beside: bool, parts: Vec<SplitShare>) -> Self {
         if beside {
             Self::Beside(parts)
         } else {
@@ -129,7 +129,7 @@ impl Tile {
     }
 
     /// Whether its parts stand side by side, and which they are.
-    fn into_parts(self) -> Result<(bool, Vec<Part>), Self> {
+    fn into_parts(self) -> Result<(bool, Vec<SplitShare>), Self> {
         match self {
             Self::Beside(parts) => Ok((true, parts)),
             Self::Below(parts) => Ok((false, parts)),
@@ -164,8 +164,8 @@ impl Tile {
         if depth == 0 {
             return None;
         }
-        let mut kept: Vec<Part> = Vec::new();
-        for Part { share, tile } in parts {
+        let mut kept: Vec<SplitShare> = Vec::new();
+        for SplitShare { share, tile } in parts {
             let Some(tile) = tile.map(depth - 1, of) else {
                 continue;
             };
@@ -177,16 +177,16 @@ impl Tile {
             match tile.into_parts() {
                 Ok((same, inner)) if same == beside => {
                     let all: f32 = inner.iter().map(|part| part.share).sum();
-                    kept.extend(inner.into_iter().map(|part| Part {
+                    kept.extend(inner.into_iter().map(|part| SplitShare {
                         share: share * part.share / all,
                         ..part
                     }));
                 }
-                Ok((other, inner)) => kept.push(Part {
+                Ok((other, inner)) => kept.push(SplitShare {
                     share,
                     tile: Self::split(other, inner),
                 }),
-                Err(tile) => kept.push(Part { share, tile }),
+                Err(tile) => kept.push(SplitShare { share, tile }),
             }
         }
         if kept.len() < 2 {
@@ -424,12 +424,12 @@ impl Panes {
 
 /// A tile at an edge of another, with its share of both.
 fn at_edge(tile: Tile, share: f32, new: Tile, edge: Edge) -> Tile {
-    let part = |share, tile| Part { share, tile };
+    let part = |share, tile| SplitShare { share, tile };
     let mut parts = vec![part(1.0 - share, tile), part(share, new)];
     if matches!(edge, Edge::Left | Edge::Top) {
         parts.reverse();
     }
-    Tile::split(edge.beside(), parts)
+    Tile::split(edge.is_sideways(), parts)
 }
 
 #[cfg(test)]

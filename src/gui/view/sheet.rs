@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::Foreign;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::view::What;
 
 /// A sheet over the window.
@@ -28,11 +28,11 @@ pub(crate) enum Sheet {
     /// A robot, as its table is typed.
     RobotTable(Box<RobotTable>),
     /// What is lost if this is done now.
-    Unsaved(Then),
+    Unsaved(NextAction),
     /// This file is not what it was when it was read: whether to replace it all the same.
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
-    Import(Box<Foreign>),
+    Import(Box<ImportDraft>),
     /// One that keeps nothing of its own: its file in `dialogs`.
     Named(&'static str),
 }
@@ -54,7 +54,7 @@ impl Sheet {
 
 /// What is done next, when nothing is in the way any more.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Then {
+pub(crate) enum NextAction {
     Leave,
     Open(PathBuf),
     Example(usize),

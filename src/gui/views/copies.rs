@@ -189,7 +189,7 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
 
 /// Sample by sample: what was commanded and measured, and how far that is from the simulation.
 pub(super) fn samples(workbench: &Workbench) -> String {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let (session, answer) = (&subject.session, workbench.answer());
     let mut heads = vec!["sample".to_owned()];
     let joints = session.robot.joints.iter().enumerate();

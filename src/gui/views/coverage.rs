@@ -7,7 +7,7 @@ use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
-use crate::gui::core::coverage::Known;
+use crate::gui::core::coverage::Coverage;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;
@@ -20,7 +20,7 @@ use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
-    if workbench.subject().is_empty() {
+    if workbench.loaded_session().is_empty() {
         return;
     }
     match workbench.view().step {
@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
 fn gap(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     widgets::card(ui, |ui| {
         let name =
             ui.label(RichText::new(say!("RMS error of the nominal robot")).color(palette.muted));
@@ -88,7 +88,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
 
 /// Under which conditions was measured.
 fn covers(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let units = workbench.units();
     let known = &subject.known;
     let survey = &known.survey;
@@ -102,7 +102,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
     };
     widgets::card(ui, |ui| {
         title(ui, say!("What the samples cover"));
-        strip(ui, known);
+        coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
             widgets::fact_of(
                 ui,
@@ -183,7 +183,7 @@ fn duration(seconds: f64) -> String {
 }
 
 /// The range of the joint as a strip: filled as high as there are samples.
-fn strip(ui: &mut Ui, known: &Known) {
+fn coverage_bar(ui: &mut Ui, known: &Coverage) {
     const HEIGHT: f32 = 22.0;
     let palette = Palette::of(ui);
     let room = vec2(ui.available_width(), HEIGHT);
@@ -210,7 +210,7 @@ fn strip(ui: &mut Ui, known: &Known) {
 
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
     let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
@@ -276,7 +276,7 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
             ),
         );
         ui.add_space(space::TIGHT);
-        let robot = &workbench.subject().session.robot;
+        let robot = &workbench.loaded_session().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             ui.label(spoken(format.title));
         }

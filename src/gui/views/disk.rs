@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::{Align, Frame, Label, Layout, Margin, RichText, Ui};
 
-use crate::gui::core::disk::Fate;
+use crate::gui::core::disk::FileChange;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
 
@@ -17,13 +17,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let name = on_disk.path.file_name().unwrap_or_default();
     let name = name.to_string_lossy();
     let (title, says) = match on_disk.fate {
-        Fate::Changed => (
+        FileChange::Changed => (
             say!("{name} was changed by another program", name = name),
             say!(
                 "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting"
             ),
         ),
-        Fate::Vanished => (
+        FileChange::Vanished => (
             say!("{name} is not there any more", name = name),
             say!("What was read is here still: saving writes it again, or put the file back"),
         ),
@@ -36,11 +36,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     commands.push(Command::KeepMine);
                 }
                 match on_disk.fate {
-                    Fate::Changed if ui.button(say!("Reload")).clicked() => {
+                    FileChange::Changed if ui.button(say!("Reload")).clicked() => {
                         commands.push(Command::Reload);
                     }
-                    Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
-                    Fate::Changed => {}
+                    FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+                    FileChange::Changed => {}
                 }
                 ui.with_layout(Layout::top_down(Align::Min), |ui| {
                     ui.spacing_mut().item_spacing.y = 3.0;

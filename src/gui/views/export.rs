@@ -83,7 +83,7 @@ pub(super) fn add_all(n: usize) -> String {
 
 /// The report: of the session, and of the model that is exported.
 fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let measured = !workbench.subject().is_empty();
+    let measured = !workbench.loaded_session().is_empty();
     let identified = workbench.answer().is_some();
     if !measured && !identified {
         return;
@@ -124,7 +124,7 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
-        let robot = &workbench.subject().session.robot;
+        let robot = &workbench.loaded_session().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
             if response.clicked() && format.id != choice.format {
@@ -173,7 +173,7 @@ fn joint_and_step(
     choice: ExportChoice,
     commands: &mut Vec<Command>,
 ) {
-    let joints = &workbench.subject().session.robot.joints;
+    let joints = &workbench.loaded_session().session.robot.joints;
     let mut next = choice;
     let mut dragged = false;
     if joints.len() > 1 {
@@ -235,12 +235,12 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
-    let measured = !workbench.subject().is_empty();
+    let measured = !workbench.loaded_session().is_empty();
     let identified = workbench.answer().filter(|_| measured);
     let exported = Exported {
         export: &made.export,
         error: made.error,
-        nominal: workbench.subject().gap_before,
+        nominal: workbench.loaded_session().gap_before,
         identified_mm: identified.map(|answer| answer.identification.gap.after.rms_mm),
         remainder: Some(&made.remainder),
     };

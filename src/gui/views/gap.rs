@@ -22,7 +22,7 @@ pub(super) const STEP: StepView = StepView {
 };
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.subject().is_empty() {
+    if workbench.loaded_session().is_empty() {
         widgets::hint(
             ui,
             say!("Open a session that was measured on this robot first"),
@@ -67,7 +67,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// Where the work stands before there is a search.
 fn before(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let units = workbench.units();
     widgets::section(ui, say!("RMS error so far"));
     if let Some(gap) = subject.gap_before {
@@ -136,7 +136,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
             std::cmp::Ordering::Greater => text.color(palette.muted),
         });
         // The results name them, where they are in sight.
-        let named = crate::gui::actions::room(ui.ctx(), workbench).results();
+        let named = crate::gui::actions::layout(ui.ctx(), workbench).results();
         if k == SEARCHING && !named {
             names_so_far(ui, &found);
         }
@@ -208,7 +208,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
-        let measured = !workbench.subject().is_empty();
+        let measured = !workbench.loaded_session().is_empty();
         let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, say!("Run diagnosis")));
         if button.inner.clicked() {
             commands.push(Command::Search);

@@ -3,7 +3,7 @@
 use egui::{Rect, Ui};
 
 use crate::gui::preferences::{Preferences, Sizes};
-use crate::gui::style::layout::Room;
+use crate::gui::style::layout::Layout;
 use crate::gui::widgets::{self, Gripped};
 use crate::gui::workbench::{Command, Workbench};
 
@@ -11,7 +11,7 @@ use crate::gui::workbench::{Command, Workbench};
 pub(crate) fn show(
     ui: &Ui,
     workbench: &Workbench,
-    room: Room,
+    room: Layout,
     middle: Rect,
     commands: &mut Vec<Command>,
 ) {

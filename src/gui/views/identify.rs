@@ -46,7 +46,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 given = given.file_name()
             ),
         );
-        if workbench.subject().is_empty() {
+        if workbench.loaded_session().is_empty() {
             widgets::hint(
                 ui,
                 say!("To identify the robot anew, open a session that was measured on it"),
@@ -63,7 +63,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (Method::Exact, say!("Full model")),
         (Method::Regional, say!("By region")),
     ];
-    let offered = if workbench.subject().single_revolute() {
+    let offered = if workbench.loaded_session().single_revolute() {
         &methods[..]
     } else {
         &methods[..1]
@@ -99,7 +99,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     widgets::section(ui, say!("Effects to fit"));
     ui.spacing_mut().item_spacing.y = 4.0;
     for id in &subject.testable {

@@ -4,7 +4,7 @@ use egui::Ui;
 
 use crate::compensation::Verification;
 use crate::explain::{Detail, verification};
-use crate::gui::core::answer::{Answer, Loaded};
+use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::views::blocks;
 use crate::gui::views::names::title;
 use crate::gui::widgets;
@@ -13,7 +13,12 @@ use crate::present::numbers::trimmed;
 use crate::present::units::Units;
 
 /// What there is to say about the model itself.
-pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
+pub(super) fn about(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    answer: &Answer,
+    loaded: &LoadedModelSummary,
+) {
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
         title(ui, say!("Model from a file"));
@@ -30,7 +35,7 @@ pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded:
             };
             widgets::fact(ui, &name, measured);
         }
-        if workbench.subject().is_empty() {
+        if workbench.loaded_session().is_empty() {
             widgets::hint(
                 ui,
                 say!(

@@ -20,7 +20,11 @@ pub(in crate::gui::views) fn in_words(
     joint: Option<usize>,
     workbench: &Workbench,
 ) -> String {
-    title_on(id, joint, workbench.subject().session.robot.joints.len())
+    title_on(
+        id,
+        joint,
+        workbench.loaded_session().session.robot.joints.len(),
+    )
 }
 
 /// Says which sizes no machine has.

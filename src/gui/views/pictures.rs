@@ -1,6 +1,6 @@
 //! Plots as pictures: the workspace from its scene, and the charts, as they are on the screen.
 
-use crate::gui::charts::{self, Pointed, find};
+use crate::gui::charts::{self, HoverTarget, find};
 use crate::gui::view::Plot;
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::{plane_sheet, polar_sheet, space_sheet};
@@ -13,7 +13,7 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
         Plot::Space => space_sheet(workbench),
         Plot::Polar => polar_sheet(workbench),
         Plot::Chart(name) => chart(workbench, name).map(|chart| {
-            let session = crate::report::document::clean(&workbench.subject().session.name);
+            let session = crate::report::document::clean(&workbench.loaded_session().session.name);
             let says = format!("{session}: {}", chart.title);
             (chart.on_paper(&session), says)
         }),
@@ -27,7 +27,7 @@ fn chart(workbench: &Workbench, name: &str) -> Result<Chart, String> {
     let scene = workbench.scene_of(kind);
     let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
     let mut chart = shown.chart;
-    if let Pointed::Samples(samples) = &shown.pointed {
+    if let HoverTarget::Samples(samples) = &shown.pointed {
         let [[from, _], [to, _]] = chart.bounds;
         chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
     }

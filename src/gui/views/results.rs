@@ -7,7 +7,7 @@ use crate::explain::{self, Detail, Topic, remarks_on_fit};
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
-use crate::gui::style::layout::Room;
+use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
@@ -23,7 +23,7 @@ use super::blocks::{self, Title};
 use super::names::{implausible, title};
 use super::{copies, model, samples};
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     // Samples that stand beside the results are not shown in their place as well.
     let alone = room.samples.is_none();
     let side = if alone {
@@ -73,7 +73,7 @@ pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
 
 fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
-    match workbench.outcome().map(|o| &o.answer) {
+    match workbench.identified().map(|o| &o.answer) {
         None => super::coverage::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
@@ -89,7 +89,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if let Some(loaded) = &answer.loaded {
         model::about(ui, workbench, answer, loaded);
     }
-    if !workbench.subject().is_empty() {
+    if !workbench.loaded_session().is_empty() {
         gap_card(ui, workbench, answer);
     }
     if let Some(verification) = answer.loaded.as_ref().and_then(|l| l.verification.as_ref()) {
@@ -97,7 +97,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     }
     let found = &answer.identification;
     if !found.parameters.is_empty() {
-        let joints = workbench.subject().session.robot.joints.len();
+        let joints = workbench.loaded_session().session.robot.joints.len();
         widgets::card(ui, |ui| {
             if joints > 1 {
                 geometry(ui, workbench, &found.parameters);
@@ -119,7 +119,7 @@ fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
     let lengths = if after {
         &workbench.after()?.lengths
     } else {
-        &workbench.subject().overview.lengths
+        &workbench.loaded_session().overview.lengths
     };
     Some(lengths.within(tolerance_mm))
 }
@@ -203,7 +203,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
 /// The parameters of an arm: a row for each joint, the frames, the others.
 fn geometry(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
     title(ui, say!("Identified parameters"));
-    let robot = &workbench.subject().session.robot;
+    let robot = &workbench.loaded_session().session.robot;
     let detail = Detail::window(workbench.units());
     blocks::show(ui, &explain::values(estimates, robot, detail));
     copies::button(ui, say!("parameters"), || copies::parameters(estimates));
@@ -362,7 +362,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
 
 fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let detail = Detail::window(workbench.units());
-    let session = &workbench.subject().session;
+    let session = &workbench.loaded_session().session;
     for section in remarks_on_fit(&answer.identification, session, detail) {
         if section.topic == Topic::NotIdentifiable {
             // Of an arm there may be dozens.

@@ -26,10 +26,10 @@ pub(super) const STEP: StepView = StepView {
 };
 
 fn state(workbench: &Workbench) -> (String, Progress) {
-    let says = if workbench.subject().is_empty() {
+    let says = if workbench.loaded_session().is_empty() {
         say!("a model, nothing measured").to_owned()
     } else {
-        say!(one "{count} sample", "{count} samples", count = grouped(workbench.subject().len()))
+        say!(one "{count} sample", "{count} samples", count = grouped(workbench.loaded_session().len()))
     };
     (says, Progress::Done)
 }
@@ -87,7 +87,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let session = &subject.session;
     let units = workbench.units();
     widgets::fact_of(ui, phrase!("robot"), &session.robot.name);
@@ -198,7 +198,7 @@ fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     const MOST: usize = 50;
-    let findings = &workbench.subject().findings;
+    let findings = &workbench.loaded_session().findings;
     if findings.is_empty() {
         return;
     }
@@ -275,7 +275,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     if subject.origin == Origin::Bundled {
         widgets::hint(ui, say!("This is an example that comes with the program"));
     }

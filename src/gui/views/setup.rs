@@ -55,7 +55,7 @@ impl Fields {
 
 /// Shows the parts of the form, folded.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let session = &workbench.subject().session;
+    let session = &workbench.loaded_session().session;
     let now = match &workbench.view().setup {
         Some(draft) => SetupForm::clone(draft),
         None => SetupForm::of(session),
@@ -97,7 +97,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let free = now.last_target_is_free(session);
         targets(ui, &mut form, free, &mut fields);
     });
-    if !workbench.subject().is_empty() {
+    if !workbench.loaded_session().is_empty() {
         let open = is_open(&fields, &|f| f == Field::Sigma);
         folded(ui, say!("Instrument"), "instrument", open, |ui| {
             instrument(ui, &mut form, &mut fields);

@@ -14,7 +14,7 @@ use crate::recorder::live::State;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     if subject.is_empty() {
         return say!(
             "model of {robot} · open a session measured on this robot to see what the model does",
@@ -88,11 +88,11 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
         let says = say!("following the file · {came} new", came = came);
         ui.label(small(says).color(palette.accent));
-    } else if !workbench.letters().unshown.is_empty() {
+    } else if !workbench.characters().unshown.is_empty() {
         if ui.small_button(say!("Understood")).clicked() {
             commands.push(Command::DismissLetters);
         }
-        let says = spoken(fonts::cannot_be_shown(&workbench.letters().unshown));
+        let says = spoken(fonts::cannot_be_shown(&workbench.characters().unshown));
         let says = small(says).color(palette.warning);
         ui.add(egui::Label::new(says).truncate());
     }
@@ -111,7 +111,9 @@ fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) ->
         State::Waiting(_) => palette.warning,
         _ => palette.accent,
     };
-    let says = RichText::new(heard.says()).size(size::NOTE).color(color);
+    let says = RichText::new(heard.describe())
+        .size(size::NOTE)
+        .color(color);
     let label = ui.add(egui::Label::new(says).truncate());
     if let Some(last) = heard.last_refused() {
         label.on_hover_text(last);
@@ -143,7 +145,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             if ui.small_button(say!("Cancel")).clicked() {
                 commands.push(Command::Cancel);
             }
-            let what = RichText::new(task.says());
+            let what = RichText::new(task.describe());
             ui.label(what.size(size::NOTE).color(palette.muted));
             match task.progress() {
                 Some(part) => {

@@ -2,7 +2,7 @@
 
 use egui::{Panel, Ui, UiBuilder};
 
-use crate::gui::style::layout::Room;
+use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::space;
 use crate::gui::widgets::{self, StepRow};
 use crate::gui::workbench::{Command, Workbench};
@@ -22,7 +22,7 @@ static STEPS: [StepView; 5] = [
 /// The button at the foot stands no lower than this below the top of its panel, points.
 const HIGHEST: f32 = 960.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     // On a high screen the button at the foot would be far from what it belongs to.
     let mut rect = ui.available_rect_before_wrap();
     rect.set_height(rect.height().min(HIGHEST));
@@ -31,7 +31,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let now = workbench.view().step;
     let view_of = |step| STEPS.iter().find(|view| view.step == step);

@@ -32,7 +32,7 @@ pub(super) fn actions(
 fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: &mut Vec<Command>) {
     range(
         ui,
-        workbench.subject().session.robot.joints[found.term.joint].kind,
+        workbench.loaded_session().session.robot.joints[found.term.joint].kind,
         &found.term,
     );
     let mut added = workbench.document().added.iter();

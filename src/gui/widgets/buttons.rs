@@ -8,7 +8,7 @@ use egui::{
 use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// What a wide button looks like: at rest, under the pointer, pressed.
-struct Look {
+struct ButtonLook {
     fills: [Color32; 3],
     text: Color32,
     edge: Color32,
@@ -16,7 +16,7 @@ struct Look {
     height: f32,
 }
 
-fn wide(ui: &mut Ui, text: &str, look: &Look) -> Response {
+fn wide(ui: &mut Ui, text: &str, look: &ButtonLook) -> Response {
     let font = if look.heavy {
         strong(size::BODY)
     } else {
@@ -46,7 +46,7 @@ fn wide(ui: &mut Ui, text: &str, look: &Look) -> Response {
 pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
     let palette = Palette::of(ui);
     let darker = |t| palette.accent.lerp_to_gamma(palette.text, t);
-    let look = Look {
+    let look = ButtonLook {
         fills: [palette.accent, darker(0.12), darker(0.25)],
         text: palette.on_accent,
         edge: Color32::TRANSPARENT,
@@ -68,7 +68,7 @@ pub(crate) fn other(ui: &mut Ui, text: &str) -> Response {
 
 fn quiet(ui: &mut Ui, text: &str, height: f32) -> Response {
     let palette = Palette::of(ui);
-    let look = Look {
+    let look = ButtonLook {
         fills: [palette.surface, palette.inset, palette.accent_soft],
         text: palette.text,
         edge: palette.outline,

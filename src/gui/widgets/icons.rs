@@ -77,7 +77,7 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
 }
 
 /// A square button on which a sign is drawn.
-pub(crate) struct Sign {
+pub(crate) struct IconButton {
     /// Whether it was pressed, and so on.
     pub(crate) response: Response,
     pub(crate) rect: egui::Rect,
@@ -87,7 +87,7 @@ pub(crate) struct Sign {
     pub(crate) color: Color32,
 }
 
-impl Sign {
+impl IconButton {
     /// A point of the drawing, from its middle.
     pub(crate) fn at(&self, x: f32, y: f32) -> egui::Pos2 {
         self.rect.center() + vec2(x, y)
@@ -99,12 +99,12 @@ impl Sign {
 }
 
 /// Room for a sign, called by its name.
-pub(crate) fn sign(ui: &mut Ui, name: &str) -> Sign {
+pub(crate) fn icon_button(ui: &mut Ui, name: &str) -> IconButton {
     sign_that(ui, name, Sense::click())
 }
 
 /// The same for one that is dragged as well.
-pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> Sign {
+pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> IconButton {
     let palette = Palette::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), sense);
     let enabled = ui.is_enabled();
@@ -115,7 +115,7 @@ pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> Sign {
         ui.painter().rect_filled(rect, round, palette.inset);
     }
     let color = if lit { palette.text } else { palette.muted };
-    Sign {
+    IconButton {
         response,
         rect,
         lit,
@@ -125,7 +125,7 @@ pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> Sign {
 
 /// An arrow into a tray: saves what stands beside it.
 pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = sign(ui, name);
+    let sign = icon_button(ui, name);
     let at = |x, y| sign.at(x, y);
     let line = |points: Vec<egui::Pos2>| {
         ui.painter().line(points, sign.stroke());
@@ -143,7 +143,7 @@ pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
 
 /// A small table over the tray of what is saved: saves the numbers of what stands beside it.
 pub(crate) fn data_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = sign(ui, name);
+    let sign = icon_button(ui, name);
     let table = egui::Rect::from_min_max(sign.at(-6.5, -6.0), sign.at(6.5, 6.0));
     let painter = ui.painter();
     let stroke = sign.stroke();
@@ -157,7 +157,7 @@ pub(crate) fn data_button(ui: &mut Ui, name: &str) -> Response {
 
 /// Two sheets: copies what stands beside it.
 pub(crate) fn copy_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = sign(ui, name);
+    let sign = icon_button(ui, name);
     let sheet = |x, y| egui::Rect::from_min_size(sign.at(x, y), vec2(8.5, 9.5));
     let painter = ui.painter();
     let stroke = sign.stroke();

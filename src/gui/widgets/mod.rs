@@ -11,7 +11,7 @@ pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
 pub(crate) use fields::{cell_number, form_row, number, or_none, row};
 pub(crate) use grip::{Gripped, grip, grip_between};
 pub(crate) use icons::{
-    copy_button, data_button, history_button, save_button, side_button, sign, sign_that,
+    copy_button, data_button, history_button, icon_button, save_button, side_button, sign_that,
 };
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{

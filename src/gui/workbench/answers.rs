@@ -9,15 +9,15 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::gui::cache::cloud::Remainder;
 use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{After, Outcome};
+use crate::gui::cache::identified::{AnswerSummary, IdentifiedAnswer};
 use crate::gui::cache::nearest::Nearest;
-use crate::gui::cache::plot_cache::{Backdrop, Scenery};
+use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
 use crate::gui::cache::preview::{ExportPreview, PreviewRequest};
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::answer::{Answer, measuring_from_base};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_model::Given;
+use crate::gui::core::loaded_model::LoadedModel;
 use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
 
@@ -26,8 +26,8 @@ use super::Workbench;
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
     /// session that the window began with counts only where the model came from it.
-    pub(super) fn has_a_session_for(&self, given: &Given) -> bool {
-        let subject = self.subject();
+    pub(super) fn has_a_session_for(&self, given: &LoadedModel) -> bool {
+        let subject = self.loaded_session();
         if Arc::ptr_eq(subject, &self.first) {
             given.came_from(&subject.session)
         } else {
@@ -47,7 +47,7 @@ impl Workbench {
 
     /// The newest answer for the present session, or why there is none. While a newer question is
     /// being answered it is the answer to the one before.
-    pub(crate) fn outcome(&self) -> Option<&Outcome> {
+    pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
         let document = self.document();
         self.outcome.as_deref().filter(|outcome| {
             let question = &outcome.question;
@@ -60,13 +60,13 @@ impl Workbench {
     }
 
     /// The newest answer to any question of the present session.
-    pub(crate) fn last_outcome(&self) -> Option<&Arc<Outcome>> {
+    pub(crate) fn last_outcome(&self) -> Option<&Arc<IdentifiedAnswer>> {
         self.outcome.as_ref()
     }
 
     /// The newest answer.
     pub(crate) fn answer(&self) -> Option<&Answer> {
-        self.outcome().and_then(|o| o.answer.as_ref().ok())
+        self.identified().and_then(|o| o.answer.as_ref().ok())
     }
 
     /// Whether plots leave out the deviation before, so that what is left can be seen.
@@ -75,27 +75,27 @@ impl Workbench {
     }
 
     /// What follows from the newest answer, for drawing.
-    pub(crate) fn after(&self) -> Option<&After> {
-        self.outcome().and_then(|o| o.after.as_ref())
+    pub(crate) fn after(&self) -> Option<&AnswerSummary> {
+        self.identified().and_then(|o| o.after.as_ref())
     }
 
-    pub(super) fn backdrop(&self) -> Option<&Backdrop> {
+    pub(super) fn plot_cache(&self) -> Option<&PlotCache> {
         let backdrop = self.backdrop.as_deref()?;
-        Arc::ptr_eq(&backdrop.scenery.subject, self.subject()).then_some(backdrop)
+        Arc::ptr_eq(&backdrop.scenery.subject, self.loaded_session()).then_some(backdrop)
     }
 
     /// Which sample is where in the plane; `None` where they are few, or while it is being found
     /// out.
     pub(crate) fn nearest(&self) -> Option<&Nearest> {
-        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
-        self.backdrop().filter(seen)?.nearest.as_deref()
+        let seen = |b: &&PlotCache| b.scenery.plane == self.view.plane;
+        self.plot_cache().filter(seen)?.nearest.as_deref()
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
     /// of its own, and the nominal robot was not seen from there: then deviations before are mostly
     /// those of the frame.
     pub(crate) fn found_base(&self) -> Option<Isometry3<f64>> {
-        if self.subject().base.is_some() {
+        if self.loaded_session().base.is_some() {
             return None;
         }
         let model = &self.answer()?.calibration.model;
@@ -105,7 +105,7 @@ impl Workbench {
     fn far_mm(&self) -> f64 {
         /// Part of the workspace.
         const FAR: f64 = 0.05;
-        FAR * self.subject().overview.reach_mm
+        FAR * self.loaded_session().overview.reach_mm
     }
 
     /// Where the base is drawn in the measuring frame: in space where the session's setups put it, or
@@ -114,7 +114,7 @@ impl Workbench {
         let in_space = self.view.in_space();
         let shown = in_space && self.view.blend > 0.0;
         let found = self.found_base().filter(|_| shown);
-        let own = self.subject().base.filter(|_| in_space);
+        let own = self.loaded_session().base.filter(|_| in_space);
         found.or(own).unwrap_or_else(Isometry3::identity)
     }
 
@@ -129,16 +129,19 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        let seen = |b: &&Backdrop| wanted && b.scenery.plane == self.view.plane;
-        self.backdrop().filter(seen)?.heat.as_ref()
+        let seen = |b: &&PlotCache| wanted && b.scenery.plane == self.view.plane;
+        self.plot_cache().filter(seen)?.heat.as_ref()
     }
 
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
     pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
         let wanted = self.view.colouring == Colouring::Uncertainty;
-        let backdrop = self.backdrop().filter(|_| wanted)?;
+        let backdrop = self.plot_cache().filter(|_| wanted)?;
         let of = backdrop.scenery.outcome.as_deref();
-        backdrop.uncertain.as_ref().filter(|_| of == self.outcome())
+        backdrop
+            .uncertain
+            .as_ref()
+            .filter(|_| of == self.identified())
     }
 
     /// What is left of the deviations, as it is uploaded.
@@ -151,8 +154,8 @@ impl Workbench {
     /// Samples that are drawn where not all can be; `None` where they are few, or until they are
     /// chosen.
     pub(crate) fn thinned(&self) -> Option<&[u32]> {
-        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
-        let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
+        let seen = |b: &&PlotCache| b.scenery.plane == self.view.plane;
+        let thinned = self.plot_cache().filter(seen)?.thinned.as_deref()?;
         Some(&thinned.samples)
     }
 
@@ -161,7 +164,10 @@ impl Workbench {
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
         let preview = self.preview.as_ref()?;
-        let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
+        let same = Arc::ptr_eq(
+            &preview.wanted.outcome.question.subject,
+            self.loaded_session(),
+        );
         same.then_some(preview.made.as_ref())
     }
 
@@ -191,7 +197,7 @@ impl Workbench {
     /// What a search of the open session found, or why it found nothing out.
     pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
         let search = self.searched.as_ref()?;
-        Arc::ptr_eq(&search.subject, self.subject()).then_some(search.answer.as_ref())
+        Arc::ptr_eq(&search.subject, self.loaded_session()).then_some(search.answer.as_ref())
     }
 
     /// The diagnosis of the open session.
@@ -214,7 +220,7 @@ impl Workbench {
 
     /// A search begins where the exact identification ends.
     pub(super) fn search(&mut self) {
-        if self.subject().is_empty() {
+        if self.loaded_session().is_empty() {
             return self.complain(
                 say!("There is nothing to search yet"),
                 vec![say!("Open a session that was measured on this robot").to_owned()],
@@ -240,14 +246,14 @@ impl Workbench {
             });
             self.edit(&Edit::IdentifyBy(Method::Exact), false);
         }
-        self.search_in(Arc::clone(self.subject()));
+        self.search_in(Arc::clone(self.loaded_session()));
     }
 
     /// Asks for the preview that the export step shows.
     pub(super) fn keep_preparing(&mut self) {
         self.keep_figuring();
         // A model by itself has nothing to show but its table.
-        let shown = self.view.step == Step::Export || self.subject().is_empty();
+        let shown = self.view.step == Step::Export || self.loaded_session().is_empty();
         if !shown || self.answer().is_none() {
             return;
         }
@@ -269,9 +275,9 @@ impl Workbench {
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
-        let outcome = self.outcome.clone().filter(|_| self.outcome().is_some());
-        let scenery = Scenery {
-            subject: Arc::clone(self.subject()),
+        let outcome = self.outcome.clone().filter(|_| self.identified().is_some());
+        let scenery = PlotInputs {
+            subject: Arc::clone(self.loaded_session()),
             outcome,
             plane: self.view.plane,
             heat: self.view.heat && !self.view.in_space(),
@@ -289,7 +295,7 @@ impl Workbench {
     }
 
     /// Asks for the answer that the document wants, if it is not there and not on its way.
-    pub(super) fn keep_asking(&mut self) {
+    pub(super) fn refresh_answer(&mut self) {
         let Some(question) = self.question() else {
             return;
         };

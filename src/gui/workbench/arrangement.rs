@@ -25,7 +25,7 @@ impl Workbench {
                 self.searched().is_some(),
                 self.export().is_some(),
             ],
-            session: self.subject().lineage,
+            session: self.loaded_session().lineage,
         }
     }
 }

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::cache::identified::Outcome;
-use crate::gui::cache::plot_cache::{Backdrop, Scenery};
+use crate::gui::cache::identified::IdentifiedAnswer;
+use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
 use crate::gui::cache::preview::{Preview, PreviewRequest};
 use crate::gui::core::document::Question;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
@@ -82,7 +82,7 @@ impl Workbench {
         self.jobs.start(
             Kind::Identifies,
             say!("identifying, {samples}", samples = samples),
-            move |watch| Outcome::of(question, watch),
+            move |watch| IdentifiedAnswer::of(question, watch),
             |bench: &mut Self, outcome| {
                 let before = bench.outcome.replace(Arc::new(outcome));
                 bench.let_go(before);
@@ -111,7 +111,7 @@ impl Workbench {
     }
 
     /// Asks for what plots of many samples stand on, if it is not on its way.
-    pub(super) fn want_backdrop(&mut self, scenery: Scenery) {
+    pub(super) fn want_backdrop(&mut self, scenery: PlotInputs) {
         if !self.asked.sceneries.is_asked(&scenery)
             && let Some(scenery) = self.asked.sceneries.ask(scenery)
         {
@@ -119,12 +119,12 @@ impl Workbench {
         }
     }
 
-    fn draw_backdrop(&mut self, scenery: Scenery) {
+    fn draw_backdrop(&mut self, scenery: PlotInputs) {
         let last = self.backdrop.clone();
         self.jobs.start(
             Kind::Draws,
             say!("drawing"),
-            move |_| Backdrop::of(scenery, last.as_deref()),
+            move |_| PlotCache::of(scenery, last.as_deref()),
             |bench: &mut Self, backdrop| {
                 let before = bench.backdrop.replace(Arc::new(backdrop));
                 bench.let_go(before);
@@ -133,7 +133,7 @@ impl Workbench {
     }
 
     /// Searches a session for what is missing, unless a search is under way.
-    pub(super) fn search_in(&mut self, subject: Arc<Subject>) {
+    pub(super) fn search_in(&mut self, subject: Arc<LoadedSession>) {
         if self.searching().is_some() {
             return;
         }
@@ -145,7 +145,7 @@ impl Workbench {
             |bench: &mut Self, search| {
                 bench.searched = Some(Arc::new(search));
                 // What is in the model may be just what was found, with the search's values.
-                bench.keep_asking();
+                bench.refresh_answer();
                 bench.keep_drawing();
             },
         );
@@ -163,14 +163,14 @@ impl Workbench {
         let found = self.searching().map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
         if let Some(found) = found {
-            self.stopped = Some((Arc::clone(self.subject()), found));
+            self.stopped = Some((Arc::clone(self.loaded_session()), found));
         }
     }
 
     /// Names that a search of the open session had found when it was stopped.
     pub(crate) fn stopped(&self) -> Option<&[String]> {
         let (subject, found) = self.stopped.as_ref()?;
-        Arc::ptr_eq(subject, self.subject()).then_some(found)
+        Arc::ptr_eq(subject, self.loaded_session()).then_some(found)
     }
 
     /// Drops the newest job that the status bar names.
@@ -191,7 +191,7 @@ impl Workbench {
     /// longer than a frame may.
     fn let_go(&mut self, before: Option<impl Send + 'static>) {
         const MANY: usize = 100_000;
-        if before.is_some() && self.subject().len() > MANY {
+        if before.is_some() && self.loaded_session().len() > MANY {
             self.jobs.quietly(move || drop(before), |_, ()| ());
         }
     }
@@ -229,7 +229,7 @@ impl Workbench {
                 self.exported.retain(|(other, _)| *other != path);
                 self.exported.push((path, self.question()));
                 self.keep_preparing();
-                self.go_on();
+                self.resume();
             }
             Err(message) => self.take_written(message),
         }
@@ -240,9 +240,9 @@ impl Workbench {
         let written = !message.wrong;
         self.view.message = Some(message);
         if written {
-            self.go_on();
+            self.resume();
         } else {
-            self.stay();
+            self.cancel_pending_action();
         }
     }
 

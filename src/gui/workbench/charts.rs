@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::gui::cache::envelope::Envelope;
-use crate::gui::cache::plot_cache::Backdrop;
+use crate::gui::cache::plot_cache::PlotCache;
 use crate::gui::cache::work::Work;
-use crate::gui::charts::{CHARTS, Kind, Scene, effect, find};
+use crate::gui::charts::{CHARTS, ChartKind, Scene, effect, find};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::settings;
 use crate::gui::view::{ChartPane, Edge, Key, Panes, Step};
@@ -15,13 +15,13 @@ use super::Workbench;
 impl Workbench {
     /// The chart that is active, or was so last.
     #[cfg(test)]
-    pub(crate) fn chart(&self) -> &'static dyn Kind {
+    pub(crate) fn chart(&self) -> &'static dyn ChartKind {
         let pane = self.view.panes.active_chart();
         pane.map_or_else(|| self.suiting(), |(_, pane)| self.kind(pane))
     }
 
     /// The chart in a pane: the chosen one, else what suits the step.
-    pub(crate) fn kind(&self, pane: &ChartPane) -> &'static dyn Kind {
+    pub(crate) fn kind(&self, pane: &ChartPane) -> &'static dyn ChartKind {
         let scene = self.scene();
         let chosen = pane.chart.as_deref().and_then(find);
         let chosen = chosen.filter(|chart| chart.is_offered(&scene));
@@ -29,9 +29,9 @@ impl Workbench {
     }
 
     /// Where nobody has chosen: the table that is exported, the gap that is searched, the deviation.
-    fn suiting(&self) -> &'static dyn Kind {
+    fn suiting(&self) -> &'static dyn ChartKind {
         let scene = self.scene();
-        let suits = |chart: &&&dyn Kind| chart.is_offered(&scene) && chart.suits(&scene);
+        let suits = |chart: &&&dyn ChartKind| chart.is_offered(&scene) && chart.suits(&scene);
         *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
     }
 
@@ -52,14 +52,14 @@ impl Workbench {
         let search = self.searched.as_ref();
         Scene {
             document: self.document(),
-            subject: self.subject(),
+            subject: self.loaded_session(),
             view: &self.view,
             component: self.view.component,
             joint: self.view.joint,
             axes: None,
             units: self.units(),
             answer: self.answer(),
-            search: search.filter(|search| Arc::ptr_eq(&search.subject, self.subject())),
+            search: search.filter(|search| Arc::ptr_eq(&search.subject, self.loaded_session())),
             made: self.export().and_then(Result::ok),
             worked_out: None,
         }
@@ -80,17 +80,17 @@ impl Workbench {
     /// it is that of the answer before; nothing until it is there.
     pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene<'_> {
         let mut scene = self.scene_at(pane);
-        let seen = |b: &&Backdrop| b.scenery.outcome.is_some() == self.outcome().is_some();
+        let seen = |b: &&PlotCache| b.scenery.outcome.is_some() == self.identified().is_some();
         let work = self.kind(pane).work(&scene);
         let wanted = work.map(|work| (scene.component, work));
-        let backdrop = self.backdrop().filter(seen);
+        let backdrop = self.plot_cache().filter(seen);
         let found = wanted.and_then(|wanted| backdrop?.charted_for(&wanted));
         scene.worked_out = found.map(|found| &**found);
         scene
     }
 
     /// What a chart is made of, in the pane where it is shown.
-    pub(crate) fn scene_of(&self, chart: &dyn Kind) -> Scene<'_> {
+    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene<'_> {
         let pane = self.pane_of(chart.about().id);
         let unseen = ChartPane::default();
         self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
@@ -111,18 +111,18 @@ impl Workbench {
     /// The extremes around the joint's angle of many samples; `None` where they are few, or until
     /// they are found.
     pub(crate) fn around(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
+        let seen = |b: &&PlotCache| {
             let scenery = &b.scenery;
             scenery.component == self.view.component
-                && scenery.outcome.is_some() == self.outcome().is_some()
+                && scenery.outcome.is_some() == self.identified().is_some()
         };
-        self.backdrop().filter(seen)?.around.as_deref()
+        self.plot_cache().filter(seen)?.around.as_deref()
     }
 
     /// The first chart that no pane shows yet, for a pane beside this one.
-    pub(crate) fn beside(&self, key: Key) -> ChartPane {
+    pub(crate) fn next_chart(&self, key: Key) -> ChartPane {
         let scene = self.scene();
-        let offered = |chart: &&&dyn Kind| chart.is_offered(&scene);
+        let offered = |chart: &&&dyn ChartKind| chart.is_offered(&scene);
         let mut new = CHARTS.iter().filter(offered);
         let new = new.find(|chart| !self.shows(chart.about().id));
         let like = self.view.panes.charts().find(|(one, _)| *one == key);
@@ -135,7 +135,7 @@ impl Workbench {
     /// The panes with another chart at an edge of one of them.
     pub(crate) fn with_chart(&self, key: Key, edge: Edge) -> Panes {
         let mut panes = self.view.panes.clone();
-        panes.split(key, edge, self.beside(key));
+        panes.split(key, edge, self.next_chart(key));
         panes
     }
 
@@ -176,7 +176,7 @@ impl Workbench {
     }
 
     pub(super) fn show_effect(&mut self, index: usize) {
-        let subject = Arc::clone(self.subject());
+        let subject = Arc::clone(self.loaded_session());
         let strongest = self
             .diagnosis()
             .and_then(|d| effect::strongest(&subject, d, index));
@@ -264,7 +264,7 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let backdrop = workbench.backdrop().expect("it is made");
+            let backdrop = workbench.plot_cache().expect("it is made");
             Arc::clone(backdrop.charted.first().expect("it is charted"))
         };
         let first = made(&workbench);
@@ -294,7 +294,7 @@ mod tests {
     fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
-        let made = |workbench: &Workbench| workbench.backdrop().expect("made").charted.clone();
+        let made = |workbench: &Workbench| workbench.plot_cache().expect("made").charted.clone();
         let add = |workbench: &mut Workbench, chart: &str| {
             let key = workbench.view().panes.active();
             let panes = workbench.with_chart(key, Edge::Right);

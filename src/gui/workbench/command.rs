@@ -14,10 +14,10 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::core::stated::Stated;
-use crate::gui::import_draft::{Beside, Said};
+use crate::gui::import_draft::{Companion, ImportAnswers};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
-    Camera, Canvas, Colouring, Key, Panes, Plane, Sheet, Side, Standard, Step, Then, What,
+    Camera, Canvas, Colouring, Key, NextAction, Panes, Plane, Sheet, Side, Standard, Step, What,
 };
 
 /// What a field sends that can be dragged: what it changes, and at the end of a drag that it was let
@@ -53,19 +53,19 @@ pub(crate) enum Command {
     ChooseFile,
     OpenFile(PathBuf),
     /// Say something about the foreign file on the sheet.
-    Say(Box<Said>),
+    Say(Box<ImportAnswers>),
     /// Its columns were looked at, and are right.
     ConfirmColumns,
     /// Ask for a file beside it.
-    ChooseBeside(Beside),
+    ChooseBeside(Companion),
     /// Make a session of it.
     Import,
     /// Open a session that comes with the program.
     OpenExample(usize),
     /// Do it, whatever is lost.
-    Do(Then),
+    Do(NextAction),
     /// Save what would be lost, then do it.
-    SaveThen(Then),
+    SaveThen(NextAction),
     /// Write the session to its own file; ask for one where it has none.
     Save,
     /// The same, although the file changed since it was read.
@@ -167,7 +167,7 @@ pub(crate) enum Command {
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// The workspace is drawn over so many points where all of it is in sight.
-    Room(f64),
+    PlotSize(f64),
     /// From before, 0, to after, 1.
     Blend(f32),
     /// Let the colour of error vectors say this.

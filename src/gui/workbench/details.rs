@@ -16,7 +16,11 @@ use super::Workbench;
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
     pub(crate) fn stated(&self) -> Stated {
-        let typed = self.desk.stated.get(&self.subject().lineage).cloned();
+        let typed = self
+            .desk
+            .stated
+            .get(&self.loaded_session().lineage)
+            .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
             let mut stated = machines::proposed(&self.desk.machines, self.machine(&folder));
@@ -33,7 +37,7 @@ impl Workbench {
     }
 
     fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
-        let session = &self.subject().session;
+        let session = &self.loaded_session().session;
         Of {
             robot: &session.robot.name,
             session: &session.name,
@@ -44,12 +48,19 @@ impl Workbench {
 
     /// Report details are these now; remembered once their sheet is closed.
     pub(super) fn state(&mut self, stated: Stated) {
-        self.desk.stated.insert(self.subject().lineage, stated);
+        self.desk
+            .stated
+            .insert(self.loaded_session().lineage, stated);
     }
 
     /// Remembers them for the next session of this machine.
     pub(super) fn keep_stated(&mut self) {
-        let Some(mut stated) = self.desk.stated.get(&self.subject().lineage).cloned() else {
+        let Some(mut stated) = self
+            .desk
+            .stated
+            .get(&self.loaded_session().lineage)
+            .cloned()
+        else {
             return;
         };
         stated.details.tolerance_mm = self.document().tolerance_mm;

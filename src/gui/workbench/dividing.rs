@@ -5,17 +5,17 @@ use std::sync::Arc;
 use crate::gui::core::boundary_entry::{End, Typed};
 use crate::gui::core::division::{Decision, adapt};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::jobs::Kind;
 use crate::sessions::Region;
 
 use super::{Command, Workbench};
 
 /// Regions, what decided for them, and of which session.
-type Adapted = (Arc<Subject>, Result<(Vec<Region>, Decision), String>);
+type Adapted = (Arc<LoadedSession>, Result<(Vec<Region>, Decision), String>);
 
 /// Looks where the samples ask for regions. Takes its time with many samples.
-pub(super) fn adapted(subject: Arc<Subject>) -> Adapted {
+pub(super) fn adapted(subject: Arc<LoadedSession>) -> Adapted {
     let made = adapt(&subject.session);
     (subject, made)
 }
@@ -23,7 +23,7 @@ pub(super) fn adapted(subject: Arc<Subject>) -> Adapted {
 impl Workbench {
     /// Looks where the samples ask for regions.
     pub(super) fn adapt(&mut self) {
-        let subject = Arc::clone(self.subject());
+        let subject = Arc::clone(self.loaded_session());
         if subject.is_empty() || !subject.single_revolute() {
             return self.complain(
                 say!("This change cannot be made"),
@@ -42,7 +42,7 @@ impl Workbench {
     }
 
     pub(super) fn take_adapted(&mut self, (subject, made): Adapted) {
-        if !Arc::ptr_eq(&subject, self.subject()) {
+        if !Arc::ptr_eq(&subject, self.loaded_session()) {
             // Another session is looked at now: nobody asked about that one.
             return;
         }

@@ -81,7 +81,7 @@ impl Workbench {
                     vec![say!("Run the diagnosis first").to_owned()],
                 );
             };
-            let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
+            let list = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
             let work = move |path: &Path, _: &Watch| files::write_list(list, path, replace);
             self.write(path, work, Self::take_written);
             return;

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use crate::diagnostic::Rejected;
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::identified::Outcome;
+use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::core::document::{Document, Question};
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::file_state::watcher::Order;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
@@ -20,9 +20,9 @@ use super::Workbench;
 
 /// A session that has grown, with the answer to what was asked of it.
 struct Extended {
-    from: Arc<Subject>,
-    to: Arc<Subject>,
-    outcome: Option<Outcome>,
+    from: Arc<LoadedSession>,
+    to: Arc<LoadedSession>,
+    outcome: Option<IdentifiedAnswer>,
 }
 
 impl Workbench {
@@ -42,8 +42,8 @@ impl Workbench {
                 vec![say!("The samples of this session are not in a file of their own").to_owned()],
             );
         };
-        let growing = Growing::new(&self.subject().session, path);
-        let lineage = self.subject().lineage;
+        let growing = Growing::new(&self.loaded_session().session, path);
+        let lineage = self.loaded_session().lineage;
         self.set_followed(Some(lineage));
         self.order(Order::Follow(Some(Box::new(growing))));
         self.look_at_disk();
@@ -60,8 +60,8 @@ impl Workbench {
                 self.extend(samples, false);
             }
             Ok(Growth::Anew(samples)) => {
-                let before = self.subject().len();
-                let grown = samples.len() >= before && starts_with(&samples, self.subject());
+                let before = self.loaded_session().len();
+                let grown = samples.len() >= before && starts_with(&samples, self.loaded_session());
                 self.count_new(samples.len().saturating_sub(before));
                 if !grown {
                     self.view.message = Some(Message::done(
@@ -97,7 +97,7 @@ impl Workbench {
             return;
         }
         self.extending = true;
-        let from = Arc::clone(self.subject());
+        let from = Arc::clone(self.loaded_session());
         let question = self.document().question();
         let work = move || {
             let mut session = from.session.clone();
@@ -106,14 +106,14 @@ impl Workbench {
             } else {
                 session.samples.append(samples);
             }
-            let to = Arc::new(Subject::with_samples(&from, session));
+            let to = Arc::new(LoadedSession::with_samples(&from, session));
             Cloud::of(&to);
             let outcome = question.map(|question| {
                 let question = Question {
                     subject: Arc::clone(&to),
                     ..question
                 };
-                Outcome::of(question, &Watch::default())
+                IdentifiedAnswer::of(question, &Watch::default())
             });
             Extended { from, to, outcome }
         };
@@ -123,7 +123,7 @@ impl Workbench {
     fn take_extended(&mut self, extended: Extended) {
         self.extending = false;
         let Extended { from, to, outcome } = extended;
-        if !Arc::ptr_eq(&from, self.subject()) {
+        if !Arc::ptr_eq(&from, self.loaded_session()) {
             // The robot was edited or something was undone meanwhile: from the start, with what
             // is here now.
             if self.following().is_some() {
@@ -142,7 +142,7 @@ impl Workbench {
             self.outcome = Some(Arc::new(outcome));
         }
         self.forget_missing_samples();
-        self.keep_asking();
+        self.refresh_answer();
         self.keep_preparing();
         if let Some((samples, anew)) = self.waiting_samples.take() {
             self.extend(samples, anew);
@@ -151,7 +151,7 @@ impl Workbench {
 }
 
 /// Whether the samples begin with those of the session.
-fn starts_with(samples: &Samples, subject: &Subject) -> bool {
+fn starts_with(samples: &Samples, subject: &LoadedSession) -> bool {
     let before = &subject.session.samples;
     let begins = |all: &[f64], start: &[f64]| {
         let pairs = all.iter().zip(start);

@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fonts::{Library, Purpose};
-use crate::gui::style::font_fallback::Letters;
+use crate::gui::style::font_fallback::Characters;
 use crate::text::LANGUAGES;
 
 use super::Workbench;
 
 impl Workbench {
     /// What is known of letters.
-    pub(crate) fn letters(&self) -> &Letters {
+    pub(crate) fn characters(&self) -> &Characters {
         &self.letters
     }
 

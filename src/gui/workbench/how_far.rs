@@ -11,14 +11,14 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape
 
 use super::under_way::{gate, idle, on_threads, until};
 use super::{Command, Workbench};
-use crate::gui::import_draft::Foreign;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
-use crate::gui::view::{Sheet, Then};
+use crate::gui::view::{NextAction, Sheet};
 use crate::gui::views::status;
 use crate::gui::{dialogs, files};
 use crate::progress::Progress;
-use crate::progress::testing::{assert_grows, no_at, told};
+use crate::progress::testing::{assert_grows, no_at, report_to};
 
 /// A part of the window with this workbench, without a display.
 struct Shown {
@@ -55,7 +55,7 @@ impl Shown {
         (texts.collect(), commands)
     }
 
-    fn says(&self, bench: &Workbench) -> Vec<String> {
+    fn describe(&self, bench: &Workbench) -> Vec<String> {
         let (texts, _) = self.frame(bench, Vec::new());
         texts.into_iter().map(|(text, _)| text).collect()
     }
@@ -143,12 +143,12 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     bench.open("reading session.json", work);
     arrived.recv().unwrap();
     let bar = bar();
-    let says = bar.says(&bench);
+    let says = bar.describe(&bench);
     assert!(says.iter().any(|s| s == "reading session.json"), "{says:?}");
     let share = bench.jobs().newest().and_then(Running::progress);
     assert_eq!(share, Some(0.3));
     bar.press(&mut bench, "Cancel");
-    assert!(!bar.says(&bench).iter().any(|s| s == "Cancel"));
+    assert!(!bar.describe(&bench).iter().any(|s| s == "Cancel"));
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("it was cancelled"));
     bench.receive();
@@ -165,7 +165,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     fs::write(&path, "an old document").unwrap();
     fs::write(&csv, "old samples").unwrap();
     let mut bench = on_threads();
-    bench.execute(Command::Do(Then::Example(1)));
+    bench.execute(Command::Do(NextAction::Example(1)));
     until(&mut bench, idle);
     bench.execute(Command::Edit(crate::gui::core::edit::Edit::Divide(3)));
     until(&mut bench, idle);
@@ -182,9 +182,13 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     );
     arrived.recv().unwrap();
     let bar = bar();
-    assert!(bar.says(&bench).iter().any(|s| s == "saving session.json"));
+    assert!(
+        bar.describe(&bench)
+            .iter()
+            .any(|s| s == "saving session.json")
+    );
     bar.press(&mut bench, "Cancel");
-    assert!(bar.says(&bench).iter().any(|s| s == "cancelling"));
+    assert!(bar.describe(&bench).iter().any(|s| s == "cancelling"));
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("it was cancelled"));
     until(&mut bench, idle);
@@ -203,7 +207,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     let path = measured(folder.path());
     let mut bench = on_threads();
     let before = bench.document().clone();
-    bench.execute(Command::Do(Then::Open(path)));
+    bench.execute(Command::Do(NextAction::Open(path)));
     until(&mut bench, |b| {
         matches!(b.view().sheet, Some(Sheet::Import(_)))
     });
@@ -227,7 +231,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("cancelled"));
     bench.receive();
-    let says = sheet.says(&bench);
+    let says = sheet.describe(&bench);
     let expected = "Looking at the file was cancelled";
     assert!(says.iter().any(|s| s == expected), "{says:?}");
     sheet.press(&mut bench, "Look again");
@@ -259,7 +263,7 @@ fn what_is_done_with_what_was_read_is_told_when_its_share_is_not_known() {
         .jobs
         .start(Kind::Opens, "reading session.json", work, |_, ()| ());
     arrived.recv().unwrap();
-    let says = bar().says(&bench);
+    let says = bar().describe(&bench);
     assert!(
         says.iter().any(|s| s == "checking 1000 samples"),
         "{says:?}"
@@ -274,9 +278,9 @@ fn looking_at_a_measured_file_can_be_cancelled_wherever_it_tells_how_far_it_is()
     let path = measured(folder.path());
     let of = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
         let progress = Progress::new(watch);
-        Foreign::of(&path, progress.whole()).expect("it is none of the program's own")
+        ImportDraft::of(&path, progress.whole()).expect("it is none of the program's own")
     };
-    let (shares, foreign) = told(of);
+    let (shares, foreign) = report_to(of);
     foreign.expect("it is a table");
     assert_grows(&shares);
     for number in 0..shares.len() {

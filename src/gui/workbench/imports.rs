@@ -7,12 +7,12 @@ use super::{Command, Workbench};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::edit::Edit;
 use crate::gui::files;
-use crate::gui::import_draft::{Beside, Foreign, Look, Said};
+use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::Sheet;
 
 impl Workbench {
-    fn foreign(&mut self) -> Option<&mut Foreign> {
+    fn import_draft(&mut self) -> Option<&mut ImportDraft> {
         match &mut self.view.sheet {
             Some(Sheet::Import(foreign)) => Some(foreign),
             _ => None,
@@ -20,8 +20,8 @@ impl Workbench {
     }
 
     /// Takes what was said, and looks at the file with it.
-    pub(super) fn say(&mut self, said: Said) {
-        if let Some(foreign) = self.foreign() {
+    pub(super) fn say(&mut self, said: ImportAnswers) {
+        if let Some(foreign) = self.import_draft() {
             foreign.said = said;
         }
         self.keep_looking();
@@ -38,8 +38,8 @@ impl Workbench {
     }
 
     /// Asks for a file beside it.
-    pub(super) fn choose_beside(&mut self, which: Beside) {
-        let measured = self.foreign().map(|foreign| foreign.path.clone());
+    pub(super) fn choose_beside(&mut self, which: Companion) {
+        let measured = self.import_draft().map(|foreign| foreign.path.clone());
         let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
@@ -53,13 +53,13 @@ impl Workbench {
         if self.looking().is_some() {
             return;
         }
-        let Some(foreign) = self.foreign().filter(|f| !f.is_up_to_date()) else {
+        let Some(foreign) = self.import_draft().filter(|f| !f.is_up_to_date()) else {
             return;
         };
         let foreign = foreign.clone();
         let work = move |watch: &Watch| {
             let seen = foreign.look(watch);
-            if let Ok(Look {
+            if let Ok(InspectedDraft {
                 trial: Some(Ok(trial)),
                 ..
             }) = &seen
@@ -82,30 +82,30 @@ impl Workbench {
         );
     }
 
-    fn take_looked(&mut self, of: &Foreign, seen: Look) {
-        if let Some(foreign) = self.foreign() {
+    fn take_looked(&mut self, of: &ImportDraft, seen: InspectedDraft) {
+        if let Some(foreign) = self.import_draft() {
             foreign.take(of, seen);
         }
         self.keep_looking();
     }
 
     /// Takes a file that was chosen; the field is there to type it where no dialog is.
-    fn take_beside(&mut self, which: Beside, path: Option<PathBuf>) {
-        if let (Some(foreign), Some(path)) = (self.foreign(), path) {
+    fn take_beside(&mut self, which: Companion, path: Option<PathBuf>) {
+        if let (Some(foreign), Some(path)) = (self.import_draft(), path) {
             foreign.said.choose(which, &path);
         }
         self.keep_looking();
     }
 
     pub(super) fn confirm_columns(&mut self) {
-        if let Some(foreign) = self.foreign() {
+        if let Some(foreign) = self.import_draft() {
             foreign.confirm();
         }
     }
 
     /// Opens the session that the sheet shows.
     pub(super) fn import(&mut self) {
-        let result = self.foreign().and_then(|foreign| {
+        let result = self.import_draft().and_then(|foreign| {
             let trial = foreign.result()?;
             Some(Arc::clone(&trial.subject))
         });

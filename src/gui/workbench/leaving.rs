@@ -9,7 +9,7 @@ use crate::gui::file_state::meshes;
 use crate::gui::file_state::settings::Recent;
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
-use crate::gui::view::{Message, Sheet, Then, What};
+use crate::gui::view::{Message, NextAction, Sheet, What};
 
 use super::state::Place;
 use super::{Command, Workbench};
@@ -51,8 +51,8 @@ impl Workbench {
     /// is an example: what was tried on it can be tried again.
     pub(crate) fn at_risk(&self) -> Losses {
         let document = self.document();
-        let example = self.subject().lineage == self.first.lineage
-            || self.subject().origin == Origin::Bundled;
+        let example = self.loaded_session().lineage == self.first.lineage
+            || self.loaded_session().origin == Origin::Bundled;
         let asked = self.question().filter(|_| document.given.is_none());
         Losses {
             session: self.unsaved(),
@@ -69,8 +69,8 @@ impl Workbench {
     }
 
     /// Does it, unless something would be lost: then asks first.
-    pub(super) fn ask_then(&mut self, then: Then) {
-        if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
+    pub(super) fn ask_then(&mut self, then: NextAction) {
+        if let (NextAction::Leave, Some(writing)) = (&then, self.writing()) {
             // Nobody has to choose between a file and leaving.
             let title = say!("The window closes after {what}", what = writing.what);
             self.view.message = Some(Message::done(title, Vec::new()));
@@ -84,22 +84,22 @@ impl Workbench {
         }
     }
 
-    pub(super) fn go(&mut self, then: Then) {
+    pub(super) fn go(&mut self, then: NextAction) {
         self.desk.then = None;
         self.view.sheet = None;
         match then {
-            Then::Leave => self.view.leaving = true,
-            Then::Open(path) => {
+            NextAction::Leave => self.view.leaving = true,
+            NextAction::Open(path) => {
                 let what = say!("reading {path}", path = path.display());
                 let chain = meshes::remembered(&self.desk.meshes, &path);
                 self.open(what, move |watch| files::open(&path, chain, watch));
             }
-            Then::Example(index) => {
+            NextAction::Example(index) => {
                 self.open(say!("reading an example"), move |_| {
                     files::open_example(index)
                 });
             }
-            Then::Simulate(form) => {
+            NextAction::Simulate(form) => {
                 self.open(say!("simulating"), move |watch| {
                     files::simulate(&form, watch)
                 });
@@ -117,7 +117,7 @@ impl Workbench {
     }
 
     /// Saves what would be lost, then does it.
-    pub(super) fn save_then(&mut self, then: Then) {
+    pub(super) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
         self.desk.then = Some(then);
         if self.at_risk().session {
@@ -129,14 +129,14 @@ impl Workbench {
     }
 
     /// Something was written: what was to be done then, if nothing else would be lost.
-    pub(super) fn go_on(&mut self) {
+    pub(super) fn resume(&mut self) {
         if let Some(then) = self.desk.then.take() {
             self.ask_then(then);
         }
     }
 
     /// What was to be done after saving is not done.
-    pub(super) fn stay(&mut self) {
+    pub(super) fn cancel_pending_action(&mut self) {
         self.desk.then = None;
     }
 
@@ -176,7 +176,7 @@ impl Workbench {
             }
             Err(NotSaved::Because(message)) => {
                 self.watch_files();
-                self.stay();
+                self.cancel_pending_action();
                 self.view.message = Some(message);
             }
             Ok(prints) => {
@@ -196,7 +196,7 @@ impl Workbench {
                 self.watch_files();
                 self.view.message = Some(Message::saved(&path, Vec::new()));
                 self.use_recent(Recent::Used(path));
-                self.go_on();
+                self.resume();
             }
         }
     }

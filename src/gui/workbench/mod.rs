@@ -39,16 +39,16 @@ use std::sync::Arc;
 
 pub(crate) use command::{Command, of_field};
 
-use state::{Asked, Desk, Said};
+use state::{FileState, PendingQueries, SpokenSections};
 
 use crate::gui::cache::figures::Figures;
-use crate::gui::cache::identified::Outcome;
-use crate::gui::cache::plot_cache::Backdrop;
+use crate::gui::cache::identified::IdentifiedAnswer;
+use crate::gui::cache::plot_cache::PlotCache;
 use crate::gui::cache::preview::Preview;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::{Document, ExportChoice, Question};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::search::Search;
 use crate::gui::core::undo::History;
 use crate::gui::file_state::settings::Recent;
@@ -56,8 +56,10 @@ use crate::gui::file_state::watcher::Watcher;
 use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::preferences::Preferences;
-use crate::gui::style::font_fallback::Letters;
-use crate::gui::view::{Aspect, Camera, Message, Plane, Plot, Sheet, Side, Step, Then, ViewState};
+use crate::gui::style::font_fallback::Characters;
+use crate::gui::view::{
+    Aspect, Camera, Message, NextAction, Plane, Plot, Sheet, Side, Step, ViewState,
+};
 use crate::present::drawing::Drawing;
 use crate::present::units::Units;
 use crate::sessions::Samples;
@@ -72,8 +74,8 @@ pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 pub(crate) struct Workbench {
     history: History<Document>,
     /// The session that nobody opened: the window began with it.
-    first: Arc<Subject>,
-    desk: Desk,
+    first: Arc<LoadedSession>,
+    desk: FileState,
     /// A question that was cancelled: it is not asked again by itself.
     declined: Option<Question>,
     /// Whether samples are being put behind those that are there.
@@ -81,34 +83,34 @@ pub(crate) struct Workbench {
     /// Samples that came meanwhile, and whether they take the place of all others.
     waiting_samples: Option<(Samples, bool)>,
     view: ViewState,
-    outcome: Option<Arc<Outcome>>,
+    outcome: Option<Arc<IdentifiedAnswer>>,
     searched: Option<Arc<Search>>,
-    said: Said,
+    said: SpokenSections,
     /// What a search that was stopped had found until then, and in which session.
-    stopped: Option<(Arc<Subject>, Vec<String>)>,
+    stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     preview: Option<Preview>,
-    backdrop: Option<Arc<Backdrop>>,
+    backdrop: Option<Arc<PlotCache>>,
     compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
     exported: Vec<(PathBuf, Option<Question>)>,
     /// The name under which this export was saved last.
     saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,
-    letters: Letters,
+    letters: Characters,
     draw: Drawer,
     jobs: Jobs<Self>,
-    asked: Asked,
+    asked: PendingQueries,
     watcher: Watcher,
 }
 
 impl Workbench {
     /// A workbench with a session on it.
-    pub(crate) fn new(subject: Arc<Subject>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+    pub(crate) fn new(subject: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
         let first = Arc::clone(&subject);
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
             first,
-            desk: Desk::default(),
+            desk: FileState::default(),
             declined: None,
             extending: false,
             waiting_samples: None,
@@ -116,7 +118,7 @@ impl Workbench {
             view: ViewState::default(),
             outcome: None,
             searched: None,
-            said: Said::default(),
+            said: SpokenSections::default(),
             stopped: None,
             preview: None,
             backdrop: None,
@@ -124,9 +126,9 @@ impl Workbench {
             exported: Vec::new(),
             saved_as: None,
             figures: None,
-            letters: Letters::default(),
+            letters: Characters::default(),
             draw,
-            asked: Asked::default(),
+            asked: PendingQueries::default(),
             watcher: Self::watcher(&jobs),
             jobs,
         };
@@ -139,7 +141,7 @@ impl Workbench {
         self.history.present()
     }
 
-    pub(crate) fn subject(&self) -> &Arc<Subject> {
+    pub(crate) fn loaded_session(&self) -> &Arc<LoadedSession> {
         &self.document().subject
     }
 
@@ -157,7 +159,7 @@ impl Workbench {
 
     /// The steps that the robot has, in order.
     pub(crate) fn steps(&self) -> &'static [Step] {
-        Step::offered(self.subject().single_revolute())
+        Step::offered(self.loaded_session().single_revolute())
     }
 
     pub(crate) fn undoes(&self) -> Option<&'static str> {
@@ -176,13 +178,13 @@ impl Workbench {
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
             Command::ChooseFile => self.choose_file(files::choose_to_open),
-            Command::OpenFile(path) => self.ask_then(Then::Open(path)),
-            Command::OpenExample(index) => self.ask_then(Then::Example(index)),
-            Command::Leave => self.ask_then(Then::Leave),
+            Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
+            Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
+            Command::Leave => self.ask_then(NextAction::Leave),
             Command::Do(then) => self.go(then),
             Command::SaveThen(then) => self.save_then(then),
             Command::Save | Command::ChooseWhereToSave | Command::SaveAs { .. }
-                if self.subject().is_empty() =>
+                if self.loaded_session().is_empty() =>
             {
                 self.complain(
                     say!("There is no session to save"),
@@ -240,7 +242,7 @@ impl Workbench {
                 if let Some(problem) = form.problem() {
                     self.complain(say!("The simulation needs other numbers"), vec![problem]);
                 } else {
-                    self.ask_then(Then::Simulate(form));
+                    self.ask_then(NextAction::Simulate(form));
                 }
             }
             Command::FindLetters(wanted) => self.find_letters(wanted, true),
@@ -253,7 +255,7 @@ impl Workbench {
             Command::StopLooking => self.cancel_look(),
             Command::Cancel => {
                 // What was to be done after it is not wanted any more either.
-                self.stay();
+                self.cancel_pending_action();
                 self.cancel_newest();
             }
             other => self.look(other),
@@ -262,7 +264,7 @@ impl Workbench {
             // Another robot has no regions.
             self.view.step = Step::Identify;
         }
-        self.keep_asking();
+        self.refresh_answer();
         self.keep_preparing();
         self.keep_drawing();
     }
@@ -287,7 +289,7 @@ impl Workbench {
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
-            Command::Room(points) if points.is_finite() => view.room = points.clamp(20.0, 1e5),
+            Command::PlotSize(size) if size.is_finite() => view.plot_size = size.clamp(20.0, 1e5),
             Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
             Command::Colour(colouring) => view.colouring = colouring,
             Command::Heat(shown) => view.heat = shown,
@@ -327,30 +329,7 @@ impl Workbench {
             }
             Command::Draft(form) => view.setup = form,
             Command::KeepMine => view.on_disk = None,
-            Command::Sheet(sheet) => {
-                if matches!(
-                    (&self.view.sheet, &sheet),
-                    (
-                        Some(
-                            Sheet::Unsaved(_)
-                                | Sheet::Overwrite(_)
-                                | Sheet::SavePath { .. }
-                                | Sheet::ExportPath { .. }
-                        ),
-                        None
-                    )
-                ) {
-                    // Whoever closes the question wants neither.
-                    self.stay();
-                }
-                if self.view.sheet == Some(Sheet::DETAILS) {
-                    self.keep_stated();
-                }
-                if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
-                    self.cancel_look();
-                }
-                self.view.sheet = sheet;
-            }
+            Command::Sheet(sheet) => self.show_sheet(sheet),
             Command::Type { region, end, text } => self.type_boundary(region, end, text),
             Command::Dismiss => view.message = None,
             Command::Fit => {
@@ -371,8 +350,28 @@ impl Workbench {
         self.forget_missing_samples();
     }
 
+    fn show_sheet(&mut self, sheet: Option<Sheet>) {
+        if sheet.is_none() {
+            match &self.view.sheet {
+                // Closing the question cancels what it was about.
+                Some(
+                    Sheet::Unsaved(_)
+                    | Sheet::Overwrite(_)
+                    | Sheet::SavePath { .. }
+                    | Sheet::ExportPath { .. },
+                ) => self.cancel_pending_action(),
+                Some(Sheet::Import(_)) => self.cancel_look(),
+                _ => {}
+            }
+        }
+        if self.view.sheet == Some(Sheet::DETAILS) {
+            self.keep_stated();
+        }
+        self.view.sheet = sheet;
+    }
+
     fn edit(&mut self, edit: &Edit, within_gesture: bool) {
-        let before = Arc::clone(self.subject());
+        let before = Arc::clone(self.loaded_session());
         match edit.apply(self.document()) {
             Err(because) => {
                 self.complain(say!("This change cannot be made"), vec![because]);
@@ -385,11 +384,11 @@ impl Workbench {
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
             self.declined = None;
         }
-        if !Arc::ptr_eq(&before, self.subject()) {
+        if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();
             self.after_travel(before.lineage);
         }
-        if before.lineage != self.subject().lineage {
+        if before.lineage != self.loaded_session().lineage {
             // A search of the session that was left answers nothing any more.
             self.jobs.cancel(|kind| kind == Kind::Searches);
             self.exported.clear();
@@ -405,7 +404,7 @@ impl Workbench {
 
     /// Back or forth in the history.
     fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
-        let before = self.subject().lineage;
+        let before = self.loaded_session().lineage;
         way(&mut self.history);
         self.after_travel(before);
     }
@@ -415,18 +414,18 @@ impl Workbench {
         self.view.setup = None;
         self.forget_typed();
         self.forget_missing_samples();
-        if self.subject().lineage != lineage_before {
+        if self.loaded_session().lineage != lineage_before {
             self.arrived();
         }
     }
 
     fn forget_missing_samples(&mut self) {
-        let samples = self.subject().len();
+        let samples = self.loaded_session().len();
         let there = |sample: &usize| *sample < samples;
         self.view.hovered = self.view.hovered.filter(there);
         self.view.selected = self.view.selected.filter(there);
         self.view.marked.retain(there);
-        let joints = self.subject().session.robot.joint_count();
+        let joints = self.loaded_session().session.robot.joint_count();
         let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
         self.view.pose = self.view.pose.take().filter(a_pose);
     }
@@ -434,8 +433,8 @@ impl Workbench {
     /// Looks at the workspace in the plane in which joint 1 turns; with several joints in space, as
     /// no plane shows them.
     fn look_along_the_axis(&mut self) {
-        let along = self.subject().joint.along;
-        let several = self.subject().session.robot.joint_count() > 1;
+        let along = self.loaded_session().joint.along;
+        let several = self.loaded_session().session.robot.joint_count() > 1;
         self.view.aspect = if several {
             Aspect::Space
         } else {

@@ -17,7 +17,7 @@ impl Workbench {
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
     pub(super) fn inputs(&self) -> Vec<PathBuf> {
         let mut inputs: Vec<PathBuf> = self
-            .subject()
+            .loaded_session()
             .files
             .iter()
             .map(|f| f.path.clone())
@@ -41,7 +41,7 @@ impl Workbench {
     pub(super) fn write_report(&mut self, about: About, path: PathBuf, replace: bool) {
         let source = match (about, &self.outcome, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
-            (About::Session, ..) if !self.subject().is_empty() => {
+            (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
                 let searched = self.searched.as_ref().filter(of_this).cloned();
                 let in_use = self.outcome.clone().filter(|_| self.answer().is_some());
@@ -56,7 +56,7 @@ impl Workbench {
         };
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
-        let robot = self.subject().session.robot.name.clone();
+        let robot = self.loaded_session().session.robot.name.clone();
         let wanted = reporting::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
@@ -70,7 +70,7 @@ impl Workbench {
     }
 
     fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
-        Arc::ptr_eq(&search.subject, self.subject()) && search.answer.is_ok()
+        Arc::ptr_eq(&search.subject, self.loaded_session()) && search.answer.is_ok()
     }
 
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
@@ -85,7 +85,7 @@ impl Workbench {
     pub(crate) fn figures(&self) -> Option<&Figures> {
         self.answer()?;
         let figures = self.figures.as_ref()?;
-        let same = Arc::ptr_eq(&figures.outcome.question.subject, self.subject());
+        let same = Arc::ptr_eq(&figures.outcome.question.subject, self.loaded_session());
         same.then_some(figures)
     }
 
@@ -93,7 +93,7 @@ impl Workbench {
     pub(super) fn keep_figuring(&mut self) {
         // A decision stands in the results of every step.
         let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
-        if !wanted || self.subject().is_empty() || self.answer().is_none() {
+        if !wanted || self.loaded_session().is_empty() || self.answer().is_none() {
             return;
         }
         let floor_mm = self.diagnosis().map(|found| found.floor.mm);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::past::Past;
+use crate::gui::core::document_history::Past;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Message, Sheet};
@@ -49,7 +49,7 @@ impl Workbench {
             folder = folder.display()
         );
         let work = move |watch: &Watch| {
-            let told = pipeline::history_watched(&folder, &watch.told());
+            let told = pipeline::history_watched(&folder, &watch.progress_callback());
             (folder, told)
         };
         self.jobs.start(

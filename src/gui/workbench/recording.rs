@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::gui::core::recording::{Heard, RecordingRequest};
 use crate::gui::file_state::recording::{Recording, UnderWay};
-use crate::gui::view::{Message, Then};
+use crate::gui::view::{Message, NextAction};
 use crate::pipeline;
 use crate::sessions::{Replacing, Samples, Session, save_document};
 
@@ -53,7 +53,7 @@ impl Workbench {
             let title = say!(
                 "Recorded {path}: {says}",
                 path = path.display(),
-                says = heard.says()
+                says = heard.describe()
             );
             self.view.message = Some(Message::done(title, Vec::new()));
         }
@@ -99,13 +99,13 @@ impl Workbench {
         };
         self.jobs.quietly(work, |bench: &mut Self, (path, follow)| {
             bench.desk.to_follow = follow.then(|| path.clone());
-            bench.ask_then(Then::Open(path));
+            bench.ask_then(NextAction::Open(path));
         });
     }
 
     /// A session of this robot and instrument without samples.
     fn new_session(&self, wanted: &RecordingRequest) -> Session {
-        let open = &self.subject().session;
+        let open = &self.loaded_session().session;
         let name = wanted.path.file_stem().unwrap_or_default();
         Session {
             name: name.to_string_lossy().into_owned(),

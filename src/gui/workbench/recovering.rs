@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::{Origin, Subject};
-use crate::gui::file_state::recovery::{self, Kept, LeftBehind};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::file_state::recovery::{self, OrphanedRecovery, SavedDocument};
 use crate::gui::view::{Message, Sheet};
 
 use super::{Command, Workbench};
@@ -37,7 +37,7 @@ impl Workbench {
             let work = move || {
                 // What was restored is saved: nobody needs either.
                 let _ = std::fs::remove_file(&path);
-                restored.into_iter().for_each(LeftBehind::remove);
+                restored.into_iter().for_each(OrphanedRecovery::remove);
             };
             self.jobs.quietly(work, |_, ()| ());
             return;
@@ -47,16 +47,16 @@ impl Workbench {
         let file = self.file().map(Path::to_path_buf);
         let restored = std::mem::take(&mut self.desk.restored);
         let work = move || {
-            let written = recovery::write(&path, &Kept::of(&document, file));
+            let written = recovery::write(&path, &SavedDocument::of(&document, file));
             if written.is_ok() {
-                restored.into_iter().for_each(LeftBehind::remove);
+                restored.into_iter().for_each(OrphanedRecovery::remove);
             }
             written.map_err(|e| e.to_string())
         };
         self.jobs.quietly(work, Self::take_kept);
     }
 
-    pub(super) fn take_left_behind(&mut self, left: Vec<LeftBehind>) {
+    pub(super) fn take_left_behind(&mut self, left: Vec<OrphanedRecovery>) {
         self.desk.left_behind = left;
         if !self.desk.left_behind.is_empty() && self.view.sheet.is_none() {
             self.view.sheet = Some(Sheet::RECOVERY);
@@ -75,7 +75,7 @@ impl Workbench {
                 let mut session = kept.session.clone();
                 session.path.clone_from(&kept.file);
                 let origin = Origin::Recovered(kept.file.clone());
-                let subject = Arc::new(Subject::new(session, Vec::new(), origin));
+                let subject = Arc::new(LoadedSession::new(session, Vec::new(), origin));
                 let edit = Edit::Recover(subject, kept.choices());
                 self.execute(Command::Edit(edit));
                 self.desk.restored.push(left);

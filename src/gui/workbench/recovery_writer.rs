@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::charts::find;
-use crate::gui::core::disk::{Fate, Print};
+use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::document::Document;
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::meshes::{self, DrawnFrom};
-use crate::gui::file_state::recovery::{self, Keeper, LeftBehind};
+use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
 use crate::gui::file_state::settings::{self, Recent};
 use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::files;
@@ -29,7 +29,7 @@ impl Workbench {
         self.desk.machines = settings.machines;
         self.desk.robots = settings.robots;
         self.desk.meshes = settings.meshes;
-        let keeper = Keeper::new(&home);
+        let keeper = RecoveryFile::new(&home);
         let mut details = Vec::new();
         details
             .extend(damaged.map(|says| say!("Preferences could not be read: {says}", says = says)));
@@ -46,10 +46,8 @@ impl Workbench {
         }
         self.order(Order::Recent(self.desk.recent.clone()));
         let folder = home.clone();
-        self.jobs.quietly(
-            move || recovery::left_behind(&folder),
-            Self::take_left_behind,
-        );
+        self.jobs
+            .quietly(move || recovery::orphaned(&folder), Self::take_left_behind);
         self.desk.home = Some(home);
     }
 
@@ -68,20 +66,20 @@ impl Workbench {
     }
 
     /// What windows that are gone have left behind.
-    pub(crate) fn left_behind(&self) -> &[LeftBehind] {
+    pub(crate) fn orphaned(&self) -> &[OrphanedRecovery] {
         &self.desk.left_behind
     }
 
     /// The file that the session stands in.
     pub(crate) fn file(&self) -> Option<&Path> {
-        let place = self.desk.places.get(&self.subject().lineage);
+        let place = self.desk.places.get(&self.loaded_session().lineage);
         place.map(|place| place.path.as_path())
     }
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
     /// that it came from.
     pub(crate) fn folder(&self) -> Option<PathBuf> {
-        let came_from = match &self.subject().origin {
+        let came_from = match &self.loaded_session().origin {
             Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
             Origin::Recovered(path) => path.as_ref(),
             Origin::Bundled | Origin::Simulated => None,
@@ -106,7 +104,7 @@ impl Workbench {
     pub(crate) fn proposed_path(&self) -> PathBuf {
         match self.file() {
             Some(own) => std::path::absolute(own).unwrap_or_else(|_| own.to_path_buf()),
-            None => self.placed(files::file_name_for(&self.subject().session).as_ref()),
+            None => self.placed(files::file_name_for(&self.loaded_session().session).as_ref()),
         }
     }
 
@@ -120,19 +118,19 @@ impl Workbench {
 
     /// The file with its samples, if they are in one: it can be followed.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
-        let place = self.desk.places.get(&self.subject().lineage);
+        let place = self.desk.places.get(&self.loaded_session().lineage);
         place.and_then(|place| place.samples.as_deref())
     }
 
     /// How many samples came since the file is followed; `None` where it is not.
     pub(crate) fn following(&self) -> Option<usize> {
-        let here = self.desk.followed == Some(self.subject().lineage);
+        let here = self.desk.followed == Some(self.loaded_session().lineage);
         here.then_some(self.desk.came)
     }
 
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
-        let subject = Arc::clone(self.subject());
+        let subject = Arc::clone(self.loaded_session());
         let mut opened = None;
         match &subject.origin {
             Origin::File(path) => {
@@ -162,7 +160,7 @@ impl Workbench {
         if self
             .desk
             .followed
-            .is_some_and(|f| f != self.subject().lineage)
+            .is_some_and(|f| f != self.loaded_session().lineage)
         {
             self.follow(false);
         }
@@ -170,7 +168,7 @@ impl Workbench {
     }
 
     pub(super) fn watch_files(&mut self) {
-        let place = self.desk.places.get(&self.subject().lineage);
+        let place = self.desk.places.get(&self.loaded_session().lineage);
         let files = place.map_or_else(Vec::new, |place| place.files.clone());
         self.watch_these(files);
     }
@@ -181,7 +179,7 @@ impl Workbench {
         self.watch_these(Vec::new());
     }
 
-    fn watch_these(&mut self, files: Vec<Print>) {
+    fn watch_these(&mut self, files: Vec<Fingerprint>) {
         self.desk.watch_order += 1;
         self.order(Order::Files(self.desk.watch_order, files));
     }
@@ -232,7 +230,7 @@ impl Workbench {
     /// Reads the session's file again. Undo brings back what was here.
     pub(super) fn reload(&mut self) {
         self.view.on_disk = None;
-        let Some(place) = self.desk.places.get(&self.subject().lineage) else {
+        let Some(place) = self.desk.places.get(&self.loaded_session().lineage) else {
             return;
         };
         let (path, files) = (place.path.clone(), place.files.clone());
@@ -255,7 +253,7 @@ impl Workbench {
                 Ok(opened) => bench.take_opened(opened),
                 Err(gone) => {
                     let order = bench.desk.watch_order;
-                    bench.take_seen(Seen::Fate(order, gone, Some(Fate::Vanished)));
+                    bench.take_seen(Seen::Fate(order, gone, Some(FileChange::Vanished)));
                 }
             },
         );
@@ -300,11 +298,11 @@ impl Workbench {
             // Compared with what was known before this window wrote the file itself.
             Seen::Fate(order, ..) if order != self.desk.watch_order => {}
             Seen::Fate(_, path, fate) => {
-                let place = self.desk.places.get(&self.subject().lineage);
+                let place = self.desk.places.get(&self.loaded_session().lineage);
                 let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
                 let shown = self.view.on_disk.as_ref();
                 let same = shown.is_some_and(|shown| shown.path == path);
-                let worse = shown.is_none_or(|shown| shown.fate == Fate::Changed);
+                let worse = shown.is_none_or(|shown| shown.fate == FileChange::Changed);
                 match fate {
                     Some(fate) if ours && (same || worse) => {
                         self.view.on_disk = Some(OnDisk { path, fate });
@@ -349,7 +347,7 @@ impl Workbench {
     }
 
     /// Everything that stood in a file and was about `from` is about `to` now.
-    pub(super) fn grow_on_file(&mut self, from: &Arc<Subject>, to: &Arc<Subject>) {
+    pub(super) fn grow_on_file(&mut self, from: &Arc<LoadedSession>, to: &Arc<LoadedSession>) {
         for document in &mut self.desk.on_file {
             if Arc::ptr_eq(&document.subject, from) {
                 let mut grown = Document::clone(document);

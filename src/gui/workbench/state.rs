@@ -7,20 +7,20 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::explain::Section;
-use crate::gui::cache::plot_cache::Scenery;
+use crate::gui::cache::plot_cache::PlotInputs;
 use crate::gui::cache::preview::PreviewRequest;
-use crate::gui::core::disk::Print;
+use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, Question};
-use crate::gui::core::past::Past;
+use crate::gui::core::document_history::Past;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::Search;
 use crate::gui::core::stated::Stated;
 use crate::gui::file_state::machines::Machine;
 use crate::gui::file_state::meshes::DrawnFrom;
 use crate::gui::file_state::recording::UnderWay;
-use crate::gui::file_state::recovery::{Keeper, LeftBehind};
+use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::jobs::Latest;
-use crate::gui::view::Then;
+use crate::gui::view::NextAction;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::text::Language;
@@ -30,18 +30,18 @@ use crate::text::Language;
 pub(super) struct Place {
     pub(super) path: PathBuf,
     /// As they looked when they were last read or written.
-    pub(super) files: Vec<Print>,
+    pub(super) files: Vec<Fingerprint>,
     pub(super) samples: Option<PathBuf>,
 }
 
 /// Files: where openings stand on the disk, what changed there, and what outlives the window.
 #[derive(Default)]
-pub(super) struct Desk {
+pub(super) struct FileState {
     pub(super) home: Option<PathBuf>,
-    pub(super) keeper: Option<Keeper>,
-    pub(super) left_behind: Vec<LeftBehind>,
+    pub(super) keeper: Option<RecoveryFile>,
+    pub(super) left_behind: Vec<OrphanedRecovery>,
     /// Restored, and to be removed as soon as this window keeps it itself.
-    pub(super) restored: Vec<LeftBehind>,
+    pub(super) restored: Vec<OrphanedRecovery>,
     pub(super) recent: Vec<PathBuf>,
     /// The date that is proposed for reports.
     pub(super) today: Option<String>,
@@ -66,7 +66,7 @@ pub(super) struct Desk {
     pub(super) on_file: Vec<Arc<Document>>,
     /// What was asked of the model that was written last.
     pub(super) model_on_file: Option<Question>,
-    pub(super) then: Option<Then>,
+    pub(super) then: Option<NextAction>,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
     /// The opening whose samples file is followed.
@@ -77,17 +77,17 @@ pub(super) struct Desk {
 
 /// What is asked faster than it is answered.
 #[derive(Default)]
-pub(super) struct Asked {
+pub(super) struct PendingQueries {
     pub(super) questions: Latest<Question>,
     pub(super) previews: Latest<PreviewRequest>,
-    pub(super) sceneries: Latest<Scenery>,
+    pub(super) sceneries: Latest<PlotInputs>,
 }
 
 /// Sections as they were said last; nothing until they are asked for.
 #[derive(Debug, Default)]
-pub(super) struct Said(pub(super) RefCell<Option<Kept>>);
+pub(super) struct SpokenSections(pub(super) RefCell<Option<CachedSections>>);
 
 /// Of which diagnosis, how it is said, and the sections.
-pub(super) type Kept = (Arc<Search>, Voice, Arc<[Section]>);
+pub(super) type CachedSections = (Arc<Search>, Voice, Arc<[Section]>);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use super::{Command, Workbench};
 use crate::gui::core::boundaries::boundaries;
-use crate::gui::core::disk::Fate;
+use crate::gui::core::disk::FileChange;
 use crate::gui::file_state::watcher::Seen;
 
 use crate::diagnosis::Stopped;
 use crate::fit::Estimate;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::search;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
@@ -52,7 +52,7 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     assert!(!found.found.is_empty());
     let terms = search::terms(&found).into_iter().flatten().collect();
     done(&mut workbench, Edit::Add(terms));
-    let all = found.calibration(&workbench.subject().session);
+    let all = found.calibration(&workbench.loaded_session().session);
     let answer = workbench.answer().expect("it is identified");
     assert_eq!(answer.calibration, all);
     assert_eq!(answer.identification.model, all.model);
@@ -101,12 +101,12 @@ fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
 #[test]
 fn undo_brings_the_session_before_back() {
     let mut workbench = workbench();
-    let first = Arc::clone(workbench.subject());
+    let first = Arc::clone(workbench.loaded_session());
     workbench.execute(Command::OpenExample(1));
     workbench.receive();
-    assert_eq!(workbench.subject().len(), 30);
+    assert_eq!(workbench.loaded_session().len(), 30);
     workbench.execute(Command::Undo);
-    assert!(Arc::ptr_eq(&first, workbench.subject()));
+    assert!(Arc::ptr_eq(&first, workbench.loaded_session()));
 }
 
 #[test]
@@ -196,14 +196,14 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     done(&mut workbench, Edit::Divide(5));
     workbench.execute(Command::Save);
     workbench.receive();
-    workbench.take_seen(Seen::Fate(before, path.clone(), Some(Fate::Changed)));
+    workbench.take_seen(Seen::Fate(before, path.clone(), Some(FileChange::Changed)));
     assert_eq!(workbench.view().on_disk, None);
     // A change that another program made after that is said.
     std::fs::write(&path, "{}").expect("written");
     workbench.look_at_disk();
     workbench.receive();
     let seen = workbench.view().on_disk.as_ref().expect("it is said");
-    assert_eq!(seen.fate, Fate::Changed);
+    assert_eq!(seen.fate, FileChange::Changed);
 }
 
 /// A tick for a file that holds another model's table would be wrong.
@@ -257,11 +257,11 @@ fn an_export_writes_the_table_and_what_it_means() {
 fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
     let mut workbench = workbench();
     let before = workbench
-        .subject()
+        .loaded_session()
         .gap_before
         .expect("there are samples")
         .rms_mm;
-    let mut form = SetupForm::of(&workbench.subject().session);
+    let mut form = SetupForm::of(&workbench.loaded_session().session);
     for k in 1..=5 {
         form.tool_mm[0] += f64::from(k);
         workbench.execute(Command::Drag(Edit::Setup(Box::new(form.clone()))));
@@ -269,7 +269,7 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
     }
     workbench.execute(Command::EndDrag);
     let after = workbench
-        .subject()
+        .loaded_session()
         .gap_before
         .expect("there are samples")
         .rms_mm;
@@ -300,8 +300,8 @@ fn a_search_ends_where_another_session_is_opened() {
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Search);
     assert!(workbench.searching().is_some());
-    let session = workbench.subject().session.clone();
-    let other = Subject::new(session, Vec::new(), Origin::Imported("other.txt".into()));
+    let session = workbench.loaded_session().session.clone();
+    let other = LoadedSession::new(session, Vec::new(), Origin::Imported("other.txt".into()));
     workbench.execute(Command::Edit(Edit::Open(Arc::new(other))));
     assert!(workbench.searching().is_none());
 }
@@ -338,8 +338,8 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let mut workbench = workbench();
     let folder = tempfile::tempdir().expect("a folder");
     let tracker = folder.path().join("tracker.txt");
-    let session = workbench.subject().session.clone();
-    let imported = Subject::new(session, Vec::new(), Origin::Imported(tracker));
+    let session = workbench.loaded_session().session.clone();
+    let imported = LoadedSession::new(session, Vec::new(), Origin::Imported(tracker));
     workbench.execute(Command::Edit(Edit::Open(Arc::new(imported))));
     let proposed = workbench.proposed_path();
     assert_eq!(proposed.parent(), Some(folder.path()));
@@ -389,7 +389,7 @@ fn a_saved_session_is_drawn_from_the_meshes_of_its_urdf_as_long_as_that_describe
         let mut bench = fresh();
         bench.execute(Command::OpenFile(at("saved.json")));
         bench.receive();
-        let subject = bench.subject();
+        let subject = bench.loaded_session();
         assert_eq!(subject.session.name, "arm");
         let mut said = subject.findings.iter();
         let said = said.find(|f| f.to_string().contains("drawn from its axes"));

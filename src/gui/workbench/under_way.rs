@@ -12,7 +12,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::testing::workbench;
-use crate::gui::view::{Message, Step, Then, What};
+use crate::gui::view::{Message, NextAction, Step, What};
 
 pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();
@@ -74,9 +74,9 @@ fn whatever_is_cancelled_leaves_everything_as_it_was() {
     });
     first.receive();
     let commands = [
-        Command::Do(Then::Open(path.clone())),
-        Command::Do(Then::Example(1)),
-        Command::Do(Then::Simulate(Form::default())),
+        Command::Do(NextAction::Open(path.clone())),
+        Command::Do(NextAction::Example(1)),
+        Command::Do(NextAction::Simulate(Form::default())),
         Command::Adapt,
         Command::Search,
     ];
@@ -129,7 +129,7 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
 #[test]
 fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(Then::Example(1)));
+    bench.execute(Command::Do(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing", written);
     bench.execute(Command::Leave);
@@ -142,7 +142,7 @@ fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
 #[test]
 fn the_window_closes_after_what_is_being_written() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(Then::Example(1)));
+    bench.execute(Command::Do(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing the report", written);
     bench.execute(Command::Leave);
@@ -156,7 +156,7 @@ fn the_window_closes_after_what_is_being_written() {
 #[test]
 fn a_file_that_was_not_written_keeps_the_window_open() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(Then::Example(1)));
+    bench.execute(Command::Do(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing the report", || {
         files::not_written(
@@ -179,21 +179,21 @@ fn of_two_sessions_the_one_asked_for_last_is_opened_whichever_takes_longer() {
         let _ = wait.recv();
         files::open_example(2)
     });
-    bench.execute(Command::Do(Then::Example(1)));
-    until(&mut bench, |bench| bench.subject().len() == 30);
+    bench.execute(Command::Do(NextAction::Example(1)));
+    until(&mut bench, |bench| bench.loaded_session().len() == 30);
     // The first one has nobody left to tell.
     let _ = go.send(());
     for _ in 0..40 {
         bench.receive();
         std::thread::sleep(Duration::from_millis(5));
     }
-    assert_eq!(bench.subject().len(), 30);
+    assert_eq!(bench.loaded_session().len(), 30);
 }
 
 #[test]
 fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_not_taken() {
     let mut bench = on_threads();
-    let subject = Arc::clone(bench.subject());
+    let subject = Arc::clone(bench.loaded_session());
     let (go, wait) = gate();
     let (adapted, came) = channel();
     let work = move |_: &Watch| {
@@ -210,8 +210,8 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
     bench.execute(Command::Edit(Edit::IdentifyBy(Method::Regional)));
     bench.execute(Command::Undo);
     bench.execute(Command::Redo);
-    bench.execute(Command::Do(Then::Example(1)));
-    until(&mut bench, |bench| bench.subject().len() == 30);
+    bench.execute(Command::Do(NextAction::Example(1)));
+    until(&mut bench, |bench| bench.loaded_session().len() == 30);
     let before = bench.document().clone();
     go.send(()).expect("it waits");
     came.recv().expect("it was worked out");

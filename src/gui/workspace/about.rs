@@ -11,7 +11,7 @@ pub(crate) type Line = (String, String);
 /// What matters most of a sample.
 pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     const MOST: usize = 3;
-    let subject = &**workbench.subject();
+    let subject = &**workbench.loaded_session();
     let (title, all) = about(workbench, sample);
     let joints = subject.session.robot.joints.len();
     let mut lines: Vec<Line> = Vec::new();
@@ -59,7 +59,7 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 
 /// What is said about a sample.
 pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
-    let subject = &**workbench.subject();
+    let subject = &**workbench.loaded_session();
     let units = workbench.units();
     let title = say!("sample {sample}", sample = sample + 1);
     let mut lines = Vec::new();

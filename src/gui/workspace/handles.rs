@@ -9,7 +9,7 @@ use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::region_sums::Held;
+use crate::gui::core::region_sums::RegionContents;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::{grouped, trimmed};
@@ -53,7 +53,7 @@ pub(crate) fn show(
             info.role = Role::Slider;
             info
         });
-        let room = boundaries::room(&document.regions, index, within);
+        let room = boundaries::allowed_range(&document.regions, index, within);
         if let Some((low, high)) = room {
             ui.ctx().accesskit_node_builder(id, |node| {
                 node.set_min_numeric_value(deg_from_rad(low));
@@ -155,17 +155,17 @@ fn badge(
     handle: egui::Pos2,
     frame: Rect,
 ) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let few = subject.len() <= crate::gui::core::scale::FEW;
-    let tally = subject.tally_if_made();
-    let tally = tally.or_else(|| few.then(|| subject.tally()));
+    let totals = subject.region_totals_if_made();
+    let totals = totals.or_else(|| few.then(|| subject.region_totals()));
     let palette = Palette::of(ui);
     let regions = &workbench.document().regions;
-    let held = tally.map(|tally| tally.held(regions));
+    let held = totals.map(|totals| totals.held(regions));
     let font = egui::FontId::proportional(size::SMALL);
     let line = |region: usize| {
         let name = regions.get(region).map_or("", |r| r.name.as_str());
-        let says = says(name, held.as_ref()?.get(region)?, workbench.units());
+        let says = describe(name, held.as_ref()?.get(region)?, workbench.units());
         Some(
             ui.painter()
                 .layout_no_wrap(says, font.clone(), palette.text),
@@ -197,7 +197,7 @@ fn badge(
 }
 
 /// A region in a line.
-fn says(name: &str, held: &Held, units: Units) -> String {
+fn describe(name: &str, held: &RegionContents, units: Units) -> String {
     match held.correction() {
         None => say!("{name}: no samples", name = name),
         Some((theta_rad, l1_mm, left_mm)) => say!(

@@ -8,7 +8,7 @@ use crate::gui::core::scale::{FEW, round_down};
 use crate::gui::view::Canvas;
 use crate::gui::workbench::Workbench;
 
-use super::apart;
+use super::decimation;
 use super::model::{Dial, Shown};
 
 /// Sectors reach from the path's inside to its outside, in parts of the radius.
@@ -128,7 +128,7 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
     };
     let [vectors, points] = APART;
     let vectors = match &shown.extent {
-        Some(extent) => extent.cells(apart::side_mm(transform)),
+        Some(extent) => extent.cells(decimation::side_mm(transform)),
         None => vectors * (wide * tall).sqrt(),
     };
     [points * wide * tall, vectors].map(at_most)
@@ -163,7 +163,7 @@ pub(crate) fn under(
     pointer: Pos2,
     reach: f32,
 ) -> Option<usize> {
-    let usable = &workbench.subject().overview.usable;
+    let usable = &workbench.loaded_session().overview.usable;
     if usable.len() > FEW {
         let at = transform.value_from_position(pointer);
         let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
@@ -172,7 +172,7 @@ pub(crate) fn under(
     let facing = workbench.facing();
     let candidates = usable.iter().map(|sample| {
         let sample = *sample as usize;
-        let [x, y] = facing.flat(workbench.subject().measured(sample));
+        let [x, y] = facing.flat(workbench.loaded_session().measured(sample));
         let at = transform.position_from_point(&PlotPoint::new(x, y));
         (sample, [at.x, at.y])
     });
@@ -183,7 +183,7 @@ pub(crate) fn under(
 mod tests {
     use egui_plot::PlotBounds;
 
-    use super::super::model::Seen;
+    use super::super::model::VisibleSample;
     use super::*;
     use crate::gui::testing::workbench;
 
@@ -193,7 +193,7 @@ mod tests {
         let [low, high] = bounds(&shown);
         let dial = shown.dial.expect("it turns");
         let handle = dial.at(0.0, HANDLE * dial.radius_mm);
-        let flat = |p: &Seen| shown.look.facing.flat(p.at_mm);
+        let flat = |p: &VisibleSample| shown.look.facing.flat(p.at_mm);
         for p in shown.each.iter().map(flat).chain([handle]) {
             assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
         }

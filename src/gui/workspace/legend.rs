@@ -5,7 +5,8 @@ use egui::{Align2, FontId, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, 
 
 use crate::gui::layers::OUTLINE;
 use crate::gui::scene::{
-    Camera, Entry, Form, Ink, Item, Label, Mark, Place, SIGN, Screen, Sheet, Stroke, Token,
+    Camera, ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Screen, Sheet, Stroke,
+    Tint,
 };
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Colouring;
@@ -24,9 +25,9 @@ const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
 
-fn sign(ui: &mut Ui, one: &Entry, palette: &Palette) {
+fn symbol(ui: &mut Ui, one: &LegendEntry, palette: &Palette) {
     let room = entry(ui, one.wide, &one.name, palette);
-    Screen::sign(ui.painter(), palette, one, room.center());
+    Screen::symbol(ui.painter(), palette, one, room.center());
 }
 
 fn note(ui: &mut Ui, says: &str, palette: &Palette) {
@@ -52,7 +53,7 @@ pub(super) fn show(
     palette: &Palette,
 ) -> Option<Rect> {
     let mut scale = None;
-    let measured = !workbench.subject().is_empty();
+    let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
     let entries = entries(workbench, shown, robot);
     let scales = scales::entries(workbench, shown, low, &|text| {
@@ -62,7 +63,7 @@ pub(super) fn show(
             .layout_no_wrap(text.to_owned(), font, palette.muted);
         galley.size().x
     });
-    let marks = |ui: &mut Ui| entries.iter().for_each(|one| sign(ui, one, palette));
+    let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
             scale = Some(entry(ui, SCALE, "", palette));
@@ -71,7 +72,7 @@ pub(super) fn show(
             marks(ui);
         }
         for one in &scales {
-            sign(ui, one, palette);
+            symbol(ui, one, palette);
         }
         if low {
             folded(ui, marks);
@@ -100,7 +101,7 @@ fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
 }
 
 /// The scale of the vectors: an arrow that stands for a round length, and which.
-fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
+fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> LegendEntry {
     let units = workbench.units();
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
@@ -109,11 +110,11 @@ fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
     let mm = round / per_mm;
     let long = mm * shown.magnification * points_per_mm;
     let token = if shown.look.colouring != Colouring::State {
-        Token::Muted
+        ColourToken::Muted
     } else if shown.look.answered && shown.look.blend > 0.0 {
-        Token::After
+        ColourToken::After
     } else {
-        Token::Before
+        ColourToken::Before
     };
     let at = |x: f64| Place::from([x - 0.5 * f64::from(SCALE), 0.0, 0.0]);
     let says = format!(
@@ -123,10 +124,10 @@ fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
     );
     let says = Label {
         anchor: Align2::LEFT_CENTER,
-        ..Label::new(at(long + 8.0), says, Token::Text)
+        ..Label::new(at(long + 8.0), says, ColourToken::Text)
     };
     let arrow = Item::Vector([at(0.0), at(long)], Stroke::new(2.0, token));
-    Entry {
+    LegendEntry {
         name: String::new(),
         sign: vec![arrow, Item::Label(says)],
         wide: SCALE,
@@ -136,7 +137,7 @@ fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> Entry {
 /// Draws the scale where there is room for it.
 pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let scale = scale(workbench, shown, camera);
-    Screen::sign(ui.painter(), &Palette::of(ui), &scale, room.center());
+    Screen::symbol(ui.painter(), &Palette::of(ui), &scale, room.center());
 }
 
 /// What marks and colours mean, on a sheet.
@@ -145,7 +146,7 @@ pub(super) fn on_paper(
     shown: &Shown,
     robot: Option<&Drawn>,
     camera: &Camera,
-) -> Vec<Entry> {
+) -> Vec<LegendEntry> {
     let mut all = vec![scale(workbench, shown, camera)];
     all.extend(entries(workbench, shown, robot));
     all.extend(scales::entries(workbench, shown, false, &Sheet::width));
@@ -153,67 +154,74 @@ pub(super) fn on_paper(
 }
 
 /// What the marks mean.
-fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<Entry> {
+fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<LegendEntry> {
     let mut all = Vec::new();
-    if !workbench.subject().is_empty() {
+    if !workbench.loaded_session().is_empty() {
         meanings(&mut all, workbench, shown);
     }
     // Whether somebody points at a sample or not: nothing moves under the pointer.
     let Some(robot) = robot else {
         return all;
     };
-    let tube = [(7.0, Token::Nominal), (4.5, Token::Surface)];
-    let tube = tube.map(|(width, token)| Entry::line("", Stroke::new(width, token)).sign);
-    all.push(Entry {
+    let tube = [(7.0, ColourToken::Nominal), (4.5, ColourToken::Surface)];
+    let tube = tube.map(|(width, token)| LegendEntry::line("", Stroke::new(width, token)).sign);
+    all.push(LegendEntry {
         name: say!("robot").to_owned(),
         sign: tube.concat(),
         wide: SIGN,
     });
     if let Some(real) = &robot.real {
         let (name, token) = if real.identified {
-            (say!("identified"), Token::After)
+            (say!("identified"), ColourToken::After)
         } else {
-            (say!("as measured"), Token::Before)
+            (say!("as measured"), ColourToken::Before)
         };
-        all.push(Entry::line(name, Stroke::new(2.5, token)));
+        all.push(LegendEntry::line(name, Stroke::new(2.5, token)));
     }
     all
 }
 
-fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown) {
-    let line = |name: &str, width, ink: Ink| Entry::line(name, Stroke::new(width, ink));
+fn meanings(all: &mut Vec<LegendEntry>, workbench: &Workbench, shown: &Shown) {
+    let line = |name: &str, width, ink: Tint| LegendEntry::line(name, Stroke::new(width, ink));
     if !shown.paths_mm.is_empty() {
-        all.push(line(say!("nominal path"), 1.25, Token::Nominal.into()));
+        all.push(line(
+            say!("nominal path"),
+            1.25,
+            ColourToken::Nominal.into(),
+        ));
     }
     if shown.look.ghosts() {
-        all.push(line(say!("before"), 1.5, Token::Before.clear(0.5)));
-        all.push(line(say!("after"), 1.8, Token::After.into()));
+        all.push(line(say!("before"), 1.5, ColourToken::Before.clear(0.5)));
+        all.push(line(say!("after"), 1.8, ColourToken::After.into()));
     }
     // Where colour says something else, shape alone says what is within the tolerance.
     let colouring = shown.look.colouring;
     let plain = colouring == Colouring::State;
-    let middle = Token::Scale(colouring, 0.5);
+    let middle = ColourToken::Scale(colouring, 0.5);
     let here = [0.0; 3];
-    let disc = |token: Token| {
+    let disc = |token: ColourToken| {
         if plain {
             Mark::filled(here, Form::Disc, 2.8, token)
         } else {
-            let edge = Stroke::new(OUTLINE, Token::Text);
+            let edge = Stroke::new(OUTLINE, ColourToken::Text);
             Mark::filled(here, Form::Disc, 4.0, middle).edged(edge)
         }
     };
     if workbench.document().tolerance_mm.is_some() {
-        let inner = if plain { Token::Surface } else { middle };
-        let edge = Stroke::new(1.4, Token::Outside);
+        let inner = if plain { ColourToken::Surface } else { middle };
+        let edge = Stroke::new(1.4, ColourToken::Outside);
         let diamond = Mark::filled(here, Form::Diamond, 4.2, inner).edged(edge);
-        all.push(Entry::mark(say!("within"), disc(Token::Within)));
-        all.push(Entry::mark(say!("outside"), diamond));
+        all.push(LegendEntry::mark(say!("within"), disc(ColourToken::Within)));
+        all.push(LegendEntry::mark(say!("outside"), diamond));
     } else {
-        all.push(Entry::mark(say!("measured"), disc(Token::Text)));
+        all.push(LegendEntry::mark(say!("measured"), disc(ColourToken::Text)));
     }
     if !shown.over.is_empty() {
         let square = Mark::filled(here, Form::Square, 0.5 * SQUARE, middle);
-        all.push(Entry::mark(say!("poses over the joints’ ranges"), square));
+        all.push(LegendEntry::mark(
+            say!("poses over the joints’ ranges"),
+            square,
+        ));
     }
 }
 
@@ -221,7 +229,7 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown) {
 pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
     let low = ui.available_height() < LOW;
     let entries = super::polar::legend(workbench, polar);
-    let marks = |ui: &mut Ui| entries.iter().for_each(|one| sign(ui, one, palette));
+    let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         let says = super::polar::scale(polar, workbench.units());
         note(ui, &says, palette);

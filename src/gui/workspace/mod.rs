@@ -2,8 +2,8 @@
 //! deviation around the joint's angle.
 
 mod about;
-mod apart;
 mod card;
+mod decimation;
 mod extent;
 mod free_space;
 mod handles;
@@ -12,10 +12,10 @@ mod legend;
 mod model;
 mod notes;
 mod over;
+mod plot_size;
 mod pointer;
 mod polar;
 mod robot;
-mod room;
 mod scales;
 mod scene;
 mod show;

@@ -6,10 +6,10 @@ use nalgebra::{Isometry3, Point3};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
 use crate::gui::cache::uncertain::Uncertain;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::long_mm;
 use crate::gui::core::scale::FEW;
-use crate::gui::layers::Look;
+use crate::gui::layers::LayerOptions;
 use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
@@ -18,7 +18,7 @@ use super::extent::{Extent, SOME};
 
 /// A sample that is drawn by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct VisibleSample {
     pub(crate) sample: usize,
     /// Where it was measured, mm.
     pub(crate) at_mm: [f64; 3],
@@ -34,7 +34,7 @@ pub(crate) struct Seen {
     pub(crate) says: Option<f32>,
 }
 
-impl Seen {
+impl VisibleSample {
     /// Where the simulation has it that a deviation is from, mm.
     pub(crate) fn simulated_mm(&self, deviation_mm: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| self.at_mm[k] - deviation_mm[k])
@@ -76,7 +76,7 @@ impl Dial {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shown {
     /// Samples, perhaps thinned; none where a layer draws them.
-    pub(crate) each: Vec<Seen>,
+    pub(crate) each: Vec<VisibleSample>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 3]>>,
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
@@ -95,7 +95,7 @@ pub(crate) struct Shown {
     /// Smallest and largest corner of the robot at some of the poses, mm.
     pub(crate) robot_mm: [[f64; 2]; 2],
     /// What is shown of each sample, and how.
-    pub(crate) look: Look,
+    pub(crate) look: LayerOptions,
     /// How many samples can be used.
     pub(crate) samples: usize,
     /// Where they lie, where they are many and a layer draws them.
@@ -114,7 +114,7 @@ impl Shown {
 
     /// The same, drawn by this.
     pub(crate) fn on(workbench: &Workbench, canvas: Canvas) -> Self {
-        let subject = &**workbench.subject();
+        let subject = &**workbench.loaded_session();
         let view = workbench.view();
         let facing = workbench.facing();
         let answer = workbench.answer();
@@ -147,14 +147,14 @@ impl Shown {
         }
         let each = shown_here.into_iter().map(|sample| {
             let e = shown(sample);
-            Seen {
+            VisibleSample {
                 sample,
                 at_mm: subject.measured(sample),
                 vector_mm: e,
                 before_mm: look.ghosts().then(|| subject.deviation_before(sample)),
                 within: tolerance_mm.map(|t| length(e) <= t),
                 suspected: answer.is_some_and(|a| a.suspected[sample]),
-                says: says(workbench, &look, sample, e),
+                says: describe(workbench, &look, sample, e),
             }
         });
         Self {
@@ -209,15 +209,15 @@ pub(crate) fn readable(workbench: &Workbench) -> f64 {
     let left = workbench
         .after()
         .filter(|_| workbench.found_base().is_some());
-    let readable = left.map_or(workbench.subject().overview.readable, |after| {
+    let readable = left.map_or(workbench.loaded_session().overview.readable, |after| {
         after.readable
     });
-    readable.magnification(workbench.view().room)
+    readable.magnification(workbench.view().plot_size)
 }
 
 /// The deviation that is shown of a sample, mm: e = before + t (after − before).
 pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
-    let before = workbench.subject().deviation_before(sample);
+    let before = workbench.loaded_session().deviation_before(sample);
     let Some(answer) = workbench.answer() else {
         return before;
     };
@@ -231,7 +231,7 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
 /// that the robot fills.
 pub(crate) fn ball(workbench: &Workbench) -> Ball {
     const SOME: usize = 1_000;
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let to_base = workbench.base().inverse();
     let cloud = Cloud::of(subject);
     let measured = cloud.samples.iter().take(SOME).map(|sample| {
@@ -247,12 +247,12 @@ pub(crate) fn ball(workbench: &Workbench) -> Ball {
     Ball::around(&measured.chain(faces).chain([[0.0; 3]]).collect::<Vec<_>>())
 }
 
-fn look(workbench: &Workbench) -> Look {
-    let (view, subject) = (workbench.view(), workbench.subject());
+fn look(workbench: &Workbench) -> LayerOptions {
+    let (view, subject) = (workbench.view(), workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
     let colouring = offered(workbench, view.colouring);
-    Look {
+    LayerOptions {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
         centre_mm: Cloud::of(subject).centre_mm,
@@ -279,12 +279,12 @@ fn look(workbench: &Workbench) -> Look {
 /// no scale is chosen, it goes from what suits the deviations before to what suits those after.
 fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     let view = workbench.view();
-    let radius_mm = workbench.subject().overview.radius_mm;
+    let radius_mm = workbench.loaded_session().overview.radius_mm;
     let before = long_mm(radius_mm, magnification);
     match workbench.after() {
         Some(after) if view.heat && view.magnification.is_none() => {
             let t = f64::from(view.blend);
-            before + t * (long_mm(radius_mm, after.readable.magnification(view.room)) - before)
+            before + t * (long_mm(radius_mm, after.readable.magnification(view.plot_size)) - before)
         }
         _ => before,
     }
@@ -296,7 +296,7 @@ pub(crate) fn offers(workbench: &Workbench, colouring: Colouring) -> bool {
     if colouring == Colouring::Uncertainty {
         return workbench.answer().is_some_and(Uncertain::is_known);
     }
-    let cloud = Cloud::of(workbench.subject());
+    let cloud = Cloud::of(workbench.loaded_session());
     let known = |k: usize| cloud.conditions[k].is_some();
     colouring.condition().is_none_or(known)
 }
@@ -316,8 +316,8 @@ fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
     clippy::cast_possible_truncation,
     reason = "a part of a scale needs no more"
 )]
-fn says(workbench: &Workbench, look: &Look, sample: usize, e: [f64; 3]) -> Option<f32> {
-    let subject = workbench.subject();
+fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 3]) -> Option<f32> {
+    let subject = workbench.loaded_session();
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
@@ -340,7 +340,7 @@ fn says(workbench: &Workbench, look: &Look, sample: usize, e: [f64; 3]) -> Optio
     part.is_finite().then_some(part as f32)
 }
 
-pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
+pub(crate) fn dial(subject: &LoadedSession, plane: Plane) -> Option<Dial> {
     let joint = &subject.joint;
     let facing = joint.along[plane.normal()].abs() > 0.999;
     (subject.turns() && facing && joint.radius_mm > 0.0).then(|| {
@@ -377,7 +377,7 @@ fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 3], f32)> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &Subject, base: &Isometry3<f64>) -> Vec<Vec<[f64; 3]>> {
+fn paths(subject: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64; 3]>> {
     let values = subject.over_travel();
     if values.is_empty() {
         return Vec::new();
@@ -423,7 +423,7 @@ mod tests {
     fn an_error_vector_runs_from_the_simulation_to_the_measurement() {
         let workbench = workbench();
         let shown = Shown::of(&workbench);
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         for one in &shown.each {
             let measured = subject.measured(one.sample);
             let from = one.simulated_mm(one.vector_mm);
@@ -484,7 +484,7 @@ mod tests {
             ..crate::gui::core::simulate::Form::default()
         }));
         workbench.receive();
-        let subject = Arc::clone(workbench.subject());
+        let subject = Arc::clone(workbench.loaded_session());
         assert_eq!(subject.len(), 36_002);
         let shown = Shown::of(&workbench);
         assert!(shown.each.len() <= MOST && shown.each.len() > MOST / 2);

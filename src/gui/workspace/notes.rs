@@ -5,7 +5,7 @@ use egui_plot::PlotTransform;
 
 use crate::gui::view::Canvas;
 
-use super::apart::longest_of_cells;
+use super::decimation::longest_of_cells;
 use super::layout;
 use super::model::Shown;
 

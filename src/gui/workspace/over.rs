@@ -37,7 +37,7 @@ pub(super) fn show(
     let view = workbench.view();
     // Nobody asks where the crowd is while nothing is written.
     let crowd = if view.selected.is_some() && view.hovered.is_none() {
-        crowd(workbench, all, camera)
+        vector_points(workbench, all, camera)
     } else {
         Vec::new()
     };
@@ -46,8 +46,8 @@ pub(super) fn show(
 }
 
 /// Points on the vectors of some samples, so many that a crowd is seen.
-fn crowd(workbench: &Workbench, all: &Shown, camera: &Camera) -> Vec<Pos2> {
-    let subject = workbench.subject();
+fn vector_points(workbench: &Workbench, all: &Shown, camera: &Camera) -> Vec<Pos2> {
+    let subject = workbench.loaded_session();
     let cloud = Cloud::of(subject);
     let samples = cloud.samples.iter().take(SOME);
     let points = samples.flat_map(|sample| {

@@ -2,7 +2,7 @@
 
 use egui::{Button, CursorIcon, Role, Ui, WidgetInfo};
 
-use crate::gui::actions::{EXCLUDE, Now};
+use crate::gui::actions::{EXCLUDE, WindowState};
 use crate::gui::view::ViewState;
 use crate::gui::workbench::{Command, Workbench};
 
@@ -39,7 +39,7 @@ pub(crate) fn hover(
 /// What can be done with the chosen samples.
 pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
-    let now = Now {
+    let now = WindowState {
         ctx: &ctx,
         workbench,
     };

@@ -5,7 +5,7 @@ use egui::{Align2, FontId, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::WEDGE;
-use crate::gui::scene::{Entry, Ink, Item, Label, Place, Stroke, Token};
+use crate::gui::scene::{ColourToken, Item, Label, LegendEntry, Place, Stroke, Tint};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
@@ -70,7 +70,7 @@ pub(crate) fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
                 Colouring::Temperature => "°C",
                 _ => "s",
             };
-            let conditions = Cloud::of(workbench.subject()).conditions;
+            let conditions = Cloud::of(workbench.loaded_session()).conditions;
             let range = colouring.condition().and_then(|k| conditions[k]);
             scales.push(Scale {
                 name: format!("{}, {unit}", colouring.name()),
@@ -92,15 +92,15 @@ pub(super) fn entries(
     shown: &Shown,
     low: bool,
     width: &dyn Fn(&str) -> f32,
-) -> Vec<Entry> {
+) -> Vec<LegendEntry> {
     let long = if low { SHORT } else { LONG };
     let all = scales(workbench, shown).into_iter();
-    all.map(|scale| strip(scale, long, width)).collect()
+    all.map(|scale| colour_bar(scale, long, width)).collect()
 }
 
-fn strip(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> Entry {
+fn colour_bar(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> LegendEntry {
     let Some([low, high]) = scale.ends else {
-        return Entry {
+        return LegendEntry {
             name: scale.name,
             sign: arrows(),
             wide: DIRECTIONS,
@@ -117,13 +117,13 @@ fn strip(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> Entry {
     let place = |x: f32, y: f32| Place::from([f64::from(x), f64::from(y), 0.0]);
     let corners = (0..=PIECES).flat_map(|k| {
         let part = f32::from(k) / f32::from(PIECES);
-        let ink = Ink::from(Token::Scale(scale.colouring, part));
+        let ink = Tint::from(ColourToken::Scale(scale.colouring, part));
         [1.0, -1.0].map(|up| (place(left + part * long, up * half(part)), ink))
     });
     let end = |x: f32, says: String| {
         Item::Label(Label {
             anchor: Align2::LEFT_CENTER,
-            ..Label::new(place(x, 0.0), says, Token::Muted)
+            ..Label::new(place(x, 0.0), says, ColourToken::Muted)
         })
     };
     let sign = vec![
@@ -131,7 +131,7 @@ fn strip(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> Entry {
         end(left + long + 4.0, high),
         Item::Net(corners.collect(), 2),
     ];
-    Entry {
+    LegendEntry {
         name: scale.name,
         sign,
         wide,
@@ -147,7 +147,7 @@ fn arrows() -> Vec<Item> {
         let (sin, cos) = (f64::from(part) * std::f64::consts::TAU).sin_cos();
         let middle = step * (f64::from(k) + 0.5) - 0.5 * f64::from(DIRECTIONS);
         let at = |way: f64| Place::from([middle + 6.5 * way * cos, 6.5 * way * sin, 0.0]);
-        let stroke = Stroke::new(2.0, Token::Scale(Colouring::Direction, part));
+        let stroke = Stroke::new(2.0, ColourToken::Scale(Colouring::Direction, part));
         Item::Vector([at(-1.0), at(1.0)], stroke)
     };
     (0..NUMBER).map(arrow).collect()
@@ -179,7 +179,7 @@ mod tests {
     use super::*;
     use crate::gui::layers::scale_at;
     use crate::gui::style::tokens::{DARK, LIGHT, STOPS};
-    use crate::gui::style::vision::{Sight, apart, lightness};
+    use crate::gui::style::vision::{ColourVision, colour_distance, lightness};
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
 
@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn a_sequential_scale_gets_steadily_darker_or_lighter_for_everybody() {
         for (theme, palette) in THEMES {
-            for sight in Sight::ALL {
+            for sight in ColourVision::ALL {
                 let lightness: Vec<f64> = (0..=20_u8)
                     .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
                     .map(|color| lightness(color, sight))
@@ -278,7 +278,7 @@ mod tests {
         // About 2.3 is just noticeable (Mahy et al. 1994).
         const NOTICEABLE: f64 = 4.6;
         for (theme, palette) in THEMES {
-            for sight in Sight::ALL {
+            for sight in ColourVision::ALL {
                 for (colouring, around) in
                     [(Colouring::Deviation, false), (Colouring::Direction, true)]
                 {
@@ -288,7 +288,7 @@ mod tests {
                             let part = k as f32 / steps as f32;
                             scale_at(colouring, &palette, part)
                         };
-                        let found = apart(at(k), at(k + 1), sight);
+                        let found = colour_distance(at(k), at(k + 1), sight);
                         assert!(
                             found > NOTICEABLE,
                             "{theme}, {sight:?}, {colouring:?} {k}: {found}"
@@ -302,13 +302,13 @@ mod tests {
     #[test]
     fn opposite_directions_can_be_told_apart_by_everybody() {
         for (theme, palette) in THEMES {
-            for sight in Sight::ALL {
+            for sight in ColourVision::ALL {
                 for k in 0..STOPS / 2 {
                     let at = |k: usize| {
                         let part = k as f32 / STOPS as f32;
                         scale_at(Colouring::Direction, &palette, part)
                     };
-                    let found = apart(at(k), at(k + STOPS / 2), sight);
+                    let found = colour_distance(at(k), at(k + STOPS / 2), sight);
                     assert!(found > 20.0, "{theme}, {sight:?}, {k}: {found}");
                 }
             }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::heat::blended;
-use crate::gui::layers::{HEAT, Look, OUTLINE, WEDGE, WIDTH};
+use crate::gui::layers::{HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH};
 use crate::gui::scene::{
-    Camera, Form, Ink, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Token,
+    Camera, ColourToken, Form, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Tint,
 };
 use crate::gui::style::tokens::size;
 use crate::gui::view::{Canvas, Colouring};
@@ -15,9 +15,9 @@ use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::sessions::Region;
 
-use super::apart::longest_of_cells;
+use super::decimation::longest_of_cells;
 use super::layout::{self, HANDLE, SECTOR};
-use super::model::{Dial, Seen, Shown, shown};
+use super::model::{Dial, Shown, VisibleSample, shown};
 use super::pointer::marked;
 use super::robot::{self, Drawn};
 
@@ -63,7 +63,7 @@ fn sectors(scene: &mut Scene, shown: &Shown, dial: &Dial, regions: &[Region], ed
     // All of them together, without soft edges: neighbouring pieces leave no seams.
     let mut triangles = Vec::new();
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
-        let ink = Ink::from(Token::Sector(place));
+        let ink = Tint::from(ColourToken::Sector(place));
         for corners in layout::sector(dial, region.from_rad, region.to_rad) {
             let [a, b, c, d] = corners.map(|p| raised(p).map(single));
             triangles.extend([([a, b, c], ink), ([a, c, d], ink)]);
@@ -71,9 +71,9 @@ fn sectors(scene: &mut Scene, shown: &Shown, dial: &Dial, regions: &[Region], ed
     }
     scene.items.push(Item::Triangles(triangles));
     let (end, stroke) = if editing {
-        (HANDLE, Stroke::new(1.5, Token::Accent))
+        (HANDLE, Stroke::new(1.5, ColourToken::Accent))
     } else {
-        (SECTOR.1, Stroke::new(1.0, Token::Line))
+        (SECTOR.1, Stroke::new(1.0, ColourToken::Line))
     };
     for region in regions {
         for angle in [region.from_rad, region.to_rad] {
@@ -89,7 +89,7 @@ fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
         return;
     };
     // The map is of lengths, whatever the colour of vectors says.
-    let look = Look {
+    let look = LayerOptions {
         colouring: Colouring::Deviation,
         ..shown.look
     };
@@ -104,7 +104,7 @@ fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
         let y = heat.first_mm[1] + part(row) * sides[1];
         let cell = heat.at([x, y]);
         let rms_mm = blended(cell, f64::from(look.blend));
-        let token = Token::Scale(Colouring::Deviation, single(rms_mm / look.long_mm));
+        let token = ColourToken::Scale(Colouring::Deviation, single(rms_mm / look.long_mm));
         let ink = token.clear(HEAT * single(cell[3]));
         (Place::from(look.facing.raised([x, y])), ink)
     };
@@ -116,7 +116,7 @@ fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
 pub(super) fn path(scene: &mut Scene, shown: &Shown) {
-    let sure = |part: f32| Token::Scale(Colouring::Uncertainty, part);
+    let sure = |part: f32| ColourToken::Scale(Colouring::Uncertainty, part);
     for (at, part) in &shown.over {
         let square = Mark::filled(*at, Form::Square, 0.5 * SQUARE, sure(*part));
         scene.mark(square);
@@ -127,14 +127,14 @@ pub(super) fn path(scene: &mut Scene, shown: &Shown) {
             scene.line([pair[0], pair[1]], Stroke::new(BAND, sure(*part)));
         }
         let points = path.iter().map(|p| Place::from(*p)).collect();
-        let stroke = Stroke::new(1.25, Token::Nominal);
+        let stroke = Stroke::new(1.25, ColourToken::Nominal);
         scene.items.push(Item::Line(points, stroke));
     }
     if let Some(dial) = &shown.dial {
         let centre = Place::from(shown.look.facing.raised(dial.centre_mm));
-        let stroke = Stroke::new(1.5, Token::Nominal);
+        let stroke = Stroke::new(1.5, ColourToken::Nominal);
         for [x, y] in [[6.0, 0.0], [0.0, 6.0]] {
-            let ends = vec![centre.beside(-x, -y), centre.beside(x, y)];
+            let ends = vec![centre.shifted(-x, -y), centre.shifted(x, y)];
             scene.items.push(Item::Line(ends, stroke));
         }
         scene.mark(Mark::ring(centre, Form::Disc, 3.5, stroke));
@@ -145,7 +145,7 @@ pub(super) fn path(scene: &mut Scene, shown: &Shown) {
 pub(super) fn samples(scene: &mut Scene, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     if let Canvas::Layers(_) = shown.canvas {
         let layer = Layer::Samples(Samples {
-            cloud: Cloud::of(workbench.subject()),
+            cloud: Cloud::of(workbench.loaded_session()),
             remainder: workbench.remainder(),
             look: shown.look,
             counts: layout::counts(shown, camera.transform()),
@@ -160,22 +160,24 @@ fn points(scene: &mut Scene, shown: &Shown) {
     let size = shown.look.mark;
     let thin = (size + 0.25).min(1.0);
     let colouring = shown.look.colouring;
-    let mark = |one: &Seen| {
+    let mark = |one: &VisibleSample| {
         let at = one.at_mm;
         // Where nothing is known the mark is left open.
-        let said = one
-            .says
-            .map_or(Token::Surface, |part| Token::Scale(colouring, part));
+        let said = one.says.map_or(ColourToken::Surface, |part| {
+            ColourToken::Scale(colouring, part)
+        });
         let radius = if one.within.is_some() { 2.8 } else { 2.6 } * size;
         match (one.within, colouring) {
             (Some(false), _) => {
-                let edge = Stroke::new(1.4 * thin, Token::Outside);
+                let edge = Stroke::new(1.4 * thin, ColourToken::Outside);
                 Mark::filled(at, Form::Diamond, 4.2 * size, said).edged(edge)
             }
-            (None, Colouring::State) => Mark::filled(at, Form::Disc, radius, Token::Text),
-            (Some(true), Colouring::State) => Mark::filled(at, Form::Disc, radius, Token::Within),
+            (None, Colouring::State) => Mark::filled(at, Form::Disc, radius, ColourToken::Text),
+            (Some(true), Colouring::State) => {
+                Mark::filled(at, Form::Disc, radius, ColourToken::Within)
+            }
             (_, _) => {
-                let edge = Stroke::new(OUTLINE * thin, Token::Text);
+                let edge = Stroke::new(OUTLINE * thin, ColourToken::Text);
                 Mark::filled(at, Form::Disc, radius, said).edged(edge)
             }
         }
@@ -183,22 +185,22 @@ fn points(scene: &mut Scene, shown: &Shown) {
     for one in &shown.each {
         scene.mark(mark(one).of(one.sample));
         if one.suspected {
-            let ring = Stroke::new(1.5, Token::Warning);
+            let ring = Stroke::new(1.5, ColourToken::Warning);
             scene.mark(Mark::ring(one.at_mm, Form::Disc, 8.0, ring));
         }
     }
 }
 
 fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
-    let ends = |one: &Seen, v: [f64; 3]| {
+    let ends = |one: &VisibleSample, v: [f64; 3]| {
         let (from, m) = (one.simulated_mm(v), shown.magnification);
         [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(Place::from)
     };
-    let ghost = Token::Before.clear(0.38);
+    let ghost = ColourToken::Before.clear(0.38);
     let flat = if shown.look.answered {
-        Token::After
+        ColourToken::After
     } else {
-        Token::Before
+        ColourToken::Before
     };
     let colouring = shown.look.colouring;
     let kept = longest_of_cells(shown, camera.transform());
@@ -215,7 +217,7 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
                 let width = if colouring.by_width() { wedge } else { WIDTH };
-                Stroke::new(width, Token::Scale(colouring, part))
+                Stroke::new(width, ColourToken::Scale(colouring, part))
             }
             None if colouring.by_width() => Stroke::new(WIDTH, ghost),
             None => Stroke::new(WIDTH, flat),
@@ -227,10 +229,10 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
 
 /// The samples that a finding is about, and the one under the pointer or else the chosen one.
 pub(super) fn emphasised(scene: &mut Scene, workbench: &Workbench, all: &Shown) {
-    let (view, subject) = (workbench.view(), workbench.subject());
+    let (view, subject) = (workbench.view(), workbench.loaded_session());
     let measured = |sample: usize| subject.usable[sample].then(|| subject.measured(sample));
     let ring = |scene: &mut Scene, at: [f64; 3]| {
-        let edge = Stroke::new(2.5, Token::Accent);
+        let edge = Stroke::new(2.5, ColourToken::Accent);
         scene.mark(Mark::ring(at, Form::Disc, 9.0, edge));
     };
     for at in marked(view, subject.len()).filter_map(measured) {
@@ -247,8 +249,8 @@ pub(super) fn emphasised(scene: &mut Scene, workbench: &Workbench, all: &Shown) 
         let to = [0, 1, 2].map(|k| from[k] + m * e[k]);
         let ends = [from, to].map(Place::from);
         for (width, token) in [
-            (2.0 * WIDTH + 2.0, Token::Surface),
-            (2.0 * WIDTH, Token::Accent),
+            (2.0 * WIDTH + 2.0, ColourToken::Surface),
+            (2.0 * WIDTH, ColourToken::Accent),
         ] {
             let stroke = Stroke::new(width, token);
             scene.items.push(Item::Vector(ends, stroke));
@@ -282,7 +284,7 @@ fn names_of_regions(
             size: size::BODY,
             bold: true,
             most: Some(room.max(24.0)),
-            ..Label::new(middle, &region.name, Token::Muted)
+            ..Label::new(middle, &region.name, ColourToken::Muted)
         });
     }
 }

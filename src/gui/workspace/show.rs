@@ -13,10 +13,10 @@ use crate::present::numbers::trimmed;
 
 use super::model::Shown;
 use super::notes::Notes;
+use super::plot_size::tell_plot_size;
 use super::pointer::{REACH, hover};
 use super::polar::Polar;
 use super::robot::Drawn;
-use super::room::tell_room;
 use super::{handles, layout, legend, over, scene, toolbar};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
@@ -61,14 +61,14 @@ fn axes(workbench: &Workbench) -> [String; 2] {
 /// # Errors
 /// There is nothing to draw.
 pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String), String> {
-    if workbench.subject().is_empty() {
+    if workbench.loaded_session().is_empty() {
         return Err(say!("there are no samples to draw").to_owned());
     }
     let shown = Shown::on(workbench, Canvas::Shapes);
     let robot = Drawn::of(workbench);
     let seen_along = Projection::Parallel(workbench.facing());
     let camera = Camera::showing(seen_along, layout::bounds(&shown), Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.subject().session.name);
+    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
     let says = say!(
         "measured points, deviations magnified {magnification} times",
         magnification = trimmed(shown.magnification, 3)
@@ -98,7 +98,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let per_mm = units.length_value(1.0);
     let hints = |side, name| axis(side, name, &palette, move |mm| units.length_value(mm));
-    let editing = view.step == Step::Regions && !workbench.subject().is_empty();
+    let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
     let notes = Notes::recall(ui, &shown);
     let scale = legend::show(ui, workbench, &shown, robot.as_ref(), &notes.said, &palette);
     let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
@@ -125,12 +125,12 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let (response, transform) = (drawn.response, drawn.transform);
     let camera = Camera::new(seen_along, &transform);
     let frame = camera.frame();
-    tell_room(
+    tell_plot_size(
         workbench,
         layout::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
         commands,
     );
-    let samples = workbench.subject().overview.usable.len();
+    let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
         WidgetInfo::labeled(
             Role::Figure,

@@ -42,7 +42,7 @@ pub(crate) fn show(
     commands: &mut Vec<Command>,
 ) {
     let view = workbench.view();
-    let measured = !workbench.subject().is_empty();
+    let measured = !workbench.loaded_session().is_empty();
     let drawn = measured && !view.polar();
     let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
@@ -217,7 +217,7 @@ fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// What the polar view shows.
 fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = workbench.view().component;
-    let planar = workbench.subject().session.samples.z_mm.is_none();
+    let planar = workbench.loaded_session().session.samples.z_mm.is_none();
     let list = ComboBox::from_id_salt("polar component");
     let text = RichText::new(now.name()).size(size::SMALL);
     let list = list.width(84.0).selected_text(text).show_ui(ui, |ui| {
@@ -329,8 +329,8 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(after) = workbench.after() else {
         return;
     };
-    let subject = workbench.subject();
-    let room = workbench.view().room;
+    let subject = workbench.loaded_session();
+    let room = workbench.view().plot_size;
     let [before, left] = [subject.overview.readable, after.readable].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
     let says = say!(

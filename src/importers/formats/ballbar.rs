@@ -8,7 +8,7 @@
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
-use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
+use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
 use crate::importers::headings::{Words, is_among, understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
@@ -21,7 +21,7 @@ const NOMINAL_LENGTH: &str = "nominal-length";
 pub(crate) static IMPORTER: Importer = Importer {
     id: "ballbar",
     plainly: phrase!("a ballbar, a draw-wire or an interferometer: distances"),
-    asks: Asks::TABLE,
+    asks: Questions::TABLE,
     options: &[
         OwnOption {
             name: ANCHOR,

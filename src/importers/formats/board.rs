@@ -18,7 +18,7 @@ use crate::text::Text;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use crate::importers::columns::{Column, Columns};
-use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
+use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
 use crate::importers::headings::{understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
@@ -32,7 +32,7 @@ const CAMERA: &str = "camera";
 pub(crate) static IMPORTER: Importer = Importer {
     id: "board",
     plainly: phrase!("a camera that sees a calibration board: rvec and tvec of each image"),
-    asks: Asks::TABLE,
+    asks: Questions::TABLE,
     options: &[OwnOption {
         name: CAMERA,
         title: phrase!("Camera"),
@@ -51,7 +51,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 
 /// A column of the table, before it is a session's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Part {
+enum BoardColumn {
     /// Component of the rotation vector.
     Turn(usize),
     /// Component of the translation, in this unit if its heading says one.
@@ -63,17 +63,18 @@ enum Part {
 fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
-    let mut parts: Vec<Part> = names.iter().map(|name| part(name)).collect();
-    parts.resize(grid.width, Part::Other(Role::Kept));
-    let has =
-        |wanted: &dyn Fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count() == 3;
-    let is_turned = has(&|part| matches!(part, Part::Turn(_)));
-    let is_shifted = has(&|part| matches!(part, Part::Shift(..)));
+    let mut parts: Vec<BoardColumn> = names.iter().map(|name| part(name)).collect();
+    parts.resize(grid.width, BoardColumn::Other(Role::Kept));
+    let has = |wanted: &dyn Fn(&BoardColumn) -> bool| {
+        parts.iter().filter(|part| wanted(part)).count() == 3
+    };
+    let is_turned = has(&|part| matches!(part, BoardColumn::Turn(_)));
+    let is_shifted = has(&|part| matches!(part, BoardColumn::Shift(..)));
     let orientations = (0..4).filter(|&at| {
         let quantity = Some(Quantity::Orientation(at));
         parts
             .iter()
-            .any(|part| matches!(part, Part::Other(role) if role.quantity() == quantity))
+            .any(|part| matches!(part, BoardColumn::Other(role) if role.quantity() == quantity))
     });
     let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
@@ -88,16 +89,18 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     }
     let roles = parts.iter().map(|part| match part {
         // Three numbers: they become a quaternion once they are read.
-        Part::Turn(at) => fixed(Quantity::Orientation(at + 1), Unit::Fixed),
-        Part::Shift(at, unit) => Role::Known([Quantity::X, Quantity::Y, Quantity::Z][*at], *unit),
-        Part::Other(role) => *role,
+        BoardColumn::Turn(at) => fixed(Quantity::Orientation(at + 1), Unit::Fixed),
+        BoardColumn::Shift(at, unit) => {
+            Role::Known([Quantity::X, Quantity::Y, Quantity::Z][*at], *unit)
+        }
+        BoardColumn::Other(role) => *role,
     });
     let columns = case.columns(&grid, roles.collect());
     for (guess, part) in case.found.columns.iter_mut().zip(&parts) {
-        if let Part::Turn(at) = part {
+        if let BoardColumn::Turn(at) = part {
             guess.meaning = format!("rvec_{}", ["x", "y", "z"][*at]);
         }
-        if !matches!(part, Part::Other(_)) {
+        if !matches!(part, BoardColumn::Other(_)) {
             guess.known = Known::Certain;
         }
     }
@@ -114,7 +117,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
 }
 
 /// What a heading says.
-fn part(heading: &str) -> Part {
+fn part(heading: &str) -> BoardColumn {
     let plain = heading.trim().trim_matches('"').to_lowercase();
     let (words, unit) = words_and_unit(&plain);
     let joined = words.concat();
@@ -128,21 +131,23 @@ fn part(heading: &str) -> Part {
     };
     if let Some(at) = axis(["rvec", "rotationvector", "r"]) {
         return match unit {
-            None | Some(Word::Unit(Unit::Angle(1.0))) => Part::Turn(at),
+            None | Some(Word::Unit(Unit::Angle(1.0))) => BoardColumn::Turn(at),
             // OpenCV writes radians: anything else is not understood.
-            Some(_) => Part::Other(Role::Kept),
+            Some(_) => BoardColumn::Other(Role::Kept),
         };
     }
     if let Some(at) = axis(["tvec", "translation", "t"]) {
         return match unit {
-            None => Part::Shift(at, None),
-            Some(Word::Unit(unit @ Unit::Length(_))) => Part::Shift(at, Some(unit)),
-            Some(_) => Part::Other(Role::Kept),
+            None => BoardColumn::Shift(at, None),
+            Some(Word::Unit(unit @ Unit::Length(_))) => BoardColumn::Shift(at, Some(unit)),
+            Some(_) => BoardColumn::Other(Role::Kept),
         };
     }
     match (words.first().map(String::as_str), words.len()) {
-        (Some("image" | "filename" | "file" | "frame" | "view"), 1) => Part::Other(Role::Point),
-        _ => Part::Other(understand(heading)),
+        (Some("image" | "filename" | "file" | "frame" | "view"), 1) => {
+            BoardColumn::Other(Role::Point)
+        }
+        _ => BoardColumn::Other(understand(heading)),
     }
 }
 
@@ -254,23 +259,26 @@ mod tests {
     fn headings_are_understood_as_people_write_them() {
         let metre = Some(Unit::Length(1000.0));
         for (heading, meant) in [
-            ("rvec_x", Part::Turn(0)),
-            ("rvec[2]", Part::Turn(2)),
-            ("rvec1", Part::Turn(1)),
-            ("rx", Part::Turn(0)),
-            ("rvec_y [rad]", Part::Turn(1)),
-            ("tvec_z_m", Part::Shift(2, metre)),
-            ("tvec_x [mm]", Part::Shift(0, Some(Unit::Length(1.0)))),
-            ("tz", Part::Shift(2, None)),
-            ("image", Part::Other(Role::Point)),
-            ("rvec_x [deg]", Part::Other(Role::Kept)),
-            ("rms", Part::Other(Role::Kept)),
+            ("rvec_x", BoardColumn::Turn(0)),
+            ("rvec[2]", BoardColumn::Turn(2)),
+            ("rvec1", BoardColumn::Turn(1)),
+            ("rx", BoardColumn::Turn(0)),
+            ("rvec_y [rad]", BoardColumn::Turn(1)),
+            ("tvec_z_m", BoardColumn::Shift(2, metre)),
+            (
+                "tvec_x [mm]",
+                BoardColumn::Shift(0, Some(Unit::Length(1.0))),
+            ),
+            ("tz", BoardColumn::Shift(2, None)),
+            ("image", BoardColumn::Other(Role::Point)),
+            ("rvec_x [deg]", BoardColumn::Other(Role::Kept)),
+            ("rms", BoardColumn::Other(Role::Kept)),
         ] {
             assert_eq!(part(heading), meant, "{heading}");
         }
         assert_eq!(
             part("qw"),
-            Part::Other(fixed(Quantity::Orientation(0), Unit::Fixed))
+            BoardColumn::Other(fixed(Quantity::Orientation(0), Unit::Fixed))
         );
     }
 }

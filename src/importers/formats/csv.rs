@@ -4,7 +4,7 @@ use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::decimals::shape;
 use crate::importers::families;
-use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
+use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::grid::Grid;
 use crate::importers::joint_names::understand;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
@@ -15,7 +15,7 @@ use crate::sessions::columns::{Heading, Quantity};
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
     plainly: phrase!("any program: a table with a header, or with columns chosen below"),
-    asks: Asks::TABLE,
+    asks: Questions::TABLE,
     options: &[
         EULER_OPTION,
         SOCKET_OPTION,

@@ -5,7 +5,7 @@
 //! fuzzers find all of that here. `docs/extending.md` goes through an example.
 
 pub(crate) use super::options::EULER_OPTION;
-pub use super::settings::{Asks, Importer, Meanings, OwnOption};
+pub use super::settings::{Importer, Meanings, OwnOption, Questions};
 pub(crate) use super::settings::{KnownBy, Suits, Trial};
 
 /// Makes the modules and the list of the names given, so that a format is registered in one line.

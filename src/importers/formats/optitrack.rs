@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::Decimal;
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
+use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::reader::{fixed, number};
 use crate::importers::role::Role;
@@ -27,7 +27,7 @@ const MOST_HEADER_LINES: usize = 16;
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
     plainly: phrase!("OptiTrack Motive"),
-    asks: Asks {
+    asks: Questions {
         table: false,
         columns: Meanings::Fixed,
         y_up: true,

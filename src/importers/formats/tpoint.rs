@@ -23,7 +23,7 @@ use nalgebra::Vector3;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns, Directions};
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
+use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
 use crate::importers::grid::Complaints;
 use crate::importers::role::Role;
 use crate::importers::settings::{ColumnGuess, Known, ReadContext};
@@ -37,10 +37,10 @@ const POINTING_AXIS: &str = "pointing-axis";
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tpoint",
     plainly: phrase!("a pointing run for TPOINT: where the mount was and where the star was"),
-    asks: Asks {
+    asks: Questions {
         table: false,
         columns: Meanings::Fixed,
-        ..Asks::TABLE
+        ..Questions::TABLE
     },
     options: &[OwnOption {
         name: POINTING_AXIS,

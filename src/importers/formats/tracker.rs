@@ -6,7 +6,7 @@
 
 use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
-use crate::importers::formats::{Asks, EULER_OPTION, Importer, KnownBy};
+use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::joint_names::understand;
 use crate::importers::role::Role;
@@ -16,7 +16,7 @@ use crate::sessions::columns::Quantity;
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
     plainly: phrase!("a laser tracker or SpatialAnalyzer: names, x, y, z"),
-    asks: Asks::TABLE,
+    asks: Questions::TABLE,
     options: &[EULER_OPTION],
     known_by: KnownBy::Reading {
         turn: 5,

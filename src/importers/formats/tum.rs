@@ -2,7 +2,7 @@
 //! seconds and metres, comments behind `#`. The quaternion's real part comes last.
 
 use crate::importers::columns::Columns;
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
+use crate::importers::formats::{Importer, KnownBy, Meanings, Questions, Trial};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{Known, ReadContext};
@@ -15,9 +15,9 @@ const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"]
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
     plainly: phrase!("a TUM trajectory: time, position, quaternion"),
-    asks: Asks {
+    asks: Questions {
         columns: Meanings::Fixed,
-        ..Asks::TABLE
+        ..Questions::TABLE
     },
     options: &[],
     known_by: KnownBy::Reading { turn: 0, suits },

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::exact::{DISAGREES, agrees};
 use crate::document::kinds::{NUMBER, count};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::curve::{Curve, CurveError, Knots};
 use crate::effects::{Parameter, SMOOTH, Term};
@@ -128,7 +128,7 @@ pub(super) fn parameters(curve: &Curve, kind: JointKind) -> Vec<Parameter> {
 
 /// The term of an unexplained correction; `joint` is counted from 1.
 pub(super) fn unexplained(
-    at: &mut At<'_, '_>,
+    at: &mut Cursor<'_, '_>,
     members: &[Member],
     joint: usize,
     joints: usize,
@@ -145,7 +145,7 @@ pub(super) fn unexplained(
         return None;
     }
     let node = fields.required(members, node.at, path, "curve", CURVE)?;
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node,
         path: &path.key("curve"),

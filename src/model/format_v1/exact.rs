@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, components, wxyz};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::effects::term::setting_quantity;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, Range, Robot};
@@ -32,7 +32,7 @@ pub(super) fn exact(o: &mut Object<'_, '_>, key: &'static str, own: &mut f64) {
 }
 
 /// Exact numbers in place of readable ones.
-fn exact_each<const N: usize>(at: &mut At<'_, '_>, readable: [f64; N]) -> Option<[f64; N]> {
+fn exact_each<const N: usize>(at: &mut Cursor<'_, '_>, readable: [f64; N]) -> Option<[f64; N]> {
     let exact = at.numbers::<N>()?;
     if exact.iter().zip(&readable).all(|(a, b)| agrees(*a, *b)) {
         return Some(exact);
@@ -41,7 +41,7 @@ fn exact_each<const N: usize>(at: &mut At<'_, '_>, readable: [f64; N]) -> Option
 }
 
 /// A robot that a model can be of.
-pub(super) fn robot_of(at: &mut At<'_, '_>) -> Option<Robot> {
+pub(super) fn robot_of(at: &mut Cursor<'_, '_>) -> Option<Robot> {
     let robot = ROBOT.read(at.fields, at.node, at.path)?;
     let place = at.fields.place(at.node.at, at.path);
     validation::robot(&robot, &place, &mut at.fields.findings);
@@ -54,7 +54,8 @@ pub(super) fn exact_robot(o: &mut Object<'_, '_>, robot: &mut Robot) {
         let expected = text!("an array of {joints} objects", joints = robot.joints.len());
         let own = robot.joints.clone();
         let element = text!("an object with axis and limits_inner");
-        let read = |at: &mut At<'_, '_>| at.each(own, element, |own, at| at.fill(own, exact_joint));
+        let read =
+            |at: &mut Cursor<'_, '_>| at.each(own, element, |own, at| at.fill(own, exact_joint));
         let write = |all: &Vec<Joint>| {
             let one = |own: &Joint| written(own.clone(), exact_joint);
             Some(all.iter().map(one).collect())
@@ -65,7 +66,7 @@ pub(super) fn exact_robot(o: &mut Object<'_, '_>, robot: &mut Robot) {
     if o.needs(key, phrase!("4 numbers")) {
         let turn = &mut robot.base_from_tool.rotation;
         let readable = [turn.w, turn.i, turn.j, turn.k];
-        let read = |at: &mut At<'_, '_>| {
+        let read = |at: &mut Cursor<'_, '_>| {
             let [w, x, y, z] = exact_each(at, readable)?;
             Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))
         };
@@ -79,7 +80,7 @@ fn exact_joint(o: &mut Object<'_, '_>, own: &mut Joint) {
     if o.needs("axis", phrase!("3 numbers")) {
         let direction = &mut own.axis.direction;
         let readable = direction.into_inner().into();
-        let read = |at: &mut At<'_, '_>| {
+        let read = |at: &mut Cursor<'_, '_>| {
             let exact = exact_each(at, readable)?;
             Some(Unit::new_unchecked(exact.into()))
         };
@@ -128,7 +129,7 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
     }
     let readable = term.coefficients.clone();
     let expected = text!("an array of {readable} numbers", readable = readable.len());
-    let read = |at: &mut At<'_, '_>| {
+    let read = |at: &mut Cursor<'_, '_>| {
         let exact = match &at.node.value {
             Value::Numbers(all) if all.len() == readable.len() => all,
             _ => return at.wrong(),

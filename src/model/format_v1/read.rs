@@ -3,7 +3,7 @@
 use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
 use crate::document::number::hexadecimal;
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Node, Path, Value, ranges, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
@@ -114,7 +114,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         samples_hash: String::new(),
         program_version: String::new(),
     };
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node: root,
         path: &Path::Root,
@@ -135,7 +135,7 @@ pub fn model_hash(calibration: &Calibration) -> String {
 }
 
 fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
-    o.says("format", FORMAT);
+    o.describe("format", FORMAT);
     o.required("program_version", &mut own.program_version, &TEXT);
     o.required("session", &mut own.session, &TEXT);
     o.required("samples_hash", &mut own.samples_hash, &TEXT);
@@ -162,7 +162,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     let mut terms = own.model.terms().to_vec();
     let joints = robot.joints.len();
     if o.needs("effects", phrase!("an array")) {
-        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, &robot));
+        let read = |at: &mut Cursor<'_, '_>| at.list_by(|at| term(at, &robot));
         let write = |all: &Vec<Term>| {
             let all = all.iter().map(|own| term_written(own, &robot));
             Some(all.collect())
@@ -217,7 +217,7 @@ fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
         "{size} arrays of {size} numbers, one for each coefficient",
         size = size
     );
-    let read = |at: &mut At<'_, '_>| {
+    let read = |at: &mut Cursor<'_, '_>| {
         // A number that could not be written is null there and NaN here.
         let row = |row: &Node| match &row.value {
             Value::Numbers(row) if row.len() == size => Some(row.clone()),

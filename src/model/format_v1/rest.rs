@@ -5,7 +5,7 @@ use crate::text::{Template, Text};
 use std::sync::Arc;
 
 use super::curve::LIST;
-use crate::document::object::{At, Object, written};
+use crate::document::object::{Cursor, Object, written};
 use crate::document::{Member, Value};
 use crate::effects::rest::{Along, Rest, Wave};
 use crate::effects::{REST, Term};
@@ -120,7 +120,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
 
 /// The term of what predicts without a name; `joint` is counted from 1.
 pub(super) fn unnamed(
-    at: &mut At<'_, '_>,
+    at: &mut Cursor<'_, '_>,
     members: &[Member],
     joint: usize,
     joints: usize,
@@ -137,7 +137,7 @@ pub(super) fn unnamed(
         return None;
     }
     let node = fields.required(members, node.at, path, "rest", OBJECT)?;
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node,
         path: &path.key("rest"),

@@ -1,7 +1,7 @@
 //! The corrections of the set-up that a model carries; joints count from 1.
 
 use crate::document::kinds::{NUMBER, TEXT, count};
-use crate::document::object::{At, Kind, written};
+use crate::document::object::{Cursor, Kind, written};
 use crate::document::{Member, Value};
 use crate::model::SetUp;
 use crate::sessions::SessionCorrection;
@@ -35,7 +35,7 @@ struct Parts {
     values: Vec<f64>,
 }
 
-fn correction(at: &mut At<'_, '_>) -> Option<SessionCorrection> {
+fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
     at.expected = EXPECTED.into();
     let blank = Parts {
         correction: String::new(),

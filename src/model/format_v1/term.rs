@@ -5,7 +5,7 @@ use super::exact::exact_term;
 use super::rest;
 use crate::document::kinds::count;
 use crate::document::number::quoted;
-use crate::document::object::{At, Kind, written};
+use crate::document::object::{Cursor, Kind, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::term::names_on;
 use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
@@ -15,7 +15,7 @@ use crate::text::Text;
 const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
 
 /// Reads an effect of a robot.
-pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
+pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
     let joints = robot.joints.len();
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     let members = fields.object(node, path, text!("an object with effect and parameters"))?;
@@ -74,7 +74,7 @@ pub(crate) fn term(at: &mut At<'_, '_>, robot: &Robot) -> Option<Term> {
     }
     let mut term = readable;
     if let Some(node) = optional(members, "exact") {
-        let mut at = At {
+        let mut at = Cursor {
             fields,
             node,
             path: &path.key("exact"),

@@ -1,6 +1,6 @@
 //! The deviation of samples over the value of a joint, time, load or temperature.
 
-use super::{Axis, Chart, Entry, Form, Item, Lengths, Mark, Sign, Stands};
+use super::{Axis, Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
 
 /// The smallest span of a chart's upward axis, mm or degrees: below it the labels, which have four
 /// decimals, would all be the same, and what filled the chart would be rounding.
@@ -52,7 +52,9 @@ impl Deviation<'_> {
         let mut items = Vec::new();
         let mut legend: Vec<Entry> = self.series.iter().map(|s| s.entry.clone()).collect();
         if self.sides {
-            let way = |name: &str, form| Entry::new(name, Sign::Mark(form), Stands::Noise, false);
+            let way = |name: &str, form| {
+                Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
+            };
             legend.push(way(
                 say!(in "chart-word", "moving positive"),
                 Form::Forwards,
@@ -63,26 +65,36 @@ impl Deviation<'_> {
             let low = if self.is_length { 0.0 } else { -tolerance };
             if low > mm[0] || tolerance < mm[1] {
                 let band = [low.max(mm[0]), tolerance.min(mm[1])].map(value);
-                items.push(Item::Band(band, Stands::Tolerance));
+                items.push(Item::Band(band, ColourRole::Tolerance));
                 let name = say!(in "chart-word", "tolerance");
-                legend.push(Entry::new(name, Sign::Band, Stands::Tolerance, true));
+                legend.push(Entry::new(
+                    name,
+                    LegendSymbol::Band,
+                    ColourRole::Tolerance,
+                    true,
+                ));
             }
         }
         for at in &self.boundaries {
             let line = mm.map(|mm| [*at, value(mm)]).to_vec();
-            items.push(Item::Line(line, Stands::Reference, 0.6, true));
+            items.push(Item::Line(line, ColourRole::Reference, 0.6, true));
         }
         let across = |mm: f64| x.map(|x| [x, value(mm)]).to_vec();
-        items.push(Item::Line(across(0.0), Stands::Reference, 1.0, false));
+        items.push(Item::Line(across(0.0), ColourRole::Reference, 1.0, false));
         if let Some(floor) = self.floor_mm.filter(|floor| *floor < mm[1]) {
-            items.push(Item::Line(across(floor), Stands::Noise, 1.4, true));
+            items.push(Item::Line(across(floor), ColourRole::Noise, 1.4, true));
             let name = format!(
                 "{} {} {}",
                 say!(in "chart-word", "noise floor"),
                 (self.lengths.number)(floor),
                 self.lengths.unit
             );
-            legend.push(Entry::new(name, Sign::Line, Stands::Noise, false));
+            legend.push(Entry::new(
+                name,
+                LegendSymbol::Line,
+                ColourRole::Noise,
+                false,
+            ));
         }
         for one in &self.series {
             let mark = |(x, mm, side): &(f64, f64, f64)| Mark {

@@ -1,7 +1,10 @@
 //! The gap step by step, from the nominal robot to the model with everything that was found: a bar
 //! is the RMS error of the samples that were fitted, a diamond that of samples that no fit has seen.
 
-use super::{Axis, Chart, Entry, Form, Item, Lengths, Mark, Sign, Stands, Ticks, Word, shortened};
+use super::{
+    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark, Ticks,
+    shortened,
+};
 use crate::effects::find;
 use crate::model::ResidualStep;
 use crate::present::drawing::Anchor;
@@ -49,9 +52,9 @@ pub fn gap(
     for (k, step) in shown.iter().enumerate() {
         let y = -(k as f64);
         let stands = if k == 0 {
-            Stands::Before
+            ColourRole::Before
         } else {
-            Stands::After
+            ColourRole::After
         };
         let bar = [[0.0, y - 0.32], [value(step.gap_mm), y + 0.32]];
         items.push(Item::Bars(vec![bar], stands, true));
@@ -65,7 +68,7 @@ pub fn gap(
                 form: Form::Diamond,
             });
         }
-        items.push(Item::Word(Word {
+        items.push(Item::Word(ChartText {
             at: [value(end) + APART * width, y],
             text,
             anchor: Anchor::Start,
@@ -77,18 +80,21 @@ pub fn gap(
         {
             // What the next step takes away.
             let taken = [y - 0.32, y - 1.0 + 0.32].map(|y| [value(step.gap_mm), y]);
-            items.push(Item::Line(taken.to_vec(), Stands::Reference, 1.0, true));
+            items.push(Item::Line(taken.to_vec(), ColourRole::Reference, 1.0, true));
         }
     }
     let ends = [0.5, 0.5 - rows];
     let mut legend = Vec::new();
-    for (mm, stands) in [(floor_mm, Stands::Noise), (tolerance_mm, Stands::Tolerance)] {
+    for (mm, stands) in [
+        (floor_mm, ColourRole::Noise),
+        (tolerance_mm, ColourRole::Tolerance),
+    ] {
         if let Some(mm) = mm.filter(|mm| *mm <= largest) {
             let line = ends.map(|y| [value(mm), y]).to_vec();
-            let dashed = stands == Stands::Noise;
+            let dashed = stands == ColourRole::Noise;
             items.push(Item::Line(line, stands, 1.5, dashed));
             if dashed {
-                items.push(Item::Word(Word {
+                items.push(Item::Word(ChartText {
                     at: [value(mm), ends[1] - 0.5 * FOOT],
                     text: format!("{} {}", say!(in "chart-word", "noise floor"), says(mm)),
                     anchor: Anchor::Start,
@@ -96,14 +102,14 @@ pub fn gap(
                 }));
             } else {
                 let name = say!(in "chart-word", "tolerance");
-                let entry = Entry::new(name, Sign::Line, stands, true);
+                let entry = Entry::new(name, LegendSymbol::Line, stands, true);
                 legend.push(entry.on_paper(format!("{name} {}", says(mm))));
             }
         }
     }
     if !marks.is_empty() {
         legend.push(cross_validated());
-        items.push(Item::Marks(marks, Stands::Curve, false));
+        items.push(Item::Marks(marks, ColourRole::Curve, false));
     }
     let named = |(k, step): (usize, &&ResidualStep)| (-(k as f64), row(&step.what));
     Some(Chart {
@@ -126,7 +132,12 @@ pub fn gap(
 
 fn cross_validated() -> Entry {
     let name = say!(in "chart-word", "cross-validated");
-    let entry = Entry::new(name, Sign::Mark(Form::Diamond), Stands::Curve, false);
+    let entry = Entry::new(
+        name,
+        LegendSymbol::Mark(Form::Diamond),
+        ColourRole::Curve,
+        false,
+    );
     entry.on_paper(say!(in "chart-word", "on samples that no fit has seen"))
 }
 

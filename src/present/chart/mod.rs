@@ -20,5 +20,7 @@ pub(crate) use ticks::decade;
 pub use ticks::ticks;
 
 pub use panel::FULL_WIDTH;
-pub use spec::{Axis, Bar, Chart, Entry, Form, Item, Lengths, Mark, Sign, Stands, Ticks, Word};
+pub use spec::{
+    Axis, Bar, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark, Ticks,
+};
 pub(crate) use spec::{is_wide, shortened};

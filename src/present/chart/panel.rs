@@ -93,7 +93,7 @@ fn number(value: f64, step: f64) -> String {
 }
 
 /// A range that is not empty: what is one value gets room around it.
-pub(crate) fn room([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn padded([low, high]: [f64; 2]) -> [f64; 2] {
     if !(low.is_finite() && high.is_finite()) {
         return [0.0, 1.0];
     }
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn a_single_value_has_room() {
-        assert_eq!(room([2.0, 2.0]), [1.8, 2.2]);
-        assert_eq!(room([f64::INFINITY, f64::NEG_INFINITY]), [0.0, 1.0]);
+        assert_eq!(padded([2.0, 2.0]), [1.8, 2.2]);
+        assert_eq!(padded([f64::INFINITY, f64::NEG_INFINITY]), [0.0, 1.0]);
     }
 }

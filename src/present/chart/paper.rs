@@ -1,7 +1,7 @@
 //! A chart on paper.
 
 use super::panel::{FULL_WIDTH, Panel, SMALL};
-use super::{Chart, Entry, Form, Item, Sign, Stands, Ticks, is_wide};
+use super::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Ticks, is_wide};
 use crate::present::drawing::{
     self, AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, INK, Label, MUTED, Shape, Stroke,
     TOLERANCE,
@@ -21,7 +21,7 @@ const ROW: f64 = 17.0;
 const BAND: Colour = Colour(0xdf, 0xee, 0xe9);
 const DASH: [f64; 2] = [3.5, 2.5];
 
-impl Stands {
+impl ColourRole {
     /// Its colour on paper.
     pub fn on_paper(self) -> Colour {
         match self {
@@ -175,17 +175,21 @@ impl Chart {
     /// What the marks are, from the right.
     fn legend(&self, line: f64, drawing: &mut Drawing) {
         let mut right = FULL_WIDTH - RIGHT;
-        let drawn = |stands: Stands| self.items.iter().any(|item| item.stands() == Some(stands));
+        let drawn = |stands: ColourRole| {
+            self.items
+                .iter()
+                .any(|item| item.colour_role() == Some(stands))
+        };
         for entry in self.legend.iter().rev() {
             // What was left out is not named either.
-            if entry.stands == Stands::Before && !drawn(Stands::Before) {
+            if entry.stands == ColourRole::Before && !drawn(ColourRole::Before) {
                 continue;
             }
             let name = &entry.on_paper;
             let label = Label::new([right, line], name, SMALL, MUTED);
             drawing.text(label.anchored(Anchor::End));
             right -= width(name) + 8.0;
-            drawing.items.push(sign(entry, [right, line - 2.5]));
+            drawing.items.push(symbol(entry, [right, line - 2.5]));
             right -= 14.0;
         }
     }
@@ -197,7 +201,7 @@ fn width(text: &str) -> f64 {
     text.chars().map(letter).sum()
 }
 
-fn sign(entry: &Entry, [x, y]: [f64; 2]) -> drawing::Item {
+fn symbol(entry: &Entry, [x, y]: [f64; 2]) -> drawing::Item {
     let colour = entry.stands.on_paper();
     let mark = |shape| drawing::Item::Marks {
         shape,
@@ -207,10 +211,10 @@ fn sign(entry: &Entry, [x, y]: [f64; 2]) -> drawing::Item {
         filled: entry.filled,
     };
     match entry.sign {
-        Sign::Mark(form) => mark(shape(form)),
-        Sign::Bar => mark(Shape::Square),
-        Sign::Band => drawing::Item::Box([x - 4.0, y - 2.5], [7.0, 5.0], BAND),
-        Sign::Line => {
+        LegendSymbol::Mark(form) => mark(shape(form)),
+        LegendSymbol::Bar => mark(Shape::Square),
+        LegendSymbol::Band => drawing::Item::Box([x - 4.0, y - 2.5], [7.0, 5.0], BAND),
+        LegendSymbol::Line => {
             let stroke = dashed(Stroke::new(1.1, colour), !entry.filled);
             drawing::Item::Lines(vec![vec![[x - 8.0, y], [x + 4.0, y]]], stroke)
         }

@@ -4,7 +4,7 @@ use crate::present::drawing::Anchor;
 
 /// What something stands for; each back end has a colour for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stands {
+pub enum ColourRole {
     /// The deviation as measured.
     Before,
     /// What the model leaves.
@@ -61,22 +61,22 @@ pub type Bar = [[f64; 2]; 2];
 #[derive(Debug, Clone, PartialEq)]
 pub enum Item {
     /// Between two heights, from side to side.
-    Band([f64; 2], Stands),
+    Band([f64; 2], ColourRole),
     /// Bars, filled or outlined.
-    Bars(Vec<Bar>, Stands, bool),
+    Bars(Vec<Bar>, ColourRole, bool),
     /// Bars from the smallest to the largest of many samples, filled or pale.
-    Columns(Vec<Bar>, Stands, bool),
+    Columns(Vec<Bar>, ColourRole, bool),
     /// Through its points; width in points of the screen, dashed or whole.
-    Line(Vec<[f64; 2]>, Stands, f32, bool),
+    Line(Vec<[f64; 2]>, ColourRole, f32, bool),
     /// Marks, filled or outlined.
-    Marks(Vec<Mark>, Stands, bool),
+    Marks(Vec<Mark>, ColourRole, bool),
     /// A word beside a place.
-    Word(Word),
+    Word(ChartText),
 }
 
 impl Item {
     /// What it stands for; a word stands for nothing.
-    pub fn stands(&self) -> Option<Stands> {
+    pub fn colour_role(&self) -> Option<ColourRole> {
         match self {
             Self::Band(_, stands)
             | Self::Bars(_, stands, _)
@@ -90,7 +90,7 @@ impl Item {
 
 /// A word that starts or ends at a place: in the middle of its height, or below.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Word {
+pub struct ChartText {
     /// Where.
     pub at: [f64; 2],
     /// What it says; spaces keep it away from what stands there.
@@ -103,7 +103,7 @@ pub struct Word {
 
 /// What stands before a name in the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sign {
+pub enum LegendSymbol {
     /// A mark.
     Mark(Form),
     /// A bar.
@@ -122,9 +122,9 @@ pub struct Entry {
     /// Its name on paper, which stands alone.
     pub on_paper: String,
     /// What stands before it.
-    pub sign: Sign,
+    pub sign: LegendSymbol,
     /// What it stands for.
-    pub stands: Stands,
+    pub stands: ColourRole,
     /// Filled or whole; else outlined or dashed.
     pub filled: bool,
     /// Whether the reader may leave it out.
@@ -133,7 +133,12 @@ pub struct Entry {
 
 impl Entry {
     /// A name that is the same everywhere.
-    pub fn new(name: impl Into<String>, sign: Sign, stands: Stands, filled: bool) -> Self {
+    pub fn new(
+        name: impl Into<String>,
+        sign: LegendSymbol,
+        stands: ColourRole,
+        filled: bool,
+    ) -> Self {
         let name = name.into();
         Self {
             on_paper: name.clone(),
@@ -146,18 +151,28 @@ impl Entry {
     }
 
     /// The deviation as measured, which may be left out so that what is left can be seen.
-    pub fn before(sign: Sign) -> Self {
+    pub fn before(sign: LegendSymbol) -> Self {
         Self {
             may_go: true,
-            ..Self::new(say!(in "chart-word", "before"), sign, Stands::Before, false)
-                .on_paper(say!(in "chart-word", "As measured"))
+            ..Self::new(
+                say!(in "chart-word", "before"),
+                sign,
+                ColourRole::Before,
+                false,
+            )
+            .on_paper(say!(in "chart-word", "As measured"))
         }
     }
 
     /// What the model leaves.
-    pub fn after(sign: Sign) -> Self {
-        Self::new(say!(in "chart-word", "after"), sign, Stands::After, true)
-            .on_paper(say!(in "chart-word", "Against the model"))
+    pub fn after(sign: LegendSymbol) -> Self {
+        Self::new(
+            say!(in "chart-word", "after"),
+            sign,
+            ColourRole::After,
+            true,
+        )
+        .on_paper(say!(in "chart-word", "Against the model"))
     }
 
     /// The same with another name on paper.

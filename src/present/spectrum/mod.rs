@@ -160,12 +160,12 @@ fn smallest(m: &Matrix2<f64>) -> f64 {
 fn fit(sums: &Sums, series: usize, orders: &[usize]) -> Vec<Amplitude> {
     let alone: Vec<Matrix2<f64>> = orders.iter().map(|k| alone(sums, *k)).collect();
     let mut taken: Vec<usize> = Vec::new();
-    let mut left = Left::of(sums, series, orders, &taken);
+    let mut left = OrderFit::of(sums, series, orders, &taken);
     while let Some(next) = left.largest(&alone, &taken)
         && left.share(next, &alone) > left.needed(orders.len())
     {
         taken.push(next);
-        let fitted = Left::of(sums, series, orders, &taken);
+        let fitted = OrderFit::of(sums, series, orders, &taken);
         if !(fitted.solved && fitted.freedom > 2.0) {
             taken.pop();
             break;
@@ -202,7 +202,7 @@ fn solved(m: &Matrix2<f64>, r: Vector2<f64>) -> Vector2<f64> {
 }
 
 /// What is left when some orders are in the model.
-struct Left {
+struct OrderFit {
     /// Cosine and sine of each order in the model.
     fitted: Vec<Vector2<f64>>,
     /// Products of the residual with every order.
@@ -215,7 +215,7 @@ struct Left {
     solved: bool,
 }
 
-impl Left {
+impl OrderFit {
     fn of(sums: &Sums, series: usize, orders: &[usize], taken: &[usize]) -> Self {
         let p = 1 + 2 * taken.len();
         let mut gram = DMatrix::zeros(p, p);

@@ -11,7 +11,7 @@ use super::super::pose::{Frame, Orientation};
 use super::super::target::{Mark, Problem, Remark, Shape, Target};
 use super::super::tokens::{Kind, Words};
 use crate::programs::program::Program;
-use crate::programs::referred::{Referred, Way};
+use crate::programs::referred::{FrameAndTool, Referred};
 
 /// A value of a group.
 enum Value {
@@ -121,7 +121,7 @@ impl Positions<'_, '_, '_> {
             if number == 1 {
                 target = self.target(&group, name, at, begins)?;
                 if let Some(target) = &mut target {
-                    target.ways.add(self.program.ways.of(Way {
+                    target.ways.add(self.program.ways.of(FrameAndTool {
                         frame: group.frame,
                         tool: group.tool,
                     }));

@@ -16,8 +16,8 @@ pub use workspace::workspace;
 
 use crate::model::ResidualStep;
 use crate::present::chart;
-use crate::present::chart::panel::room;
-use crate::present::chart::{Axis, Deviation, Entry, FULL_WIDTH, Lengths, Series, Sign};
+use crate::present::chart::panel::padded;
+use crate::present::chart::{Axis, Deviation, Entry, FULL_WIDTH, LegendSymbol, Lengths, Series};
 use crate::present::drawing::Drawing;
 
 use crate::present::numbers::{plain, short};
@@ -30,7 +30,7 @@ const HEIGHT: f64 = 92.0;
 /// One chart below the other, each with its own scale.
 pub fn deviation(stages: &Stages) -> Drawing {
     let finite = stages.values.iter().filter(|v| v.is_finite());
-    let x = room(
+    let x = padded(
         finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
             [a.min(*v), b.max(*v)]
         }),
@@ -42,7 +42,7 @@ pub fn deviation(stages: &Stages) -> Drawing {
         let largest = usable.iter().map(|i| lengths[*i]).fold(0.0, f64::max);
         let kept = thinned(&usable, MOST, |i| lengths[i]);
         let sample = |i: usize| (stages.values[i], lengths[i], stages.side[i]);
-        let sign = Sign::Mark(chart::Form::Disc);
+        let sign = LegendSymbol::Mark(chart::Form::Disc);
         let made = Deviation {
             component: say!("length"),
             is_length: true,

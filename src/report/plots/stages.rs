@@ -2,7 +2,7 @@
 
 use crate::fit::gap::Deviations;
 use crate::model::Positions;
-use crate::present::chart::Stands;
+use crate::present::chart::ColourRole;
 
 /// The deviations of all samples at one stage of the work.
 #[derive(Debug, Clone)]
@@ -10,7 +10,7 @@ pub struct Stage {
     /// What the stage is called.
     pub name: String,
     /// What it stands for, which decides its colour.
-    pub stands: Stands,
+    pub stands: ColourRole,
     /// Measured − where it should be, mm; NaN where a sample cannot be used.
     pub deviations: Deviations,
 }

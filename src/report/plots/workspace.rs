@@ -5,7 +5,7 @@
 use super::stages::thinned;
 use super::{Stage, Stages};
 use crate::numeric::extent;
-use crate::present::chart::panel::{Panel, SMALL, room};
+use crate::present::chart::panel::{Panel, SMALL, padded};
 use crate::present::chart::{Axis, FULL_WIDTH, among};
 use crate::present::drawing::{Anchor, Drawing, Item, Label, MUTED, Shape, Stroke};
 
@@ -24,7 +24,7 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
         let values = column(stages, axis);
         extent(values.iter())
     };
-    let (x, y) = (room(extent(axes[0])), room(extent(axes[1])));
+    let (x, y) = (padded(extent(axes[0])), padded(extent(axes[1])));
     // A tool on the axis stays where it is.
     let size = (x[1] - x[0]).max(y[1] - y[0]).max(1e-6);
     let magnification = among(LONG * size / large(stages), &[8.0, 6.0, 5.0, 4.0, 3.0, 2.0]);

@@ -58,14 +58,14 @@ pub(super) fn shifted(session: &Session, values: JointValues) -> Vec<DataProblem
 }
 
 /// A path that is believed.
-struct Found {
+struct BelievedPath {
     path: Path,
     evidence: f64,
     /// Median deviation as the rows are and paired again, mm.
     median_mm: [f64; 2],
 }
 
-fn search(session: &Session, values: JointValues) -> Option<Found> {
+fn search(session: &Session, values: JointValues) -> Option<BelievedPath> {
     if session.samples.len() < FEWEST_SAMPLES || !session.has_plain_points() {
         return None;
     }
@@ -136,7 +136,12 @@ fn settled(
 }
 
 /// Whether a path is to be believed.
-fn judged(points: &Points<'_>, path: Path, as_it_is: &Fitted, end: &Fitted) -> Option<Found> {
+fn judged(
+    points: &Points<'_>,
+    path: Path,
+    as_it_is: &Fitted,
+    end: &Fitted,
+) -> Option<BelievedPath> {
     let none = Path::default();
     let before = as_it_is.cost_at(points, &none, end.sigma_mm);
     let after = end.cost_at(points, &path, end.sigma_mm) + path.price(points.len());
@@ -157,14 +162,14 @@ fn judged(points: &Points<'_>, path: Path, as_it_is: &Fitted, end: &Fitted) -> O
         && of_moved[1] < MENDED_SHARE * of_moved[0]
         && of_all[1] < PLAUSIBLE_SHARE * size
         && (gross || of_all[0] > GROSS_SHARE * size);
-    believed.then_some(Found {
+    believed.then_some(BelievedPath {
         path,
         evidence,
         median_mm: [of_moved[0], of_moved[1]],
     })
 }
 
-impl Found {
+impl BelievedPath {
     fn problem(self, session: &Session) -> DataProblem {
         let n = session.samples.len();
         let rows: Vec<usize> = self.path.moved(n).collect();

@@ -9,7 +9,7 @@ use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unreadable};
 use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::{Joint, Robot};
-use crate::progress::{Part, Progress, ReadError, unwatched};
+use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::files::assemble::Declared;
 use crate::sessions::files::file_hash;
@@ -44,7 +44,7 @@ pub struct LoadedRobot {
 
 /// What lies beside a document.
 #[derive(Clone, Copy)]
-enum Beside<'a> {
+enum CompanionFile<'a> {
     Nothing,
     Folder(&'a Path),
     Csv(&'a [u8]),
@@ -74,7 +74,7 @@ pub fn load_watched(
     let is_large = std::fs::metadata(path).is_ok_and(|document| document.len() > LARGE_DOCUMENT);
     let read = if is_large { 0.2 } else { 0.01 };
     let bytes = open::read_document_in(path, whole.part(0.0, read))?;
-    let beside = Beside::Folder(folder_of(path));
+    let beside = CompanionFile::Folder(folder_of(path));
     let mut loaded = read_session(Some(path), &bytes, beside, whole.part(read, 1.0))?;
     loaded.session.path = Some(path.to_path_buf());
     loaded.files.insert(0, path.to_path_buf());
@@ -92,7 +92,8 @@ const LARGE_DOCUMENT: u64 = 1 << 20;
 /// As [`load`].
 pub fn parse(document: &[u8]) -> Result<Loaded, Rejected> {
     let progress = Progress::new(&unwatched);
-    read_session(None, document, Beside::Nothing, progress.whole()).map_err(ReadError::rejected)
+    read_session(None, document, CompanionFile::Nothing, progress.whole())
+        .map_err(ReadError::rejected)
 }
 
 /// Reads a session whose samples, if they are in a file, are these.
@@ -100,7 +101,7 @@ pub fn parse(document: &[u8]) -> Result<Loaded, Rejected> {
 /// # Errors
 /// As [`load`].
 pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejected> {
-    let (progress, beside) = (Progress::new(&unwatched), Beside::Csv(samples));
+    let (progress, beside) = (Progress::new(&unwatched), CompanionFile::Csv(samples));
     read_session(None, document, beside, progress.whole()).map_err(ReadError::rejected)
 }
 
@@ -144,8 +145,8 @@ fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected
 fn read_session(
     path: Option<&Path>,
     bytes: &[u8],
-    beside: Beside<'_>,
-    part: Part<'_>,
+    beside: CompanionFile<'_>,
+    part: ProgressSpan<'_>,
 ) -> Result<Loaded, ReadError> {
     let place = path.map(Place::file).unwrap_or_default();
     let text = open::as_text(bytes, &place)?;
@@ -230,7 +231,7 @@ fn read_session(
 struct TableRequest<'a> {
     joints: Option<&'a [Joint]>,
     declared: Declared<'a>,
-    part: Part<'a>,
+    part: ProgressSpan<'a>,
     /// The hash of the samples that the document was written with.
     sha256: Option<String>,
 }
@@ -239,21 +240,21 @@ struct TableRequest<'a> {
 fn samples_file(
     name: &str,
     place: &Place,
-    beside: Beside<'_>,
+    beside: CompanionFile<'_>,
     wanted: &TableRequest<'_>,
     fields: &mut Fields<'_>,
 ) -> Option<Samples> {
     let findings = &mut fields.findings;
     let opened = match beside {
-        Beside::Csv(bytes) => {
+        CompanionFile::Csv(bytes) => {
             let file = Place::file(name);
             return samples_from(bytes, None, &file, place, wanted, findings);
         }
-        Beside::Nothing => Err((
+        CompanionFile::Nothing => Err((
             text!("samples in a file: {name}", name = name),
             text!("samples inside the document, as it was read without a folder"),
         )),
-        Beside::Folder(folder) => open::beside(folder, name).and_then(|path| {
+        CompanionFile::Folder(folder) => open::samples_path(folder, name).and_then(|path| {
             let (file, length) = open::open_regular(&path).map_err(|(found, expected)| {
                 (
                     text!("{found}: {name}", found = found, name = name),

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::guard;
 pub(crate) use crate::guard::{Refusal, open_regular};
-use crate::progress::{Part, Progress, ReadError, unwatched};
+use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
 /// Bytes that are read between two looks at whoever watches.
 const AT_ONCE: u64 = 4 << 20;
@@ -28,7 +28,7 @@ pub fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
 ///
 /// # Errors
 /// [`ReadError`].
-pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, ReadError> {
+pub(crate) fn read_document_in(path: &Path, part: ProgressSpan<'_>) -> Result<Vec<u8>, ReadError> {
     let refused = |(found, expected): Refusal| {
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     };
@@ -47,7 +47,7 @@ pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, R
 }
 
 /// The path of the samples that a session in `folder` calls `name`.
-pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
+pub(crate) fn samples_path(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
     guard::below(folder, name, phrase!("the session's folder"))
 }
 

@@ -16,11 +16,11 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use crate::atomic::{
-    Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
+    StagedFile, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
 use crate::document::{Value, object, text_of, write_document, write_number};
 use crate::kinematics::Robot;
-use crate::progress::{Cancelled, Part, Progress, unwatched};
+use crate::progress::{Cancelled, Progress, ProgressSpan, unwatched};
 use crate::sessions::consistency;
 use crate::sessions::domain::Session;
 use crate::sessions::files::file_hash::Hashed;
@@ -108,7 +108,7 @@ fn save_pair(
         source,
     })?;
     let mut sha256 = String::new();
-    let samples = Prepared::write(csv, replacing.force, |output| {
+    let samples = StagedFile::write(csv, replacing.force, |output| {
         let mut hashed = Hashed::new(output);
         write_rows(session, &mut hashed, whole.part(0.0, 0.9))?;
         sha256 = hashed.finish();
@@ -118,7 +118,7 @@ fn save_pair(
         head: head::write(session),
         samples: object! { "file": csv_name, "sha256": sha256.as_str() },
     };
-    let document = Prepared::write(path, replacing.force, |output| {
+    let document = StagedFile::write(path, replacing.force, |output| {
         write_document(output, &document)
     })?;
     let done = whole.reached(1.0);
@@ -143,7 +143,7 @@ pub(crate) fn save_document(
         head: head::write(session),
         samples: object! { "file": name_of(path, &csv)? },
     };
-    Prepared::write(path, replacing.force, |output| {
+    StagedFile::write(path, replacing.force, |output| {
         write_document(output, &document)
     })?
     .commit()
@@ -167,10 +167,10 @@ fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
 /// What writing to `output` says.
 pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
     columns_fit(session)?;
-    let columns = ColumnsTwin(columns(session));
+    let columns = ColumnsJson(columns(session));
     let document = Document {
         head: head::write(session),
-        samples: InlineTwin { columns },
+        samples: InlineJson { columns },
     };
     write_document(output, &document)
 }
@@ -194,7 +194,7 @@ fn columns_fit(session: &Session) -> io::Result<()> {
 /// Rows that are written between two looks at whoever watches.
 const AT_ONCE: usize = 4096;
 
-fn write_rows(session: &Session, output: &mut dyn Write, part: Part<'_>) -> io::Result<()> {
+fn write_rows(session: &Session, output: &mut dyn Write, part: ProgressSpan<'_>) -> io::Result<()> {
     let columns = columns(session);
     for (index, column) in columns.iter().enumerate() {
         if index > 0 {
@@ -246,13 +246,13 @@ struct Document<S> {
 }
 
 #[derive(Serialize)]
-struct InlineTwin<'a> {
-    columns: ColumnsTwin<'a>,
+struct InlineJson<'a> {
+    columns: ColumnsJson<'a>,
 }
 
-struct ColumnsTwin<'a>(Vec<Column<'a>>);
+struct ColumnsJson<'a>(Vec<Column<'a>>);
 
-impl Serialize for ColumnsTwin<'_> {
+impl Serialize for ColumnsJson<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
         for column in &self.0 {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::atomic::WriteError;
 use crate::progress::ReadError;
-use crate::progress::testing::{assert_grows, no_at, told};
+use crate::progress::testing::{assert_grows, no_at, report_to};
 use crate::sessions::load;
 use crate::sessions::{Replacing, load_watched, save_watched};
 
@@ -63,7 +63,7 @@ fn on_disk(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 fn what_is_read_tells_how_far_it_is_and_can_be_cancelled_wherever_it_does() {
     let folder = tempfile::tempdir().unwrap();
     for path in [beside(folder.path()), inline(folder.path())] {
-        let (shares, loaded) = told(|watch| load_watched(&path, watch));
+        let (shares, loaded) = report_to(|watch| load_watched(&path, watch));
         let loaded = loaded.unwrap();
         assert_grows(&shares);
         assert!(shares.len() > 5, "{path:?}: {shares:?}");
@@ -89,7 +89,7 @@ fn a_document_that_is_wrong_is_refused_as_if_nobody_watched() {
         "{\"format\":\"truepose-session/1\"}",
     ] {
         fs::write(&path, text).unwrap();
-        let (shares, watched) = told(|watch| load_watched(&path, watch));
+        let (shares, watched) = report_to(|watch| load_watched(&path, watch));
         let Err(ReadError::Rejected(watched)) = watched else {
             panic!("{text}: {watched:?}");
         };
@@ -122,7 +122,7 @@ fn a_session_that_is_saved_tells_how_far_it_is_and_a_cancelled_one_leaves_the_di
     };
     let elsewhere = tempfile::tempdir().unwrap();
     let there = elsewhere.path().join("saved.json");
-    let (shares, saved) = told(|watch| save_watched(&session, &there, replacing, watch));
+    let (shares, saved) = report_to(|watch| save_watched(&session, &there, replacing, watch));
     saved.unwrap();
     assert_grows(&shares);
     assert!(shares.len() > 5, "{shares:?}");

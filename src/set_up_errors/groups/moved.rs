@@ -11,7 +11,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::model::Model;
-use crate::observations::beside::{Beside, MOST_NUMBERS, beside};
+use crate::observations::compared::{ComparedObservation, MOST_NUMBERS, compared_with};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
@@ -82,7 +82,8 @@ pub(super) fn moved(
         let here = now.as_ref().unwrap_or(session);
         let suspicions = suspicions(here, values, &model, &groups).into_iter();
         let tried = suspicions.take(MOST_TRIED);
-        let tried = tried.filter_map(|suspicion| Tried::of(suspicion, here, values, before));
+        let tried =
+            tried.filter_map(|suspicion| FittedSuspicion::of(suspicion, here, values, before));
         let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
             break;
         };
@@ -94,7 +95,7 @@ pub(super) fn moved(
 }
 
 /// A suspicion that was fitted and is believed.
-struct Tried {
+struct FittedSuspicion {
     suspicion: Suspicion,
     session: Session,
     model: Model,
@@ -102,7 +103,7 @@ struct Tried {
     evidence: f64,
 }
 
-impl Tried {
+impl FittedSuspicion {
     fn of(
         suspicion: Suspicion,
         session: &Session,
@@ -157,13 +158,13 @@ fn suspicions(
     model: &Model,
     groups: &[Group],
 ) -> Vec<Suspicion> {
-    let all = beside(session, values, model);
+    let all = compared_with(session, values, model);
     let square: f64 = all.iter().map(square_of).sum();
     let rows: usize = all.iter().map(|one| one.left.rows).sum();
     let mut found = Vec::new();
     for &group in groups {
         for index in 0..group.count(session) {
-            let own: Vec<&Beside> = all
+            let own: Vec<&ComparedObservation> = all
                 .iter()
                 .filter(|one| group.of(session, one.sample) == Some(index))
                 .collect();
@@ -189,7 +190,7 @@ fn suspicions(
     found
 }
 
-fn square_of(one: &Beside) -> f64 {
+fn square_of(one: &ComparedObservation) -> f64 {
     let rows = one.left.rows;
     one.left.left[..rows].iter().map(|e| e * e).sum()
 }
@@ -198,7 +199,7 @@ fn square_of(one: &Beside) -> f64 {
 fn best_of(
     session: &Session,
     group: Group,
-    own: &[&Beside],
+    own: &[&ComparedObservation],
     stated: bool,
 ) -> Option<(f64, Option<usize>)> {
     let n = own.len();
@@ -232,7 +233,7 @@ fn best_of(
     best
 }
 
-fn mean_square(own: &[&Beside]) -> f64 {
+fn mean_square(own: &[&ComparedObservation]) -> f64 {
     let rows: usize = own.iter().map(|one| one.left.rows).sum();
     own.iter().map(|one| square_of(one)).sum::<f64>() / rows.max(1) as f64
 }
@@ -255,7 +256,7 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, one: &Beside, group: Group) {
+    fn add(&mut self, one: &ComparedObservation, group: Group) {
         let by = one.by(group);
         for (row, by) in by.iter().enumerate().take(one.left.rows) {
             let by = SVector::<f64, MOST_NUMBERS>::from_column_slice(by);

@@ -3,7 +3,7 @@
 use super::values::FLAG;
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, positive};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::kinematics::{JointKind, Robot};
 use crate::simulation::scenario::{Circumstances, Temperature};
 use crate::text::Template;
@@ -19,7 +19,7 @@ const VALUES: Kind<Vec<f64>> = Kind {
     write: |values| values.as_slice().into(),
 };
 
-pub(super) fn conditions(at: &mut At<'_, '_>, robot: &Robot) -> Option<Circumstances> {
+pub(super) fn conditions(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Circumstances> {
     let slides = robot.joints.iter().all(|j| j.kind == JointKind::Prismatic);
     let kind = if slides {
         JointKind::Prismatic
@@ -37,7 +37,7 @@ pub(super) fn conditions(at: &mut At<'_, '_>, robot: &Robot) -> Option<Circumsta
         o.know(key);
         if o.is_given(key) {
             let all = &mut own.joint_temperatures;
-            let read = |at: &mut At<'_, '_>| of_joints(at, robot);
+            let read = |at: &mut Cursor<'_, '_>| of_joints(at, robot);
             o.with(key, all, OF_JOINTS, read, |_| None);
         }
         o.usual("torques", &mut own.torques, &FLAG);
@@ -90,7 +90,7 @@ const OF_JOINTS: Template =
     phrase!("an array with an object (from, to, time_constant_s) or null for each joint");
 
 /// One warm-up or null for each joint, from the first on.
-fn of_joints(at: &mut At<'_, '_>, robot: &Robot) -> Option<Vec<Option<Temperature>>> {
+fn of_joints(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Vec<Option<Temperature>>> {
     match &at.node.value {
         Value::List(entries) if entries.len() <= robot.joints.len() => at.list_by(|at| {
             at.expected = OF_JOINTS.into();

@@ -24,7 +24,7 @@ use poses::poses;
 use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{NUMBER, TEXT};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Node, Path, Value, ranges};
 use crate::effects::PlaceKind;
 use crate::kinematics::Robot;
@@ -131,7 +131,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
     }
     let mut scenario = Scenario::new("simulated session", blank(), Poses::List(Vec::new()));
     scenario.targets = default_targets();
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node: root,
         path: &Path::Root,
@@ -146,14 +146,14 @@ fn nothing<T>(_: &T) -> Option<Value> {
 }
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
-    o.says("format", FORMAT);
+    o.describe("format", FORMAT);
     if o.needs("robot", ROBOT.expected) {
         o.with("robot", &mut own.robot, ROBOT.expected, robot_of, nothing);
     }
     o.end_if_wrong();
     let (robot, expected) = (&own.robot, text!("an object with sweep, list or random"));
     if o.needs("poses", &expected) {
-        let read = |at: &mut At<'_, '_>| poses(at.fields, at.node, at.path, robot);
+        let read = |at: &mut Cursor<'_, '_>| poses(at.fields, at.node, at.path, robot);
         o.with("poses", &mut own.poses, expected, read, nothing);
     }
     o.usual("name", &mut own.name, &TEXT);
@@ -168,7 +168,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     o.usual("planar", &mut own.planar, &FLAG);
     o.know("conditions");
     if o.is_given("conditions") {
-        let read = |at: &mut At<'_, '_>| conditions(at, robot);
+        let read = |at: &mut Cursor<'_, '_>| conditions(at, robot);
         let expected = text!("an object with the conditions");
         o.with(
             "conditions",
@@ -180,7 +180,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     }
     o.know("effects");
     if o.is_given("effects") {
-        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, robot));
+        let read = |at: &mut Cursor<'_, '_>| at.list_by(|at| term(at, robot));
         o.with(
             "effects",
             &mut own.effects,
@@ -232,7 +232,11 @@ fn places(kind: PlaceKind) -> &'static str {
 }
 
 /// A list of names of these.
-fn names<T: Copy>(at: &mut At<'_, '_>, all: &[T], name: fn(T) -> &'static str) -> Option<Vec<T>> {
+fn names<T: Copy>(
+    at: &mut Cursor<'_, '_>,
+    all: &[T],
+    name: fn(T) -> &'static str,
+) -> Option<Vec<T>> {
     let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
     let expected = text!("an array of some of {known}", known = known.join(", "));
     let Value::List(list) = &at.node.value else {
@@ -280,7 +284,7 @@ fn outliers(o: &mut Object<'_, '_>, own: &mut Outliers) {
 }
 
 /// A robot that can be simulated.
-fn robot_of(at: &mut At<'_, '_>) -> Option<Robot> {
+fn robot_of(at: &mut Cursor<'_, '_>) -> Option<Robot> {
     let robot = ROBOT.read(at.fields, at.node, at.path)?;
     let place = at.fields.place(at.node.at, at.path);
     validation::robot(&robot, &place, &mut at.fields.findings);

@@ -2,7 +2,7 @@
 
 use super::values::{FLAG, WHOLE};
 use crate::document::kinds::NUMBER;
-use crate::document::object::{At, Kind};
+use crate::document::object::{Cursor, Kind};
 use crate::document::{Fields, Node, Path, Value, optional};
 use crate::kinematics::{JointKind, Robot};
 use crate::simulation::scenario::{Order, Poses, Stop, Sweep};
@@ -35,7 +35,7 @@ pub(super) fn poses(
         "sweep" => sweep(fields, node, path, robot).map(Poses::Sweep),
         "list" => list(fields, node, path, robot).map(Poses::List),
         _ => {
-            let mut at = At {
+            let mut at = Cursor {
                 fields,
                 node,
                 path,
@@ -52,7 +52,7 @@ pub(super) fn poses(
 }
 
 fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Sweep> {
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node,
         path,

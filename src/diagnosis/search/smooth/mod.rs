@@ -25,7 +25,7 @@ use crate::text::Text;
 use crate::text::{length, lengths};
 use crate::units::deg_from_rad;
 
-use super::prepare::Prepared;
+use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Correction, Unexplained};
 use crate::model::shapes::{Profile, Shape, Variable};
 use columns::{Columns, Folds};
@@ -45,7 +45,7 @@ const LENGTHS: [f64; 4] = [1.0, 0.25, 0.0625, 0.02];
 /// What is left of a model as a smooth correction, or why there is none, if the options ask for
 /// one.
 pub(crate) fn asked(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     left: &Unexplained,
     model: &Model,
 ) -> Option<Result<Correction, Text>> {
@@ -55,7 +55,7 @@ pub(crate) fn asked(
 }
 
 /// `shapes` are those of the search, largest first.
-fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Correction, Text> {
+fn correct(prepared: &PreparedSearch, shapes: &[Shape], model: &Model) -> Result<Correction, Text> {
     let Some(main) = shapes.first() else {
         return Err(text!("nothing unexplained is left"));
     };
@@ -111,7 +111,7 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         .filter(|shape| !of_joint(shape))
         .map(|shape| shape.variable.column(slides))
         .collect();
-    let says = says(&curve, joint, slides(joint), held_out_mm, &others);
+    let says = describe(&curve, joint, slides(joint), held_out_mm, &others);
     let term = Term::unexplained(joint, curve);
     let gap = |model: &Model| {
         let left = deviations(&problem, model);
@@ -136,7 +136,11 @@ pub(crate) struct FreeCurve {
 }
 
 /// The likeliest free curve over a joint beside a model, on the samples that a search looks at.
-pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Option<FreeCurve> {
+pub(crate) fn free_curve(
+    prepared: &PreparedSearch,
+    model: &Model,
+    joint: usize,
+) -> Option<FreeCurve> {
     let regression = &prepared.regression;
     let columns = Columns::new(&regression.problem, &regression.noise, model, joint);
     if columns.values.len() < FEWEST_VALUES {
@@ -166,7 +170,7 @@ struct LikeliestCurve<'a> {
 
 fn fitted<'a>(
     problem: &Problem<'a>,
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     model: &Model,
     joint: usize,
     over: &Shape,
@@ -326,7 +330,13 @@ impl Choice {
     }
 }
 
-fn says(curve: &Curve, joint: usize, slides: bool, held_out: [f64; 2], others: &[String]) -> Text {
+fn describe(
+    curve: &Curve,
+    joint: usize,
+    slides: bool,
+    held_out: [f64; 2],
+    others: &[String],
+) -> Text {
     let (unit, outer): (&str, fn(f64) -> f64) = if slides {
         (" mm", |v| v)
     } else {

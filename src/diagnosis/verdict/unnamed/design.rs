@@ -47,7 +47,7 @@ pub(super) struct Design<'a> {
 }
 
 /// Every fold by the others: what does not depend on how strong the families are.
-pub(super) struct Unseen<'d, 'a> {
+pub(super) struct HeldOutFolds<'d, 'a> {
     design: &'d Design<'a>,
     folds: Vec<Fold>,
 }
@@ -330,8 +330,8 @@ impl<'a> Design<'a> {
         squares
     }
 
-    /// Every fold by the others, for [`Unseen::gains`].
-    pub(super) fn unseen(&self) -> Option<Unseen<'_, 'a>> {
+    /// Every fold by the others, for [`HeldOutFolds::gains`].
+    pub(super) fn unseen(&self) -> Option<HeldOutFolds<'_, 'a>> {
         let none = DVector::zeros(self.families.columns.len());
         let of = |fold: usize| {
             let seen = self.total.and(&self.parts[fold], -1.0);
@@ -342,7 +342,7 @@ impl<'a> Design<'a> {
                 seen,
             })
         };
-        Some(Unseen {
+        Some(HeldOutFolds {
             design: self,
             folds: self.threads.all(self.parts.len(), of)?,
         })
@@ -359,7 +359,7 @@ impl<'a> Design<'a> {
     }
 }
 
-impl Unseen<'_, '_> {
+impl HeldOutFolds<'_, '_> {
     /// What the families bring on cells that the fit has not seen; the strengths are set again without
     /// them.
     pub(super) fn gains(&self, strengths: &[f64]) -> Option<Gains> {

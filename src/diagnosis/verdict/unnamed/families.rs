@@ -8,7 +8,7 @@ use crate::text::Text;
 use nalgebra::DMatrix;
 
 use crate::effects::curve::DIRECTIONS;
-use crate::effects::rest::{Along, At, Rest, UNIT_SAGS, Wave, unit_sag};
+use crate::effects::rest::{Along, Rest, RestPoint, UNIT_SAGS, Wave, unit_sag};
 use crate::effects::unnamed::asked_at;
 use crate::effects::{Inputs, Term};
 use crate::kinematics::{JointKind, Robot};
@@ -26,7 +26,7 @@ const BENDS: usize = 8;
 
 /// What a family is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum What {
+pub(super) enum FamilyKind {
     Gravity,
     /// See [`Along::conditions`].
     Condition(usize),
@@ -44,12 +44,12 @@ pub(super) enum What {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Family {
     pub(super) joint: usize,
-    pub(super) what: What,
+    pub(super) what: FamilyKind,
 }
 
 /// A function of the pose.
 #[derive(Debug, Clone, PartialEq)]
-enum Source {
+enum PoseFunction {
     Sag(usize),
     Condition(usize),
     /// `cos(order (q − from))` of a joint's value.
@@ -60,8 +60,8 @@ enum Source {
     },
 }
 
-impl Source {
-    fn at(&self, at: &At, sags: &[f64; UNIT_SAGS]) -> f64 {
+impl PoseFunction {
+    fn at(&self, at: &RestPoint, sags: &[f64; UNIT_SAGS]) -> f64 {
         match self {
             Self::Sag(k) => sags[*k],
             Self::Condition(k) => at.conditions()[*k],
@@ -74,7 +74,7 @@ impl Source {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
     pub(super) family: usize,
-    source: Source,
+    source: PoseFunction,
     pub(super) size: f64,
 }
 
@@ -108,45 +108,56 @@ impl Families {
     fn add_of(&mut self, robot: &Robot, joint: usize) {
         let turns = |j: usize| robot.joints[j].kind == JointKind::Revolute;
         if robot.gravity_m_s2.is_some() && turns(joint) {
-            let sags = (0..UNIT_SAGS).map(|k| (Source::Sag(k), 1.0));
-            self.add(joint, What::Gravity, sags.collect());
+            let sags = (0..UNIT_SAGS).map(|k| (PoseFunction::Sag(k), 1.0));
+            self.add(joint, FamilyKind::Gravity, sags.collect());
         }
         for k in 0..5 {
-            self.add(joint, What::Condition(k), vec![(Source::Condition(k), 1.0)]);
+            self.add(
+                joint,
+                FamilyKind::Condition(k),
+                vec![(PoseFunction::Condition(k), 1.0)],
+            );
         }
         if turns(joint) {
             let own = harmonics(joint, HARMONICS);
-            self.add(joint, What::Harmonics, own);
+            self.add(joint, FamilyKind::Harmonics, own);
         }
         let [from, to] = self.ranges[joint];
         if to > from {
             let bend = |k: usize| {
                 let order = k as f64 * std::f64::consts::PI / (to - from);
-                (Source::Cosine { joint, order, from }, (k as f64).powi(-2))
+                (
+                    PoseFunction::Cosine { joint, order, from },
+                    (k as f64).powi(-2),
+                )
             };
-            self.add(joint, What::Curve, (1..=BENDS).map(bend).collect());
+            self.add(joint, FamilyKind::Curve, (1..=BENDS).map(bend).collect());
         }
         for other in
             joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
         {
             if other != joint && turns(other) {
                 let own = harmonics(other, OF_NEIGHBOURS);
-                self.add(joint, What::Over(other), own);
+                self.add(joint, FamilyKind::Over(other), own);
             }
         }
         for direction in 1..DIRECTIONS {
             if turns(joint) {
-                self.add(joint, What::Across(direction), harmonics(joint, ACROSS));
+                self.add(
+                    joint,
+                    FamilyKind::Across(direction),
+                    harmonics(joint, ACROSS),
+                );
             }
         }
     }
 
     /// A gear's order more.
     pub(super) fn add_order(&mut self, joint: usize, order: f64) {
-        self.add(joint, What::Order(order), pair(joint, order).to_vec());
+        self.add(joint, FamilyKind::Order(order), pair(joint, order).to_vec());
     }
 
-    fn add(&mut self, joint: usize, what: What, sources: Vec<(Source, f64)>) {
+    fn add(&mut self, joint: usize, what: FamilyKind, sources: Vec<(PoseFunction, f64)>) {
         let family = self.all.len();
         self.all.push(Family { joint, what });
         self.columns
@@ -173,7 +184,7 @@ impl Families {
 
     fn direction(&self, column: &Column) -> usize {
         match self.all[column.family].what {
-            What::Across(direction) => direction,
+            FamilyKind::Across(direction) => direction,
             _ => 0,
         }
     }
@@ -236,7 +247,7 @@ impl Families {
     }
 }
 
-impl Source {
+impl PoseFunction {
     fn write(&self, value: f64, joints: usize, along: &mut Along) {
         match self {
             Self::Sag(k) => {
@@ -264,12 +275,12 @@ impl Source {
 }
 
 /// A cosine and a sine of a joint's value.
-fn pair(joint: usize, order: f64) -> [(Source, f64); 2] {
+fn pair(joint: usize, order: f64) -> [(PoseFunction, f64); 2] {
     let quarter = 0.5 * std::f64::consts::PI / order;
-    [0.0, quarter].map(|from| (Source::Cosine { joint, order, from }, 1.0))
+    [0.0, quarter].map(|from| (PoseFunction::Cosine { joint, order, from }, 1.0))
 }
 
-fn harmonics(joint: usize, count: usize) -> Vec<(Source, f64)> {
+fn harmonics(joint: usize, count: usize) -> Vec<(PoseFunction, f64)> {
     (1..=count).flat_map(|k| pair(joint, k as f64)).collect()
 }
 
@@ -278,8 +289,8 @@ impl Family {
     pub(super) fn in_words(&self) -> Text {
         let own = self.joint + 1;
         let what = match self.what {
-            What::Gravity => text!("gravity"),
-            What::Condition(k) => [
+            FamilyKind::Gravity => text!("gravity"),
+            FamilyKind::Condition(k) => [
                 phrase!("load"),
                 phrase!("measured torque"),
                 phrase!("approach direction"),
@@ -287,12 +298,14 @@ impl Family {
                 phrase!("temperature"),
             ][k]
                 .into(),
-            What::Harmonics => text!("harmonics"),
-            What::Curve => text!("smooth curve"),
-            What::Over(other) => text!("over joint {joint}", joint = other + 1),
-            What::Across(1) => text!("radial harmonics"),
-            What::Across(_) => text!("axial harmonics"),
-            What::Order(order) => text!("{count} cycles per turn", count = format!("{order:.1}")),
+            FamilyKind::Harmonics => text!("harmonics"),
+            FamilyKind::Curve => text!("smooth curve"),
+            FamilyKind::Over(other) => text!("over joint {joint}", joint = other + 1),
+            FamilyKind::Across(1) => text!("radial harmonics"),
+            FamilyKind::Across(_) => text!("axial harmonics"),
+            FamilyKind::Order(order) => {
+                text!("{count} cycles per turn", count = format!("{order:.1}"))
+            }
         };
         text!("joint {joint} ({what})", joint = own, what = what)
     }

@@ -23,7 +23,7 @@ use super::handed_out::HandedOut;
 use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut, Unnamed};
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use design::Design;
 /// The gain on unseen samples has to be so many times its own standard deviation …
 const SURE: f64 = 2.5;
@@ -39,7 +39,7 @@ const LIKELIER: f64 = 6.0;
 /// Adds what predicts without a name to what is handed out; the gaps with it take the place of those of the
 /// names alone.
 pub(super) fn add(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     handed_out: &mut HandedOut,
     gap: &mut Gaps,
     held_out: &mut HeldOut,
@@ -72,8 +72,8 @@ pub(super) fn add(
 
 /// The error on unseen samples with it as a share of that without it; `None` where there is none to add
 /// without samples that are locked away.
-fn share_unseen(prepared: &Prepared, values: &Values, found: &Fitted) -> Option<f64> {
-    if !unseen::apart(prepared).contains(&true) {
+fn share_unseen(prepared: &PreparedSearch, values: &Values, found: &FittedFamilies) -> Option<f64> {
+    if !unseen::held_out_samples(prepared).contains(&true) {
         return Some(found.held_out_mm[1] / found.held_out_mm[0]);
     }
     let seen = values.on(&prepared.problem);
@@ -90,14 +90,14 @@ fn share_unseen(prepared: &Prepared, values: &Values, found: &Fitted) -> Option<
 }
 
 /// What predicts, fitted to some samples.
-struct Fitted {
+struct FittedFamilies {
     terms: Vec<Term>,
     /// In cells of the workspace, without and with it, mm.
     held_out_mm: [f64; 2],
     over: Vec<Text>,
 }
 
-fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitted> {
+fn fitted(prepared: &PreparedSearch, problem: &Problem, model: &Model) -> Option<FittedFamilies> {
     let mut design = Design::new(
         problem,
         &prepared.regression.noise,
@@ -136,7 +136,7 @@ fn fitted(prepared: &Prepared, problem: &Problem, model: &Model) -> Option<Fitte
         return None;
     }
     let (terms, over) = design.terms(&strengths)?;
-    Some(Fitted {
+    Some(FittedFamilies {
         terms,
         held_out_mm: [gains.before_mm, gains.after_mm],
         over,

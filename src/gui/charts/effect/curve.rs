@@ -12,7 +12,7 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::scale::stride;
 use crate::gui::core::search::{Search, terms};
@@ -28,7 +28,7 @@ const SAME: f64 = 0.02;
 
 /// A sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spot {
+pub(crate) struct EffectSample {
     pub(crate) sample: usize,
     /// Where it stands along the chart, inner units.
     pub(crate) x: f64,
@@ -56,7 +56,7 @@ pub(crate) struct EffectCurve {
     /// What the chart stands over.
     pub(crate) over: Over,
     /// All samples that can be shown, by their place along the chart.
-    pub(crate) spots: Vec<Spot>,
+    pub(crate) spots: Vec<EffectSample>,
     /// The curve; empty where the effect depends on more than the variable.
     pub(crate) lines: Vec<Line>,
     /// Smallest and largest of everything, zero between them, mm.
@@ -82,7 +82,7 @@ fn models(diagnosis: &Diagnosis, index: usize) -> Option<(Term, Model, Model)> {
 }
 
 /// What an effect's curve stands over: what it depends on.
-pub(crate) fn over(term: &Term, subject: &Subject) -> Over {
+pub(crate) fn over(term: &Term, subject: &LoadedSession) -> Over {
     let variable = match term.effect.about().over {
         Follows::Load => Variable::Load,
         Follows::Temperature => Variable::Temperature,
@@ -108,7 +108,7 @@ fn has_sides(term: &Term) -> bool {
 
 /// The component that an effect has most of.
 pub(crate) fn strongest(
-    subject: &Subject,
+    subject: &LoadedSession,
     diagnosis: &Diagnosis,
     index: usize,
 ) -> Option<Component> {
@@ -139,7 +139,7 @@ pub(crate) fn strongest(
 impl EffectCurve {
     /// The curve of a found effect, in one component.
     pub(super) fn of(
-        subject: &Subject,
+        subject: &LoadedSession,
         search: &Search,
         index: usize,
         component: Component,
@@ -167,7 +167,7 @@ impl EffectCurve {
             let sample = *sample as usize;
             let e = flat(minus(subject.measured(sample), p_without.get(sample)));
             let d = flat(minus(p_with.get(sample), p_without.get(sample)));
-            Spot {
+            EffectSample {
                 sample,
                 x: at(sample),
                 residual_mm: subject.component(e, sample, component),
@@ -175,7 +175,7 @@ impl EffectCurve {
                 side: over.side(subject, sample),
             }
         };
-        let mut spots: Vec<Spot> = subject.overview.usable.iter().map(spot).collect();
+        let mut spots: Vec<EffectSample> = subject.overview.usable.iter().map(spot).collect();
         spots.retain(|s| s.x.is_finite() && s.residual_mm.is_finite());
         spots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.sample.cmp(&b.sample)));
         let sides: &[f64] = if has_sides(&term) && over.variable != Variable::Speed {
@@ -203,7 +203,7 @@ impl EffectCurve {
         let curve = lines.iter().flat_map(|l| l.points.iter().map(|p| p[1]));
         let all = spots.iter().map(|s| s.residual_mm).chain(curve);
         let all = all.chain(effect_mm).chain([0.0]);
-        let rms = |left: &dyn Fn(&Spot) -> f64| {
+        let rms = |left: &dyn Fn(&EffectSample) -> f64| {
             let squares = spots.iter().map(|s| left(s).powi(2)).sum::<f64>();
             (squares / spots.len().max(1) as f64).sqrt()
         };
@@ -227,7 +227,7 @@ impl EffectCurve {
     }
 
     /// Where a sample stands.
-    pub(crate) fn spot(&self, sample: usize) -> Option<&Spot> {
+    pub(crate) fn spot(&self, sample: usize) -> Option<&EffectSample> {
         let place = *self.places.get(sample)?;
         self.spots.get(place? as usize)
     }
@@ -251,7 +251,7 @@ fn places([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
 /// the middle.
 fn between(
     inputs: &Inputs,
-    spots: &[Spot],
+    spots: &[EffectSample],
     over: Over,
     side: f64,
     ends: [f64; 2],
@@ -278,7 +278,7 @@ fn between(
 }
 
 fn points(
-    subject: &Subject,
+    subject: &LoadedSession,
     component: Component,
     [with, without, nominal]: [&Positions; 3],
     planar: bool,
@@ -295,7 +295,7 @@ fn points(
 }
 
 /// Whether lines say at every sample what the effect is there.
-fn follow(lines: &[Line], spots: &[Spot]) -> bool {
+fn follow(lines: &[Line], spots: &[EffectSample]) -> bool {
     let (mut missed, mut all) = (0.0, 0.0);
     for spot in spots {
         let line = lines.iter().find(|l| l.side == 0.0 || l.side == spot.side);
@@ -337,7 +337,7 @@ mod tests {
         workbench.execute(Command::Search);
         workbench.receive();
         let search = Search::of(
-            Arc::clone(workbench.subject()),
+            Arc::clone(workbench.loaded_session()),
             &crate::gui::jobs::Watch::default(),
         );
         (workbench, Arc::new(search))
@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn the_curve_is_the_difference_of_the_two_models_and_runs_through_the_residual() {
         let (workbench, search) = searched();
-        let subject = Arc::clone(workbench.subject());
+        let subject = Arc::clone(workbench.loaded_session());
         let diagnosis = search.answer.as_ref().expect("it can be searched");
         let index = diagnosis.found.iter().position(|f| f.effect == "backlash");
         let index = index.expect("the backlash is found");
@@ -388,14 +388,14 @@ mod tests {
     #[test]
     fn an_effect_that_is_not_there_has_no_curve() {
         let (workbench, search) = searched();
-        let curve = EffectCurve::of(workbench.subject(), &search, 99, Component::X);
+        let curve = EffectCurve::of(workbench.loaded_session(), &search, 99, Component::X);
         assert_eq!(curve, None);
     }
 
     #[test]
     fn effects_stand_over_what_they_depend_on() {
         let workbench = workbench();
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let term = |id: &str| {
             let effect = crate::effects::find(id).expect("it is in the catalogue");
             over(&Term::absent(effect, 0, 0.0), subject).variable

@@ -4,17 +4,19 @@ mod curve;
 
 use std::sync::Arc;
 
-use super::{About, Kind, Missing, Of, Pointed, Samples, Scene, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::core::over::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
-use crate::present::chart::{Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands};
+use crate::present::chart::{
+    Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
+};
 use crate::present::table::{Cell, Table};
 
-use curve::{EffectCurve, Spot};
+use curve::{EffectCurve, EffectSample};
 
 pub(crate) use curve::strongest;
 
@@ -25,14 +27,14 @@ pub(crate) static EFFECT: Effect = Effect;
 /// The name of this chart: what was found is shown in it.
 pub(crate) const ID: &str = "effect's curve";
 
-impl Kind for Effect {
+impl ChartKind for Effect {
     fn about(&self) -> About {
         About {
             id: ID,
             short: phrase!("effect"),
             name: phrase!("Effect's own curve"),
             word: help::EFFECT_CURVE,
-            of: Of::Component,
+            of: ChartChoice::Component,
         }
     }
 
@@ -51,7 +53,7 @@ impl Kind for Effect {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let curve = curve(scene)?;
         Ok(Shown {
             chart: drawn(scene, curve),
@@ -60,8 +62,8 @@ impl Kind for Effect {
                 curve = name(curve),
                 component = scene.component().name()
             ),
-            says: says(scene, curve),
-            pointed: Pointed::Samples(Box::new(Drawn {
+            says: describe(scene, curve),
+            pointed: HoverTarget::Samples(Box::new(Drawn {
                 scale: scale(scene, curve),
                 scene,
                 curve,
@@ -90,10 +92,10 @@ impl Kind for Effect {
 }
 use crate::text::{spoken, within};
 
-fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, Missing> {
-    let found: &Option<EffectCurve> = scene.found().ok_or_else(Missing::yet)?;
+fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, ChartPlaceholder> {
+    let found: &Option<EffectCurve> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
-    there.ok_or(Missing::new(
+    there.ok_or(ChartPlaceholder::new(
         say!("There is no curve to show"),
         say!("Run the diagnosis again: what was found belongs to other samples"),
     ))
@@ -109,7 +111,7 @@ struct Drawn<'a> {
 impl Samples for Drawn<'_> {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let units = self.scene.units;
-        let at = |spot: &Spot| {
+        let at = |spot: &EffectSample| {
             [
                 self.scale.shown(spot.x),
                 units.length_value(spot.residual_mm),
@@ -140,7 +142,7 @@ fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
 }
 
 /// Samples that are drawn.
-fn some(curve: &EffectCurve) -> impl Iterator<Item = &Spot> {
+fn some(curve: &EffectCurve) -> impl Iterator<Item = &EffectSample> {
     curve.spots.iter().step_by(stride(curve.spots.len(), FEW))
 }
 
@@ -148,7 +150,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     let units = scene.units;
     let scale = scale(scene, curve);
     let value = |mm: f64| units.length_value(mm);
-    let mark = |spot: &Spot, mm: f64| Mark {
+    let mark = |spot: &EffectSample, mm: f64| Mark {
         at: [scale.shown(spot.x), value(mm)],
         form: Form::of_side(spot.side),
     };
@@ -164,31 +166,32 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     ];
     let mut items = Vec::new();
     let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
-    items.push(Item::Line(zero, Stands::Reference, 1.0, false));
+    items.push(Item::Line(zero, ColourRole::Reference, 1.0, false));
     let residual = some(curve).map(|s| mark(s, s.residual_mm)).collect();
-    items.push(Item::Marks(residual, Stands::Before, false));
+    items.push(Item::Marks(residual, ColourRole::Before, false));
     for line in &curve.lines {
         let points = line
             .points
             .iter()
             .map(|[x, mm]| [scale.shown(*x), value(*mm)]);
         let dashed = line.side < 0.0;
-        items.push(Item::Line(points.collect(), Stands::Curve, 2.4, dashed));
+        items.push(Item::Line(points.collect(), ColourRole::Curve, 2.4, dashed));
     }
     if curve.lines.is_empty() {
         let alone = some(curve).map(|s| mark(s, s.effect_mm)).collect();
-        items.push(Item::Marks(alone, Stands::Curve, true));
+        items.push(Item::Marks(alone, ColourRole::Curve, true));
     }
     let what = name(curve);
     let component = scene.component().name();
-    let line = |name, whole| Entry::new(name, Sign::Line, Stands::Curve, whole);
-    let dot = Sign::Mark(Form::Disc);
-    let residual = Entry::new(say!("without it"), dot, Stands::Before, false);
+    let line = |name, whole| Entry::new(name, LegendSymbol::Line, ColourRole::Curve, whole);
+    let dot = LegendSymbol::Mark(Form::Disc);
+    let residual = Entry::new(say!("without it"), dot, ColourRole::Before, false);
     let mut legend = vec![residual.on_paper(say!("without {what}", what = what))];
     match &curve.lines[..] {
         [] => {
-            legend
-                .push(Entry::new(say!("what it does"), dot, Stands::Curve, true).on_paper(&*what));
+            legend.push(
+                Entry::new(say!("what it does"), dot, ColourRole::Curve, true).on_paper(&*what),
+            );
         }
         [_] => legend.push(line(say!("what it does"), true).on_paper(&*what)),
         _ => legend.extend([
@@ -231,7 +234,7 @@ fn note(scene: &Scene, curve: &EffectCurve) -> String {
 }
 
 /// What is seen, in words.
-fn says(scene: &Scene, curve: &EffectCurve) -> String {
+fn describe(scene: &Scene, curve: &EffectCurve) -> String {
     let units = scene.units;
     let ends = curve.effect_mm.map(|mm| units.length(mm));
     let [before, after] = curve.rms_mm.map(|mm| units.length(mm));

@@ -7,8 +7,8 @@ use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Added, Choices, Document, Method};
-use crate::gui::core::loaded_model::Given;
-use crate::gui::core::loaded_session::Subject;
+use crate::gui::core::loaded_model::LoadedModel;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::setup::SetupForm;
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
@@ -110,7 +110,7 @@ impl Edit {
 }
 
 /// Another session; a model that was read from a file stays where both are of the same robot.
-fn opened(document: &Document, subject: &Arc<Subject>) -> Document {
+fn opened(document: &Document, subject: &Arc<LoadedSession>) -> Document {
     let opened = Document::new(Arc::clone(subject));
     let given = document.given.as_ref();
     match given.filter(|given| given.is_of(&subject.session)) {
@@ -169,7 +169,7 @@ fn mend(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), Stri
     let same_rows = left == document.subject.len();
     with_session(document, session);
     if !same_rows {
-        let mut subject = Subject::clone(&document.subject);
+        let mut subject = LoadedSession::clone(&document.subject);
         // Samples have other numbers now.
         for finding in &mut subject.findings {
             finding.samples.clear();
@@ -199,7 +199,7 @@ fn as_saved(session: &mut Session) {
 
 /// The same document with another description of the robot, or other samples.
 fn with_session(document: &mut Document, session: Session) {
-    let subject = Subject::with(&document.subject, session);
+    let subject = LoadedSession::with(&document.subject, session);
     if document
         .given
         .as_ref()
@@ -216,7 +216,7 @@ fn with_session(document: &mut Document, session: Session) {
 }
 
 /// What was left behind, with the choices that were made.
-fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Choices) -> Document {
+fn recovered(document: &Document, subject: &Arc<LoadedSession>, kept: &Choices) -> Document {
     let mut next = opened(document, subject);
     next.given = None;
     next.identified = kept.identified;
@@ -232,7 +232,7 @@ fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Choices) -> Doc
 }
 
 /// A model beside the open session, or by itself.
-fn with_model(document: Document, given: &Arc<Given>, beside: bool) -> Document {
+fn with_model(document: Document, given: &Arc<LoadedModel>, beside: bool) -> Document {
     let beneath = if beside {
         document
     } else {

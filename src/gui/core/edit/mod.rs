@@ -13,16 +13,16 @@ use crate::sessions::Region;
 use super::boundary_entry::Joint;
 use super::division::Decision;
 use super::document::{Choices, ExportChoice, Method};
-use super::loaded_model::Given;
-use super::loaded_session::Subject;
+use super::loaded_model::LoadedModel;
+use super::loaded_session::LoadedSession;
 use super::setup::SetupForm;
 
 #[derive(Debug, Clone)]
 pub(crate) enum Edit {
-    Open(Arc<Subject>),
+    Open(Arc<LoadedSession>),
     /// A model: beside the open session, or by itself.
     OpenModel {
-        given: Arc<Given>,
+        given: Arc<LoadedModel>,
         /// Whether the open session is one of its robot.
         beside: bool,
     },
@@ -64,7 +64,7 @@ pub(crate) enum Edit {
     /// Take mistakes of setting up back, one after the other.
     Mend(Vec<SessionCorrection>),
     /// What a window that is gone has left behind.
-    Recover(Arc<Subject>, Choices),
+    Recover(Arc<LoadedSession>, Choices),
     /// Identify from now on, as it is chosen.
     Identify,
     /// Identify from now on, by this method.

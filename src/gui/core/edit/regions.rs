@@ -38,7 +38,7 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
     let subject = &document.subject;
     let resolved = |choice: RegionChoice| {
         let regions = choice.resolve(&subject.session);
-        regions.map_err(|e| spoken(e.says()))
+        regions.map_err(|e| spoken(e.describe()))
     };
     let by_hand = |regions: Option<Vec<Region>>, otherwise: &str| {
         let regions = regions.ok_or_else(|| otherwise.to_owned())?;

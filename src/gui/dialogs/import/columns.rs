@@ -2,7 +2,7 @@
 
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
-use crate::gui::import_draft::{Foreign, Said};
+use crate::gui::import_draft::{ImportAnswers, ImportDraft};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
@@ -94,7 +94,12 @@ fn how(guess: &ColumnGuess) -> &'static str {
     }
 }
 
-pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
+    commands: &mut Vec<Command>,
+) {
     let found = &now.seen.inspection;
     if found.columns.is_empty() {
         return;
@@ -157,7 +162,7 @@ fn said(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> 
     columns.iter().enumerate().map(word).collect()
 }
 
-fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, String)> {
+fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, String)> {
     let found = &now.seen.inspection;
     let palette = Palette::of(ui);
     let mut changed = None;

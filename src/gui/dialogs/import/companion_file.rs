@@ -2,14 +2,19 @@
 
 use egui::{DragValue, Grid, RichText, Ui};
 
-use crate::gui::import_draft::{Beside, Foreign, Said};
+use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 use crate::importers::{Alignment, Matching, Motion};
 
 /// Where the robot was sent.
-pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+pub(super) fn commanded(
+    ui: &mut Ui,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
+    commands: &mut Vec<Command>,
+) {
     widgets::section(
         ui,
         say!("Where the robot was sent, if the table does not say it"),
@@ -18,7 +23,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         say!("File of the commands"),
         say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
     );
-    let which = (Beside::Commands, now);
+    let which = (Companion::Commands, now);
     super::parts::path(ui, field, &mut next.commands, which, commands);
     if next.commands.trim().is_empty() {
         return;
@@ -90,7 +95,12 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
 }
 
 /// Points that bring the instrument's frame into the base frame.
-pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+pub(super) fn base_frame(
+    ui: &mut Ui,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
+    commands: &mut Vec<Command>,
+) {
     widgets::section(
         ui,
         say!("Points known in the base frame, if the instrument has a frame of its own"),
@@ -99,7 +109,7 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         say!("File of the known points"),
         say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
     );
-    let which = (Beside::Reference, now);
+    let which = (Companion::Reference, now);
     super::parts::path(ui, field, &mut next.reference, which, commands);
     if next.reference.trim().is_empty() {
         return;
@@ -180,7 +190,12 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 }
 
 /// Where the reflectors sit.
-pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+pub(super) fn reflectors(
+    ui: &mut Ui,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
+    commands: &mut Vec<Command>,
+) {
     widgets::section(
         ui,
         say!("Reflectors in the tool frame, if there are several"),
@@ -189,6 +204,6 @@ pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         say!("File of the reflectors"),
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
     );
-    let which = (Beside::Targets, now);
+    let which = (Companion::Targets, now);
     super::parts::path(ui, field, &mut next.targets, which, commands);
 }

@@ -5,16 +5,16 @@ use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
-use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, in_the_sheets_words};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::importers::{
-    About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator,
+    About, AngleUnit, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Questions, Separator,
 };
 use crate::language::spoken;
 
 /// The file in a line: rows, separator, encoding, unit.
-pub(super) fn found_out(now: &Foreign) -> String {
+pub(super) fn found_out(now: &ImportDraft) -> String {
     let found = &now.seen.inspection;
     let mut parts = vec![say!("{rows} rows", rows = found.rows)];
     parts.extend(
@@ -35,7 +35,7 @@ pub(super) fn found_out(now: &Foreign) -> String {
 }
 
 /// The rows of the form.
-pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
+pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     let found = &now.seen.inspection;
     widgets::form_row(ui, say!("Session"), |ui| {
         let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
@@ -44,7 +44,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
-    let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
+    let asks = kind.map_or(Questions::TABLE, |importer| importer.asks);
     widgets::form_row(ui, say!("Source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
@@ -217,13 +217,13 @@ fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
 }
 
 /// What only a person can say, with the possible answers as buttons.
-pub(super) fn questions(ui: &mut Ui, now: &Foreign, next: &mut Said) {
+pub(super) fn questions(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     for question in &now.seen.inspection.questions {
         widgets::card(ui, |ui| ask(ui, question, next));
     }
 }
 
-fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
+fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
     let palette = Palette::of(ui);
     let says = RichText::new(in_the_sheets_words(&spoken(&question.says))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
@@ -240,7 +240,7 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
     });
 }
 
-fn answered(next: &mut Said, about: About, answer: &str) {
+fn answered(next: &mut ImportAnswers, about: About, answer: &str) {
     let reading = &mut next.reading;
     match about {
         About::Unit => {

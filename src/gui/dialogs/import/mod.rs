@@ -14,7 +14,7 @@ use crate::text::spoken;
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
-use crate::gui::import_draft::{Foreign, LOOKING, Said, in_the_sheets_words};
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, LOOKING, in_the_sheets_words};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
@@ -27,7 +27,12 @@ const AROUND: f32 = 228.0;
 /// Two lines of what is in the way, points.
 const FOOT: f32 = 34.0;
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    now: &ImportDraft,
+    commands: &mut Vec<Command>,
+) {
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));
     let name = now.path.file_name().unwrap_or_default().to_string_lossy();
@@ -76,7 +81,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
 fn foot(
     ui: &mut Ui,
     workbench: &Workbench,
-    (now, next): (&Foreign, &Said),
+    (now, next): (&ImportDraft, &ImportAnswers),
     missing: Option<&str>,
     commands: &mut Vec<Command>,
 ) {
@@ -114,7 +119,7 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
 }
 
 /// What is wrong with the file, and what somebody should know.
-fn findings(ui: &mut Ui, now: &Foreign) {
+fn findings(ui: &mut Ui, now: &ImportDraft) {
     for finding in now.seen.inspection.findings.iter().take(8) {
         parts::line(
             ui,

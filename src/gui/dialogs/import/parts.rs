@@ -4,7 +4,7 @@ use egui::{RichText, TextEdit, Ui};
 use std::path::{Path, PathBuf};
 
 use crate::diagnostic::Severity;
-use crate::gui::import_draft::{Beside, Foreign};
+use crate::gui::import_draft::{Companion, ImportDraft};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
@@ -26,7 +26,7 @@ pub(super) fn path(
     ui: &mut Ui,
     (label, hint): (&str, &str),
     typed: &mut String,
-    (which, now): (Beside, &Foreign),
+    (which, now): (Companion, &ImportDraft),
     commands: &mut Vec<Command>,
 ) -> bool {
     let mut changed = false;
@@ -46,7 +46,7 @@ pub(super) fn path(
         }
     });
     if !typed.trim().is_empty() {
-        let is_this = |(of, path): &&(Beside, PathBuf)| {
+        let is_this = |(of, path): &&(Companion, PathBuf)| {
             *of == which && path.as_path() == Path::new(typed.as_str())
         };
         if now.taken.iter().any(|one| is_this(&one)) {

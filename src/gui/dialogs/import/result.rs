@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::diagnostic::Severity;
-use crate::gui::import_draft::{Foreign, Trial};
+use crate::gui::import_draft::{ImportDraft, Trial};
 use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::present::units::Units;
@@ -12,7 +12,7 @@ use crate::present::units::Units;
 const MOST: usize = 8;
 
 /// Shows it, once there is nothing left to ask.
-pub(super) fn show(ui: &mut Ui, now: &Foreign, units: Units) {
+pub(super) fn show(ui: &mut Ui, now: &ImportDraft, units: Units) {
     // As high as it ever was for this file: the fields above keep their place while it changes.
     let id = ui.scope_id().with(("highest result", &now.path));
     let highest: f32 = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
@@ -24,7 +24,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, units: Units) {
     ui.data_mut(|data| data.insert_temp(id, height));
 }
 
-fn contents(ui: &mut Ui, now: &Foreign, units: Units) {
+fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
     match &now.seen.trial {
         None => {}
         Some(Ok(trial)) => {

@@ -3,7 +3,7 @@
 use egui::{DragValue, TextEdit, Ui};
 
 use crate::gui::core::examples::EXAMPLES;
-use crate::gui::import_draft::{Beside, Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::{JointKind, Robot};
@@ -11,12 +11,12 @@ use crate::kinematics::{JointKind, Robot};
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
-    now: &Foreign,
-    next: &mut Said,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
 ) {
     widgets::section(ui, say!("Which robot was measured"));
-    let here = &workbench.subject().session.robot;
+    let here = &workbench.loaded_session().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
         std::mem::discriminant(robot) == std::mem::discriminant(other)
     };
@@ -48,7 +48,7 @@ pub(super) fn show(
         say!("File of the robot"),
         say!("a robot, a session, or a URDF file"),
     );
-    if super::parts::path(ui, field, &mut path, (Beside::Robot, now), commands) {
+    if super::parts::path(ui, field, &mut path, (Companion::Robot, now), commands) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot

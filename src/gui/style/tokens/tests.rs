@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::Color32;
 
 use super::{DARK, LIGHT, Palette, STOPS};
-use crate::gui::style::vision::{Sight, apart, contrast, lightness};
+use crate::gui::style::vision::{ColourVision, colour_distance, contrast, lightness};
 
 const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
 
@@ -71,9 +71,9 @@ fn pairs_of_meanings_stay_apart_for_everybody() {
     const PAIR: f64 = 23.0;
     const NEIGHBOURS: f64 = 10.0;
     for (theme, p) in THEMES {
-        for sight in Sight::ALL {
+        for sight in ColourVision::ALL {
             let held = |name: &str, a: Color32, b: Color32, least: f64| {
-                let found = apart(a, b, sight);
+                let found = colour_distance(a, b, sight);
                 assert!(found >= least, "{theme}, {name}, {sight:?}: {found:.1}");
             };
             held("before and after", p.before, p.after, PAIR);
@@ -93,7 +93,7 @@ fn pairs_of_meanings_stay_apart_for_everybody() {
 #[test]
 fn neighbouring_regions_differ_in_lightness_which_everybody_sees() {
     for (theme, p) in THEMES {
-        for sight in Sight::ALL {
+        for sight in ColourVision::ALL {
             let [even, odd] = p.sectors.map(|c| lightness(c, sight));
             assert!((even - odd).abs() > 2.3, "{theme}, {sight:?}: {even} {odd}");
         }
@@ -114,9 +114,9 @@ fn a_scale_is_ordered_by_lightness_away_from_the_surface() {
 #[test]
 fn opposite_directions_stay_apart_for_everybody() {
     for (theme, p) in THEMES {
-        for sight in Sight::ALL {
+        for sight in ColourVision::ALL {
             for k in 0..STOPS / 2 {
-                let found = apart(p.cycle[k], p.cycle[k + STOPS / 2], sight);
+                let found = colour_distance(p.cycle[k], p.cycle[k + STOPS / 2], sight);
                 assert!(found > 20.0, "{theme}, {k}, {sight:?}: {found:.1}");
             }
         }

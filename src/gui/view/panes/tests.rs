@@ -75,7 +75,7 @@ fn there_are_never_too_many_charts_and_always_one_workspace() {
     }
     assert_eq!(panes.charts().count(), MOST_CHARTS);
     assert!(!panes.has_room());
-    let part = |tile: Tile| Part {
+    let part = |tile: Tile| SplitShare {
         share: f32::NAN,
         tile,
     };

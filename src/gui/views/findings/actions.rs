@@ -59,7 +59,7 @@ pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<
     let Some(mend) = &problem.mend else {
         return;
     };
-    if widgets::secondary(ui, &spoken(mend.says())).clicked() {
+    if widgets::secondary(ui, &spoken(mend.describe())).clicked() {
         commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
     }
 }

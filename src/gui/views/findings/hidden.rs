@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use crate::diagnosis::{Diagnosis, Found};
+use crate::diagnosis::{Diagnosis, FoundEffect};
 use crate::effects::Term;
 use crate::gui::style::tokens::Palette;
 use crate::gui::views::names::{in_words, title};
@@ -13,7 +13,7 @@ use crate::present::numbers::significant;
 
 /// A button, and behind it the truth; nothing for a session that was not simulated here.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let Some(hidden) = subject.hidden.as_deref() else {
         return;
     };
@@ -52,7 +52,7 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
         format!("{name} {} {unit}", significant(p.value, 3)).replace(" °", "°")
     });
     let sizes: Vec<String> = sizes.collect();
-    let is_found = |found: &&Found| found.effect == about.id && found.joint == joint;
+    let is_found = |found: &&FoundEffect| found.effect == about.id && found.joint == joint;
     let palette = Palette::of(ui);
     let (says, color) = if d.found.iter().any(|found| is_found(&found)) {
         (say!("found"), palette.within)

@@ -18,7 +18,7 @@ pub(super) fn show(
     commands: &mut Vec<Command>,
 ) {
     const MOST: usize = 24;
-    let robot = &workbench.subject().session.robot;
+    let robot = &workbench.loaded_session().session.robot;
     let table = table(poses, robot);
     let rows = &table.rows[..table.rows.len().min(MOST)];
     let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();

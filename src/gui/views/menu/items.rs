@@ -3,7 +3,7 @@
 use egui::containers::menu::MenuButton;
 use egui::{Button, Id, Popup, Response, Role, Ui, WidgetInfo};
 
-use crate::gui::actions::{Action, Now};
+use crate::gui::actions::{Action, WindowState};
 use crate::gui::workbench::{Command, Workbench};
 
 /// What the items of a menu are about, and what they ask for.
@@ -23,7 +23,7 @@ impl Menu<'_> {
     /// One of them, with what there is to say about it.
     pub(super) fn item_about(&mut self, ui: &mut Ui, action: &Action, about: Option<&str>) {
         let ctx = ui.ctx().clone();
-        let now = Now {
+        let now = WindowState {
             ctx: &ctx,
             workbench: self.workbench,
         };

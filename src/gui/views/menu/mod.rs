@@ -55,7 +55,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
         // buttons at the right.
-        let room = actions::room(ui.ctx(), workbench);
+        let room = actions::layout(ui.ctx(), workbench);
         let over_the_plots = room.left + f32::from(space::PLOT) - ui.cursor().left();
         ui.add_space(over_the_plots.max(0.0));
         // Menus of another language may be wider.
@@ -84,7 +84,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 commands.push(Command::Undo);
             }
             ui.add_space(space::ROW);
-            let open = actions::room(ui.ctx(), workbench).results();
+            let open = actions::layout(ui.ctx(), workbench).results();
             if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
                 commands.push(Command::Results(!open));
             }
@@ -94,7 +94,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let title = RichText::new(&subject.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());
     let file_name = |path: &std::path::Path| {

@@ -3,7 +3,9 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
 use egui::{Rect, pos2};
 
-use crate::gui::charts::{self, Bars, CHARTS, Kind, Of, Pointed, Samples, Scene, Shown, scatter};
+use crate::gui::charts::{
+    self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, scatter,
+};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
@@ -67,7 +69,7 @@ pub(super) fn show(
 fn plotted(
     ui: &mut Ui,
     workbench: &Workbench,
-    (place, kind): (Place<'_>, &dyn Kind),
+    (place, kind): (Place<'_>, &dyn ChartKind),
     shown: &Shown<'_>,
     commands: &mut Vec<Command>,
 ) {
@@ -78,14 +80,14 @@ fn plotted(
     let fitted = view.fitted.charts + place.pane.fitted;
     let id = (&*title, workbench.only_after(), fitted);
     let emphasised = view.hovered.or(view.selected);
-    let usable = |sample: &usize| workbench.subject().usable[*sample];
+    let usable = |sample: &usize| workbench.loaded_session().usable[*sample];
     let more = |canvas: &Canvas<'_>, shapes: &mut Vec<Shape>| match &shown.pointed {
-        Pointed::Nothing => {}
-        Pointed::Samples(samples) => {
-            let there = marked(view, workbench.subject().len()).chain(emphasised);
+        HoverTarget::Nothing => {}
+        HoverTarget::Samples(samples) => {
+            let there = marked(view, workbench.loaded_session().len()).chain(emphasised);
             drawn_samples(&**samples, there.filter(usable), canvas, shapes);
         }
-        Pointed::Bars(bars) => {
+        HoverTarget::Bars(bars) => {
             let bar = emphasised.filter(usable).and_then(|sample| bars.of(sample));
             shapes.extend(bar.map(|bar| framed(bar, canvas)));
         }
@@ -93,8 +95,8 @@ fn plotted(
     let (response, transform) = chart::show(ui, id, &shown.chart, more);
     figure(&response, &shown.name, shown.says.clone());
     match &shown.pointed {
-        Pointed::Nothing => {}
-        Pointed::Samples(samples) => {
+        HoverTarget::Nothing => {}
+        HoverTarget::Samples(samples) => {
             let under = response.hover_pos().and_then(|pointer| {
                 let ends = [pointer.x - REACH, pointer.x + REACH];
                 let place = |x: f32| transform.value_from_position(pos2(x, pointer.y)).x;
@@ -113,7 +115,7 @@ fn plotted(
             });
             workspace::hover(&response, workbench, under, commands);
         }
-        Pointed::Bars(bars) => pointed(response, &transform, &**bars, commands),
+        HoverTarget::Bars(bars) => pointed(response, &transform, &**bars, commands),
     }
 }
 
@@ -259,7 +261,7 @@ impl Other<'_> {
 
 fn charts<'a>(
     workbench: &Workbench,
-    current: &dyn Kind,
+    current: &dyn ChartKind,
     place: Place<'_>,
 ) -> Choice<'a, &'static str> {
     let scene = workbench.scene();
@@ -297,25 +299,25 @@ fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> 
 fn bar(
     ui: &mut Ui,
     workbench: &Workbench,
-    (place, kind, scene): (Place<'_>, &dyn Kind, &Scene<'_>),
+    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene<'_>),
     first: First<'_>,
     commands: &mut Vec<Command>,
 ) {
     let about = kind.about();
     let charts = charts(workbench, kind, place);
     let quantities = match about.of {
-        Of::Quantities => scatter::named(scene),
-        Of::Component | Of::Joint | Of::All => Vec::new(),
+        ChartChoice::Quantities => scatter::named(scene),
+        ChartChoice::Component | ChartChoice::Joint | ChartChoice::All => Vec::new(),
     };
     let mut others = Vec::new();
     match about.of {
-        Of::All => {}
-        Of::Component => others.push(Other::Component(components(scene, place))),
-        Of::Joint => {
+        ChartChoice::All => {}
+        ChartChoice::Component => others.push(Other::Component(components(scene, place))),
+        ChartChoice::Joint => {
             others.push(Other::Component(components(scene, place)));
             others.extend(joints(scene, place).map(Other::Joint));
         }
-        Of::Quantities => {
+        ChartChoice::Quantities => {
             let axes = scatter::axes(scene);
             for (k, of) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
                 let offered = quantities.iter();
@@ -368,7 +370,7 @@ fn bar(
 /// What is done with a chart: what it means, its numbers, its picture.
 fn signs(
     ui: &mut Ui,
-    (place, kind, scene): (Place<'_>, &dyn Kind, &Scene<'_>),
+    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene<'_>),
     commands: &mut Vec<Command>,
 ) {
     let about = kind.about();

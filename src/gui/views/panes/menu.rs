@@ -2,7 +2,7 @@
 
 use egui::{Button, Popup, Response, Role, Ui, WidgetInfo};
 
-use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, Now};
+use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::view::{Content, Edge, Pane, Plot, What};
 use crate::gui::workbench::{Command, Workbench};
 
@@ -16,7 +16,7 @@ pub(super) fn show(
     commands: &mut Vec<Command>,
 ) {
     let ctx = ui.ctx().clone();
-    let now = Now {
+    let now = WindowState {
         ctx: &ctx,
         workbench,
     };

@@ -9,7 +9,7 @@ use egui_tiles::{
 
 use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::tokens::{Palette, space};
-use crate::gui::view::{Content, Key, Pane, Panes, Part, Tile};
+use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
 use crate::gui::widgets::{self, Gripped};
 use crate::gui::workbench::{Command, Workbench};
 
@@ -26,7 +26,7 @@ const CHART: [f32; 2] = [244.0, 252.0];
 const SPLITS: u64 = 1 << 32;
 
 /// Whether its parts stand side by side, and which they are.
-fn parts(tile: &Tile) -> Option<(bool, &[Part])> {
+fn parts(tile: &Tile) -> Option<(bool, &[SplitShare])> {
     match tile {
         Tile::Pane(_) => None,
         Tile::Beside(parts) => Some((true, parts)),
@@ -56,7 +56,7 @@ pub(super) fn fits(root: &Tile, room: Vec2) -> bool {
 }
 
 /// The room of each part: as its share says, but no less than it needs.
-fn divided(parts: &[Part], axis: usize, room: f32) -> Vec<f32> {
+fn divided(parts: &[SplitShare], axis: usize, room: f32) -> Vec<f32> {
     let room = room - GAP * (parts.len() as f32 - 1.0);
     let needs: Vec<f32> = parts.iter().map(|part| least(&part.tile, axis)).collect();
     let mut tight = vec![false; parts.len()];
@@ -144,7 +144,7 @@ fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
     };
     let parts = container.children().filter_map(|child| {
         let tile = taken_over(tiles, *child, panes)?;
-        Some(Part {
+        Some(SplitShare {
             share: share(*child),
             tile,
         })

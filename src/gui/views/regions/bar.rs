@@ -15,7 +15,7 @@ const SAMPLES: f32 = 14.0;
 const BINS: u16 = 68;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let (from, to) = subject.travel();
     let regions = &workbench.document().regions;
     let ends = regions.iter().flat_map(|r| [r.from_rad, r.to_rad]);

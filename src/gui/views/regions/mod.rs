@@ -49,7 +49,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     if subject.is_empty() {
         widgets::hint(
             ui,
@@ -111,7 +111,7 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             own(ui, workbench, commands);
         }
         Division::Adaptive(decision) => {
-            widgets::hint(ui, decision.says(workbench.units()));
+            widgets::hint(ui, decision.describe(workbench.units()));
         }
     }
 }
@@ -138,7 +138,7 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// Offers the regions that the session brings along.
 fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let own = &workbench.subject().session.regions;
+    let own = &workbench.loaded_session().session.regions;
     if own.is_empty() || own[..] == workbench.document().regions[..] {
         return;
     }
@@ -153,7 +153,7 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// There are no regions, and what that means.
 fn none(ui: &mut Ui, workbench: &Workbench) {
-    let range = crate::sessions::division::range_to_divide(&workbench.subject().session);
+    let range = crate::sessions::division::range_to_divide(&workbench.loaded_session().session);
     widgets::hint(
         ui,
         if range.is_some() {
@@ -170,7 +170,7 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
 
 /// What no region covers.
 fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let regions = &workbench.document().regions;
     let gaps = boundary_entry::gaps(regions, subject.travel());
     let outside = subject.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
@@ -214,7 +214,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
     if possible && !regional {
         widgets::hint(

@@ -22,35 +22,35 @@ pub(super) fn key(ui: &Ui, focused: bool, key: Key) -> bool {
 }
 
 /// One thing that can be done.
-struct Deed {
+struct RowAction {
     name: &'static str,
     key: Key,
     shown: &'static str,
     /// What it does, or why it cannot be done.
-    does: Result<Does, &'static str>,
+    does: Result<RowEffect, &'static str>,
 }
 
-enum Does {
+enum RowEffect {
     Edit(Edit),
     Rename,
 }
 
-fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
+fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
     let (before, next) = (
         boundary_entry::before(regions, k),
         boundary_entry::next_to(regions, k),
     );
     let last = regions.len() < 2;
     [
-        Deed {
+        RowAction {
             name: say!("Split in half"),
             key: Key::S,
             shown: "S",
             does: crate::gui::core::boundaries::split(regions, k)
-                .map(|_| Does::Edit(Edit::Split(k)))
+                .map(|_| RowEffect::Edit(Edit::Split(k)))
                 .ok_or(say!("it is too narrow")),
         },
-        Deed {
+        RowAction {
             name: if next.is_none() && before.is_some() {
                 say!("Merge with previous")
             } else {
@@ -61,22 +61,22 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
             does: next
                 .map(|_| k)
                 .or(before)
-                .map(|first| Does::Edit(Edit::Join(first)))
+                .map(|first| RowEffect::Edit(Edit::Join(first)))
                 .ok_or(say!("no region touches it")),
         },
-        Deed {
+        RowAction {
             name: say!("Delete"),
             key: Key::Delete,
             shown: "Del",
             does: (!last)
-                .then_some(Does::Edit(Edit::Delete(k)))
+                .then_some(RowEffect::Edit(Edit::Delete(k)))
                 .ok_or(say!("the last region stays")),
         },
-        Deed {
+        RowAction {
             name: say!("Rename"),
             key: Key::R,
             shown: "R",
-            does: Ok(Does::Rename),
+            does: Ok(RowEffect::Rename),
         },
     ]
 }
@@ -117,8 +117,8 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec
         }
     }
     match done {
-        Some(Does::Edit(edit)) => commands.push(Command::Edit(edit)),
-        Some(Does::Rename) => {
+        Some(RowEffect::Edit(edit)) => commands.push(Command::Edit(edit)),
+        Some(RowEffect::Rename) => {
             let id = name_id(ui, k);
             ui.memory_mut(|memory| memory.request_focus(id));
         }

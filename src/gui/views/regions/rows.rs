@@ -227,8 +227,14 @@ fn angle(
     };
     if text != before {
         let placed = boundary_entry::angle(&text, units).and_then(|at| {
-            boundary_entry::placed(regions, now.joint, at, workbench.subject().travel(), units)
-                .map(|_| at)
+            boundary_entry::placed(
+                regions,
+                now.joint,
+                at,
+                workbench.loaded_session().travel(),
+                units,
+            )
+            .map(|_| at)
         });
         commands.push(draft_is(Some(text.clone())));
         if let Ok(at) = placed {
@@ -278,7 +284,14 @@ fn judged(
         return Ok(());
     }
     let joint = boundary_entry::joint_at(regions, k, end);
-    boundary_entry::placed(regions, joint, at_rad, workbench.subject().travel(), units).map(|_| ())
+    boundary_entry::placed(
+        regions,
+        joint,
+        at_rad,
+        workbench.loaded_session().travel(),
+        units,
+    )
+    .map(|_| ())
 }
 
 /// What is wrong with what was typed, below its row.
@@ -351,7 +364,7 @@ fn samples(
 /// The samples of a region, in the order of the session.
 fn samples_of(workbench: &Workbench, region: usize) -> Vec<usize> {
     let assignment = Assignment::new(&workbench.document().regions);
-    let q = &workbench.subject().session.samples.q[0];
+    let q = &workbench.loaded_session().session.samples.q[0];
     (0..q.len())
         .filter(|i| assignment.region_of(q[*i]) == Some(region))
         .collect()

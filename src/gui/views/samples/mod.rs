@@ -24,7 +24,7 @@ const ROOM_FOR_UNITS: f32 = 76.0;
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();

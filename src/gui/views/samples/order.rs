@@ -30,7 +30,7 @@ impl By {
     ];
 
     fn value(self, workbench: &Workbench, sample: usize) -> f64 {
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let before = subject.before.length_mm[sample];
         let after = workbench.answer().map(|a| a.lengths_mm[sample]);
         match self {
@@ -92,7 +92,7 @@ impl Rows {
             .last_outcome()
             .filter(|_| workbench.answer().is_some());
         let of = Of {
-            subject: Arc::as_ptr(workbench.subject()) as usize,
+            subject: Arc::as_ptr(workbench.loaded_session()) as usize,
             outcome: outcome.map_or(0, |outcome| Arc::as_ptr(outcome) as usize),
             sorting,
         };
@@ -101,7 +101,7 @@ impl Rows {
             return kept;
         }
         let order = (sorting != Sorting::default()).then(|| {
-            let n = u32::try_from(workbench.subject().len()).unwrap_or(u32::MAX);
+            let n = u32::try_from(workbench.loaded_session().len()).unwrap_or(u32::MAX);
             let keyed = (0..n).map(|i| (sorting.by.value(workbench, i as usize), i));
             let mut keyed: Vec<(f64, u32)> = keyed.collect();
             // What has no value stands last either way.

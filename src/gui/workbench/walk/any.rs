@@ -11,20 +11,20 @@ use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::boundary_entry::{End, Joint};
-use crate::gui::core::compensated::{CompensationRequest, Whose};
+use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::quantity::Quantity;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{
-    About, Camera, Canvas, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side,
-    Standard, Step, Then, Tile, What,
+    About, Camera, Canvas, ChartPane, Colouring, Edge, Key, NextAction, Panes, Plane, Plot, Sheet,
+    Side, Standard, Step, Tile, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -41,7 +41,7 @@ pub(super) struct Files {
     /// Written by the walk: sessions and models.
     pub(super) written: Vec<PathBuf>,
     /// A file that an instrument wrote.
-    pub(super) foreign: PathBuf,
+    pub(super) instrument_file: PathBuf,
     /// A session of an arm with six joints.
     pub(super) arm: PathBuf,
     /// A folder to write into.
@@ -55,7 +55,7 @@ impl Files {
             0 => self.folder.clone(),
             1 => self.folder.join("there is no such file.json"),
             2 => self.folder.join("damaged.json"),
-            3 => self.foreign.clone(),
+            3 => self.instrument_file.clone(),
             _ => one_of(random, &self.written)
                 .cloned()
                 .unwrap_or_else(|| self.folder.join("nothing yet.json")),
@@ -94,7 +94,7 @@ fn angle(random: &mut ChaCha8Rng) -> f64 {
 }
 
 /// A robot that may make no sense.
-fn setup(random: &mut ChaCha8Rng, subject: &Subject) -> SetupForm {
+fn setup(random: &mut ChaCha8Rng, subject: &LoadedSession) -> SetupForm {
     let mut form = SetupForm::of(&subject.session);
     let number = random.random_range(-300.0..300.0);
     let axis = random.random_range(0..3);
@@ -133,7 +133,7 @@ fn mend(random: &mut ChaCha8Rng) -> SessionCorrection {
 
 /// A change of the document.
 fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
-    let subject = workbench.subject();
+    let subject = workbench.loaded_session();
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
         0 | 1 => Edit::Divide(random.random_range(0..12)),
@@ -186,12 +186,26 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
     }
 }
 
-fn then(random: &mut ChaCha8Rng, files: &Files) -> Then {
+fn typed(random: &mut ChaCha8Rng) -> Command {
+    Command::Type {
+        region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
+        end: pick(random, &[End::From, End::To]),
+        text: one_of(random, &["", "-", "NaN", "−12,5", "1e400", "°", "7 rad"])
+            .filter(|_| random.random_range(0..4) > 0)
+            .map(|text| (*text).to_owned()),
+    }
+}
+
+fn plot_size(random: &mut ChaCha8Rng) -> Command {
+    Command::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
+}
+
+fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
     match random.random_range(0..6) {
-        0 => Then::Leave,
-        1 | 2 => Then::Open(files.any(random)),
-        3 => Then::Simulate(form(random)),
-        _ => Then::Example(random.random_range(0..5)),
+        0 => NextAction::Leave,
+        1 | 2 => NextAction::Open(files.any(random)),
+        3 => NextAction::Simulate(form(random)),
+        _ => NextAction::Example(random.random_range(0..5)),
     }
 }
 
@@ -205,22 +219,22 @@ fn form(random: &mut ChaCha8Rng) -> Form {
 }
 
 /// A foreign file as it stands in its sheet, and something that somebody says about it.
-fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<Foreign> {
+fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<ImportDraft> {
     let foreign = {
         let nobody = Progress::new(&unwatched);
-        Foreign::of(&files.foreign, nobody.whole()).expect("it is a table")
+        ImportDraft::of(&files.instrument_file, nobody.whole()).expect("it is a table")
     };
     let mut foreign = foreign.expect("the walk has written it");
     foreign.said = said(random, files, workbench);
     Box::new(foreign)
 }
 
-fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Said {
-    let mut said = Said::default();
+fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> ImportAnswers {
+    let mut said = ImportAnswers::default();
     let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
     said.robot = match random.random_range(0..5) {
         0 => RobotFrom::default().of_file(path(random)),
-        1 => RobotFrom::Here(Box::new(workbench.subject().session.robot.clone())),
+        1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
         2 => RobotFrom::Typed(TypedAxis::default()),
         3 => RobotFrom::Example(random.random_range(0..4)),
         _ => RobotFrom::Open,
@@ -299,7 +313,7 @@ fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
 
 fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
     let drafted = random.random::<bool>();
-    Command::Draft(drafted.then(|| Box::new(setup(random, workbench.subject()))))
+    Command::Draft(drafted.then(|| Box::new(setup(random, workbench.loaded_session()))))
 }
 
 fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
@@ -320,7 +334,7 @@ fn sizes(random: &mut ChaCha8Rng) -> Sizes {
     }
 }
 
-fn letters(random: &mut ChaCha8Rng) -> Command {
+fn characters(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..3) {
         0 => Command::DismissLetters,
         1 => Command::FindNamesOfLanguages,
@@ -380,8 +394,22 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
     Command::Compensate(CompensationRequest {
         load_kg: angle(random),
         measured_frame: random.random(),
-        tool: pick(random, &[Whose::Asked, Whose::Model, Whose::Program]),
-        frame: pick(random, &[Whose::Asked, Whose::Model, Whose::Program]),
+        tool: pick(
+            random,
+            &[
+                PrecedenceChoice::Asked,
+                PrecedenceChoice::Model,
+                PrecedenceChoice::Program,
+            ],
+        ),
+        frame: pick(
+            random,
+            &[
+                PrecedenceChoice::Asked,
+                PrecedenceChoice::Model,
+                PrecedenceChoice::Program,
+            ],
+        ),
         ..CompensationRequest::new(files.any(random))
     })
 }
@@ -422,7 +450,7 @@ fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
         5 => return Command::Pull(Box::new(panes.arranged(shares(random, panes.root.clone())))),
         6 if random.random_range(0..4) == 0 => panes = Panes::default(),
         _ => {
-            let quantities = Quantity::offered(workbench.subject());
+            let quantities = Quantity::offered(workbench.loaded_session());
             let [across, upwards] = [0, 1].map(|_| one_of(random, &quantities).copied());
             if let Some(pane) = panes.chart_mut(key) {
                 *pane = ChartPane {
@@ -461,7 +489,7 @@ fn chart_of(random: &mut ChaCha8Rng) -> Command {
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
-        let samples = workbench.subject().len();
+        let samples = workbench.loaded_session().len();
         random
             .random::<bool>()
             .then(|| random.random_range(0..samples.max(1) + 10))
@@ -483,7 +511,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             (Some(_), true) => Command::SaveThen(then(random, files)),
             _ => Command::Sheet(None),
         },
-        75..=77 if workbench.file().is_some() || workbench.subject().is_empty() => Command::Save,
+        75..=77 if workbench.file().is_some() || workbench.loaded_session().is_empty() => {
+            Command::Save
+        }
         78 => Command::SaveDespite,
         79 => Command::Reload,
         80 if random.random() => compensation(random, files),
@@ -509,22 +539,18 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         }
         96 => Command::Adapt,
         97 => Command::StopLooking,
-        98..=103 => Command::Type {
-            region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
-            end: pick(random, &[End::From, End::To]),
-            text: one_of(random, &["", "-", "NaN", "−12,5", "1e400", "°", "7 rad"])
-                .filter(|_| random.random_range(0..4) > 0)
-                .map(|text| (*text).to_owned()),
-        },
+        98..=103 => typed(random),
         // It takes its time.
-        104 if random.random_range(0..5) == 0 && workbench.subject().len() < 60 => Command::Search,
+        104 if random.random_range(0..5) == 0 && workbench.loaded_session().len() < 60 => {
+            Command::Search
+        }
         104 => Command::StopSearch,
         105 => Command::Simulate(form(random)),
         106 => Command::Cancel,
         107..=112 => Command::GoTo(pick(random, &Step::ALL)),
         113 | 114 => Command::Look(pick(random, &Plane::ALL)),
         115 => Command::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
-        116 if random.random() => Command::Room(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300])),
+        116 if random.random() => plot_size(random),
         116 => Command::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
         117 => Command::Colour(pick(random, &Colouring::ALL)),
         118 => Command::Heat(random.random()),
@@ -547,16 +573,16 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::Dismiss,
         149 => own_robot(random, workbench),
-        150 => letters(random),
+        150 => characters(random),
         151 => look(random),
         _ => {
             // A session beside which models and regions make sense again.
-            let files = [Arc::clone(workbench.subject())];
+            let files = [Arc::clone(workbench.loaded_session())];
             let single = files[0].single_revolute() && files[0].len() > 12;
             if single {
                 Command::EndDrag
             } else {
-                Command::Do(Then::Simulate(form(random)))
+                Command::Do(NextAction::Simulate(form(random)))
             }
         }
     }

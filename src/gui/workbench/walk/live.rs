@@ -94,11 +94,12 @@ fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
     let end = Instant::now() + Duration::from_mins(2);
     let mut done = 0;
     // However soon the lines are there, some commands come meanwhile.
-    while app.bench().subject().len() < LINES || !is_live(&mut app, &table) || done <= LEAST {
+    while app.bench().loaded_session().len() < LINES || !is_live(&mut app, &table) || done <= LEAST
+    {
         assert!(
             Instant::now() < end,
             "{} lines",
-            app.bench().subject().len()
+            app.bench().loaded_session().len()
         );
         let command = any::command(&mut random, app.bench(), &files);
         let kind = kinds::command(&command);

@@ -23,7 +23,7 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Document;
 use crate::gui::core::simulate::Form;
 use crate::gui::testing::workbench;
-use crate::gui::view::{Then, What};
+use crate::gui::view::{NextAction, What};
 use crate::model::format_v1::load_model;
 use crate::sessions;
 
@@ -68,12 +68,12 @@ fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
 }
 
 /// Tells where a walk was when something panics.
-struct Told {
+struct WalkReport {
     seed: u64,
     tail: VecDeque<String>,
 }
 
-impl Drop for Told {
+impl Drop for WalkReport {
     fn drop(&mut self) {
         if std::thread::panicking() {
             eprintln!("seed {}, the last commands:", self.seed);
@@ -90,7 +90,7 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
     let mut files = prepared(folder.path());
     let mut app = App::on(workbench_at_home(folder.path()));
     let ctx = egui::Context::default();
-    let mut told = Told {
+    let mut told = WalkReport {
         seed,
         tail: VecDeque::new(),
     };
@@ -164,7 +164,7 @@ fn prepared(folder: &Path) -> Files {
     }
     Files {
         written: Vec::new(),
-        foreign,
+        instrument_file: foreign,
         arm: folder.join("six-60.json"),
         folder: folder.to_path_buf(),
     }
@@ -175,7 +175,7 @@ fn workbench_at_home(folder: &Path) -> Workbench {
     let home = folder.join("home");
     let mut killed = workbench();
     killed.at_home(home.clone());
-    killed.execute(Command::Do(Then::Simulate(Form {
+    killed.execute(Command::Do(NextAction::Simulate(Form {
         step_deg: 30.0,
         ..Form::default()
     })));
@@ -186,8 +186,8 @@ fn workbench_at_home(folder: &Path) -> Workbench {
     let mut bench = workbench();
     bench.at_home(home);
     bench.receive();
-    assert_eq!(bench.left_behind().len(), 1, "what was killed is offered");
-    bench.execute(Command::Do(Then::Simulate(Form {
+    assert_eq!(bench.orphaned().len(), 1, "what was killed is offered");
+    bench.execute(Command::Do(NextAction::Simulate(Form {
         step_deg: 15.0,
         ..Form::default()
     })));
@@ -198,7 +198,7 @@ fn workbench_at_home(folder: &Path) -> Workbench {
 /// What holds after every command.
 fn consistent(bench: &Workbench) {
     let document = bench.document();
-    let samples = bench.subject().len();
+    let samples = bench.loaded_session().len();
     let view = bench.view();
     let shown = [view.hovered, view.selected].into_iter().flatten();
     for sample in shown.chain(view.marked.iter().copied()) {
@@ -218,7 +218,7 @@ fn consistent(bench: &Workbench) {
     let panes = &view.panes;
     assert_eq!(panes.clone().sound(|_| true).outline(), panes.outline());
     assert!(panes.pane(panes.active()).is_some(), "{panes:?}");
-    let robot = &bench.subject().session.robot;
+    let robot = &bench.loaded_session().session.robot;
     let problems = robot.problems(&Place::default());
     assert!(
         problems.iter().all(|d| d.severity != Severity::Error),
@@ -313,11 +313,13 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
         let wanted = document.session_to_save();
         sessions::save(&wanted, &path, replacing).expect("it can be saved");
         let read = sessions::load(&path).expect("what was saved can be read");
-        let opened = Document::new(Arc::new(crate::gui::core::loaded_session::Subject::new(
-            read.session,
-            Vec::new(),
-            crate::gui::core::loaded_session::Origin::Simulated,
-        )));
+        let opened = Document::new(Arc::new(
+            crate::gui::core::loaded_session::LoadedSession::new(
+                read.session,
+                Vec::new(),
+                crate::gui::core::loaded_session::Origin::Simulated,
+            ),
+        ));
         if !document.regions.is_empty() {
             assert_eq!(opened.regions, document.regions, "regions");
         }

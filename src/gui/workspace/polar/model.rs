@@ -10,7 +10,7 @@
 //! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::scale::{FEW, round_down, stride};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
@@ -27,7 +27,7 @@ const GAP_RAD: f64 = 0.45;
 
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spot {
+pub(crate) struct PolarSample {
     pub(crate) sample: usize,
     /// Commanded angle, rad.
     pub(crate) q: f64,
@@ -39,10 +39,10 @@ pub(crate) struct Spot {
     pub(crate) side: f64,
 }
 
-impl Spot {
+impl PolarSample {
     /// A sample of a session.
     pub(crate) fn of(
-        subject: &Subject,
+        subject: &LoadedSession,
         answer: Option<&Answer>,
         component: Component,
         sample: usize,
@@ -70,7 +70,7 @@ pub(crate) struct Trace {
 pub(crate) struct Polar {
     pub(crate) component: Component,
     /// Samples, perhaps thinned; none where their extremes are shown instead.
-    pub(crate) spots: Vec<Spot>,
+    pub(crate) spots: Vec<PolarSample>,
     /// One spot for so many samples.
     pub(crate) stride: usize,
     /// Mean deviation before, by side.
@@ -89,7 +89,7 @@ pub(crate) struct Polar {
 }
 
 /// Why a session has no polar view, and what shows the same.
-pub(crate) fn absent(subject: &Subject) -> Option<&'static str> {
+pub(crate) fn absent(subject: &LoadedSession) -> Option<&'static str> {
     let robot = &subject.session.robot;
     if subject.is_empty() {
         Some(say!(
@@ -111,7 +111,7 @@ pub(crate) fn absent(subject: &Subject) -> Option<&'static str> {
 impl Polar {
     /// The view as the workbench has it; why there is none otherwise.
     pub(crate) fn of(workbench: &Workbench) -> Result<Self, &'static str> {
-        let subject = &**workbench.subject();
+        let subject = &**workbench.loaded_session();
         if let Some(because) = absent(subject) {
             return Err(because);
         }
@@ -121,8 +121,8 @@ impl Polar {
         let stride = stride(usable.len(), FEW);
         let shown: &[u32] = if envelope.is_some() { &[] } else { usable };
         let samples = shown.iter().step_by(stride).map(|s| *s as usize);
-        let spots: Vec<Spot> = samples
-            .map(|sample| Spot::of(subject, answer, view.component, sample))
+        let spots: Vec<PolarSample> = samples
+            .map(|sample| PolarSample::of(subject, answer, view.component, sample))
             .collect();
         let only_after = view.only_after && answer.is_some();
         let per_mm = workbench.units().length_value(1.0);
@@ -140,7 +140,7 @@ impl Polar {
 
     /// The view of these samples; of what is left alone where it is looked at alone.
     pub(crate) fn from_spots(
-        spots: Vec<Spot>,
+        spots: Vec<PolarSample>,
         component: Component,
         only_after: bool,
         per_mm: f64,
@@ -258,8 +258,8 @@ mod tests {
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
 
-    fn spot(sample: usize, q: f64, before_mm: f64) -> Spot {
-        Spot {
+    fn spot(sample: usize, q: f64, before_mm: f64) -> PolarSample {
+        PolarSample {
             sample,
             q,
             before_mm,
@@ -320,7 +320,7 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Component(Component::Radial));
         let before = Polar::of(&workbench).expect("the joint turns");
-        assert_eq!(before.spots.len(), workbench.subject().len());
+        assert_eq!(before.spots.len(), workbench.loaded_session().len());
         assert!(before.after.is_empty());
         assert_eq!(before.before.len(), 2, "a line for each side");
         workbench.execute(Command::Edit(Edit::Identify));

@@ -5,14 +5,14 @@
 use std::f64::consts::TAU;
 
 use crate::gui::cache::envelope::Envelope;
-use crate::gui::scene::{Entry, Form, Item, Label, Mark, Place, Scene, Stroke, Token};
+use crate::gui::scene::{ColourToken, Form, Item, Label, LegendEntry, Mark, Place, Scene, Stroke};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::present::numbers::trimmed;
 use crate::present::units::Units;
 
 use super::super::pointer::marked;
-use super::model::{Polar, Spot, Trace};
+use super::model::{Polar, PolarSample, Trace};
 
 /// Radius of the nominal circle, divisions.
 pub(super) const NOMINAL: f64 = 8.0;
@@ -37,19 +37,19 @@ pub(super) fn bounds(polar: &Polar) -> [[f64; 2]; 2] {
 
 /// The view where a division is so many points.
 pub(super) fn scene(workbench: &Workbench, polar: &Polar, points: f64) -> Scene {
-    let subject = &**workbench.subject();
+    let subject = &**workbench.loaded_session();
     let view = workbench.view();
     let only_after = workbench.only_after();
-    let of = |sample: usize| Spot::of(subject, workbench.answer(), view.component, sample);
+    let of = |sample: usize| PolarSample::of(subject, workbench.answer(), view.component, sample);
     let mut scene = Scene::default();
-    ground(&mut scene, polar);
+    axes(&mut scene, polar);
     match workbench.around() {
         Some(envelope) if envelope.count(polar.range) > MOST_SPOTS => {
             extremes(&mut scene, polar, envelope, only_after, LEAST / points);
         }
         Some(envelope) => {
             let all = envelope.samples(polar.range, MOST_SPOTS);
-            let spots: Vec<Spot> = all.map(of).collect();
+            let spots: Vec<PolarSample> = all.map(of).collect();
             dots(&mut scene, polar, &spots, only_after);
         }
         None => {
@@ -61,7 +61,7 @@ pub(super) fn scene(workbench: &Workbench, polar: &Polar, points: f64) -> Scene 
     let there = marked(view, subject.len()).chain(emphasised);
     for sample in there.filter(|sample| subject.usable[*sample]) {
         for at in places(polar, &of(sample), only_after).into_iter().flatten() {
-            let ring = Stroke::new(2.5, Token::Accent);
+            let ring = Stroke::new(2.5, ColourToken::Accent);
             scene.mark(Mark::ring(at, Form::Disc, 8.0, ring));
         }
     }
@@ -70,7 +70,7 @@ pub(super) fn scene(workbench: &Workbench, polar: &Polar, points: f64) -> Scene 
 }
 
 /// Where a spot's deviations are: before, unless only what is left is shown, and after.
-pub(super) fn places(polar: &Polar, spot: &Spot, only_after: bool) -> [Option<[f64; 3]>; 2] {
+pub(super) fn places(polar: &Polar, spot: &PolarSample, only_after: bool) -> [Option<[f64; 3]>; 2] {
     let at = |mm: f64| {
         let at = [spot.q, mm / polar.division_mm, 0.0];
         at.iter().all(|v| v.is_finite()).then_some(at)
@@ -88,18 +88,18 @@ fn circle(divisions: f64) -> impl Iterator<Item = Place> {
 }
 
 /// Rings, spokes, the tolerance and the nominal circle.
-fn ground(scene: &mut Scene, polar: &Polar) {
+fn axes(scene: &mut Scene, polar: &Polar) {
     let ring = |divisions: f64, stroke| Item::Line(circle(divisions).collect(), stroke);
     if let Some(band) = polar.band_mm() {
         let [inner, outer] = band.map(|mm| mm / polar.division_mm);
-        let fill = Token::Within.clear(0.16);
+        let fill = ColourToken::Within.clear(0.16);
         let ends = circle(inner).zip(circle(outer));
         let net = ends.flat_map(|(a, b)| [(a, fill), (b, fill)]);
         scene.items.push(Item::Net(net.collect(), 2));
-        let edge = Stroke::new(1.0, Token::Within.clear(0.7)).dashed(4.0, 3.0);
+        let edge = Stroke::new(1.0, ColourToken::Within.clear(0.7)).dashed(4.0, 3.0);
         scene.items.extend([inner, outer].map(|at| ring(at, edge)));
     }
-    let thin = Stroke::new(1.0, Token::Line);
+    let thin = Stroke::new(1.0, ColourToken::Line);
     let [inside, outside] = polar.divisions;
     for (most, way) in [(inside, -1.0), (outside, 1.0)] {
         let rings = (1..=crate::numeric::whole(most)).map(|k| ring(way * k as f64, thin));
@@ -108,7 +108,7 @@ fn ground(scene: &mut Scene, polar: &Polar) {
     for k in 0..SPOKES {
         scene.line([-inside, outside].map(|at| [spoke(k), at, 0.0]), thin);
     }
-    let nominal = Stroke::new(1.75, Token::Nominal);
+    let nominal = Stroke::new(1.75, ColourToken::Nominal);
     scene.items.push(ring(0.0, nominal));
 }
 
@@ -118,8 +118,8 @@ fn spoke(k: u8) -> f64 {
 
 /// Means at each angle: before is dashed.
 fn means(scene: &mut Scene, polar: &Polar) {
-    let before = Stroke::new(1.25, Token::Before.clear(0.8)).dashed(5.0, 3.0);
-    let after = Stroke::new(1.5, Token::After);
+    let before = Stroke::new(1.25, ColourToken::Before.clear(0.8)).dashed(5.0, 3.0);
+    let after = Stroke::new(1.5, ColourToken::After);
     let lines = |traces: &[Trace], stroke| -> Vec<Item> {
         let point = |[q, mm]: &[f64; 2]| Place::from([*q, mm / polar.division_mm, 0.0]);
         let pieces = traces.iter().flat_map(|trace| &trace.pieces);
@@ -130,9 +130,9 @@ fn means(scene: &mut Scene, polar: &Polar) {
     scene.items.extend(lines(&polar.after, after));
 }
 
-fn dots(scene: &mut Scene, polar: &Polar, spots: &[Spot], only_after: bool) {
+fn dots(scene: &mut Scene, polar: &Polar, spots: &[PolarSample], only_after: bool) {
     let identified = spots.iter().any(|s| s.after_mm.is_some());
-    let form = |spot: &Spot| match spot.side {
+    let form = |spot: &PolarSample| match spot.side {
         0.0 => Form::Disc,
         side => Form::Ahead([side.signum(), 0.0, 0.0]),
     };
@@ -141,14 +141,14 @@ fn dots(scene: &mut Scene, polar: &Polar, spots: &[Spot], only_after: bool) {
         let at = places(polar, spot, only_after);
         if let Some(at) = at[0] {
             let part = if identified { 0.75 } else { 1.0 };
-            let edge = Stroke::new(1.2, Token::Before.clear(part));
+            let edge = Stroke::new(1.2, ColourToken::Before.clear(part));
             let mark = Mark::ring(at, form(spot), 3.2, edge).of(spot.sample);
-            let fill = (!identified).then(|| Token::Before.clear(0.35));
+            let fill = (!identified).then(|| ColourToken::Before.clear(0.35));
             scene.mark(Mark { fill, ..mark });
         }
         if let Some(at) = at[1] {
-            let edge = Stroke::new(0.8, Token::Surface);
-            let mark = Mark::filled(at, form(spot), 3.4, Token::After).edged(edge);
+            let edge = Stroke::new(0.8, ColourToken::Surface);
+            let mark = Mark::filled(at, form(spot), 3.4, ColourToken::After).edged(edge);
             after.push(Item::Mark(mark.of(spot.sample)));
         }
     }
@@ -174,14 +174,14 @@ fn extremes(scene: &mut Scene, polar: &Polar, envelope: &Envelope, only_after: b
     };
     for column in columns.iter().filter(|_| !only_after) {
         if let Some([low, high]) = column.before_mm.map(thick) {
-            add(column.x, [low, high], Token::Before.clear(0.3));
-            add(column.x, [low, low + least], Token::Before.into());
-            add(column.x, [high - least, high], Token::Before.into());
+            add(column.x, [low, high], ColourToken::Before.clear(0.3));
+            add(column.x, [low, low + least], ColourToken::Before.into());
+            add(column.x, [high - least, high], ColourToken::Before.into());
         }
     }
     for column in columns.iter() {
         if let Some(ends) = column.after_mm.map(thick) {
-            add(column.x, ends, Token::After.clear(0.85));
+            add(column.x, ends, ColourToken::After.clear(0.85));
         }
     }
     scene.items.push(Item::Triangles(pieces));
@@ -202,17 +202,21 @@ fn names(scene: &mut Scene, polar: &Polar, units: Units) {
         } else {
             0.0
         };
-        let name = Label::new([q, outside + 0.9, 0.0], units.angle(q - turn), Token::Muted);
+        let name = Label::new(
+            [q, outside + 0.9, 0.0],
+            units.angle(q - turn),
+            ColourToken::Muted,
+        );
         let room = Some([4.0, 1.0]);
         scene.label(Label { room, ..name });
     }
     for divisions in [outside, -inside] {
         let value = units.length_value(divisions * polar.division_mm);
         let says = format!("{} {}", trimmed(value, 6), units.length_name());
-        let name = Label::new([names_at(polar), divisions, 0.0], says, Token::Muted);
+        let name = Label::new([names_at(polar), divisions, 0.0], says, ColourToken::Muted);
         scene.label(Label {
             room: Some([3.0, 1.0]),
-            ground: Some(Token::Surface.into()),
+            ground: Some(ColourToken::Surface.into()),
             ..name
         });
     }
@@ -233,41 +237,47 @@ fn names_at(polar: &Polar) -> f64 {
 }
 
 /// What the marks mean.
-pub(crate) fn legend(workbench: &Workbench, polar: &Polar) -> Vec<Entry> {
+pub(crate) fn legend(workbench: &Workbench, polar: &Polar) -> Vec<LegendEntry> {
     let answered = workbench.answer().is_some();
     let only_after = workbench.only_after();
     let middle = [0.0; 3];
-    let line = |width, token: Token| Stroke::new(width, token);
-    let mut all = vec![Entry::line(
+    let line = |width, token: ColourToken| Stroke::new(width, token);
+    let mut all = vec![LegendEntry::line(
         say!("nominal circle"),
-        line(1.75, Token::Nominal),
+        line(1.75, ColourToken::Nominal),
     )];
     if !only_after {
-        let ring = Mark::ring(middle, Form::Disc, 3.4, line(1.2, Token::Before));
-        all.push(Entry::mark(say!("before"), ring));
+        let ring = Mark::ring(middle, Form::Disc, 3.4, line(1.2, ColourToken::Before));
+        all.push(LegendEntry::mark(say!("before"), ring));
     }
     if answered {
-        let disc = Mark::filled(middle, Form::Disc, 2.8, Token::After);
-        all.push(Entry::mark(say!("after"), disc));
+        let disc = Mark::filled(middle, Form::Disc, 2.8, ColourToken::After);
+        all.push(LegendEntry::mark(say!("after"), disc));
     }
     if workbench.around().is_none() {
         if !only_after {
-            let dashes = line(1.25, Token::Before).dashed(4.0, 2.5);
-            all.push(Entry::line(say!("mean before"), dashes));
+            let dashes = line(1.25, ColourToken::Before).dashed(4.0, 2.5);
+            all.push(LegendEntry::line(say!("mean before"), dashes));
         }
         if answered {
-            all.push(Entry::line(say!("mean after"), line(1.5, Token::After)));
+            all.push(LegendEntry::line(
+                say!("mean after"),
+                line(1.5, ColourToken::After),
+            ));
         }
     }
     if polar.spots.iter().any(|s| s.side != 0.0) {
         for (name, side) in [(say!("moving positive"), 1.0), (say!("negative"), -1.0)] {
-            let edge = line(1.2, Token::Muted);
+            let edge = line(1.2, ColourToken::Muted);
             let mark = Mark::ring(middle, Form::Ahead([side, 0.0, 0.0]), 3.4, edge);
-            all.push(Entry::mark(name, mark));
+            all.push(LegendEntry::mark(name, mark));
         }
     }
     if polar.tolerance_mm.is_some() {
-        all.push(Entry::band(say!("tolerance"), Token::Within.clear(0.3)));
+        all.push(LegendEntry::band(
+            say!("tolerance"),
+            ColourToken::Within.clear(0.3),
+        ));
     }
     all
 }
@@ -278,7 +288,7 @@ mod tests {
     use crate::gui::core::loaded_session::Component;
 
     fn polar() -> Polar {
-        let spot = Spot {
+        let spot = PolarSample {
             sample: 0,
             q: 0.5,
             before_mm: 0.4,

@@ -15,7 +15,7 @@ use crate::present::drawing;
 use super::super::layout::nearest;
 use super::super::model::dial;
 use super::super::pointer::{REACH, hover};
-use super::model::{Polar, Spot, scale};
+use super::model::{Polar, PolarSample, scale};
 use super::scene::{NOMINAL, bounds, legend, places, scene};
 
 /// Of so many near the pointer at most; more stand on one another.
@@ -25,7 +25,7 @@ const SQUARE: f32 = 360.0;
 
 /// As the angle lies in the plane that is looked at.
 fn bearing(workbench: &Workbench) -> Bearing {
-    dial(workbench.subject(), workbench.view().plane).map_or_else(
+    dial(workbench.loaded_session(), workbench.view().plane).map_or_else(
         || Bearing::of([1.0, 0.0], [0.0, 1.0]),
         |dial| Bearing::of(dial.radial, dial.tangential),
     )
@@ -60,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
         ));
     });
     let response = shown.response;
-    let samples = workbench.subject().overview.usable.len();
+    let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
         let says = say!(
             "polar view, {component}, {samples} samples, {polar}",
@@ -90,9 +90,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
     hover(&response, workbench, under, commands);
 }
 
-fn spot(workbench: &Workbench, sample: usize) -> Spot {
+fn spot(workbench: &Workbench, sample: usize) -> PolarSample {
     let component = workbench.view().component;
-    Spot::of(workbench.subject(), workbench.answer(), component, sample)
+    PolarSample::of(
+        workbench.loaded_session(),
+        workbench.answer(),
+        component,
+        sample,
+    )
 }
 
 /// Samples at the angles around the pointer, on every turn.
@@ -141,7 +146,7 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String),
         notes,
     };
     let scene = scene(workbench, &polar, camera.points_per_mm());
-    let session = crate::report::document::clean(&workbench.subject().session.name);
+    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
     let says = say!(
         "{session}: the deviation around the angle",
         session = session
@@ -169,7 +174,7 @@ mod tests {
             Item::Mark(mark) => mark.sample.is_some(),
             _ => false,
         });
-        assert_eq!(marks.count(), workbench.subject().len());
+        assert_eq!(marks.count(), workbench.loaded_session().len());
         let (drawing, _) = sheet(&workbench).expect("it turns");
         let says = |part: &str| {
             let mut items = drawing.items.iter();

@@ -7,10 +7,12 @@ use std::f64::consts::TAU;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::gui::core::appearance::Appearance;
-use crate::gui::scene::{Camera, Form, Ink, Item, Mark, Place, Scene, Stroke, Token, Triangle};
+use crate::gui::scene::{
+    Camera, ColourToken, Form, Item, Mark, Place, Scene, Stroke, Tint, Triangle,
+};
 use crate::gui::view::Facing;
 
-use super::model::{Drawn, Sign};
+use super::model::{Drawn, JointSymbol};
 
 /// Width of a rod, and of its wall, points.
 const ROD: [f32; 2] = [10.0, 1.25];
@@ -35,7 +37,7 @@ pub(crate) fn body(
     drawn: &Drawn,
     base: &Isometry3<f64>,
     camera: &Camera,
-    surface: Option<Vec<(Triangle, Ink)>>,
+    surface: Option<Vec<(Triangle, Tint)>>,
 ) {
     let pen = Pen {
         camera,
@@ -43,9 +45,9 @@ pub(crate) fn body(
     };
     if let Some(stands) = drawn.corners_mm.first() {
         let sides = [Vector3::x(), Vector3::y()].map(|side| base.rotation * side * PLATE);
-        let edge = Stroke::new(1.25, seen(drawn, Token::Nominal));
+        let edge = Stroke::new(1.25, seen(drawn, ColourToken::Nominal));
         let plate = pen.face(*stands, sides, false);
-        let fill = Some(Token::Surface.into());
+        let fill = Some(ColourToken::Surface.into());
         scene.items.push(Item::Area(plate, fill, Some(edge)));
     }
     match surface {
@@ -57,7 +59,7 @@ pub(crate) fn body(
 }
 
 /// As it is seen where somebody asked for it, or else paler.
-fn seen(drawn: &Drawn, token: Token) -> Ink {
+fn seen(drawn: &Drawn, token: ColourToken) -> Tint {
     token.pale(if drawn.asked_for { 1.0 } else { FAINT })
 }
 
@@ -68,8 +70,8 @@ fn place(p: &Point3<f64>) -> Place {
 /// The open ring of the nominal robot's tool.
 fn tool(scene: &mut Scene, drawn: &Drawn) {
     if let Some(tool) = drawn.corners_mm.last() {
-        let edge = Stroke::new(1.5, seen(drawn, Token::Nominal));
-        scene.mark(Mark::filled(place(tool), Form::Disc, 5.5, Token::Surface).edged(edge));
+        let edge = Stroke::new(1.5, seen(drawn, ColourToken::Nominal));
+        scene.mark(Mark::filled(place(tool), Form::Disc, 5.5, ColourToken::Surface).edged(edge));
     }
 }
 
@@ -79,23 +81,28 @@ fn real(scene: &mut Scene, drawn: &Drawn) {
         return;
     };
     let token = if real.identified {
-        Token::After
+        ColourToken::After
     } else {
-        Token::Before
+        ColourToken::Before
     };
     let corners = real.corners_mm.iter().map(place).collect();
     scene
         .items
         .push(Item::Line(corners, Stroke::new(LINE, token)));
     if let Some(tool) = real.corners_mm.last() {
-        scene.mark(Mark::filled(place(tool), Form::Disc, 5.0, Token::Surface));
+        scene.mark(Mark::filled(
+            place(tool),
+            Form::Disc,
+            5.0,
+            ColourToken::Surface,
+        ));
         scene.mark(Mark::filled(place(tool), Form::Disc, 4.0, token));
     }
 }
 
 /// Rods and drums, where the screws are all that is known.
 fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
-    let [edge, ink] = [Token::Nominal, Token::Text].map(|token| seen(drawn, token));
+    let [edge, ink] = [ColourToken::Nominal, ColourToken::Text].map(|token| seen(drawn, token));
     let nearness = |p: Point3<f64>| pen.camera.nearness(p.into());
     let mut pieces: Vec<(f64, Vec<Item>)> = Vec::new();
     for pair in drawn.corners_mm.windows(2) {
@@ -120,11 +127,11 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
 }
 
 /// A link from one corner to the next.
-fn rod(from: &Point3<f64>, to: &Point3<f64>, wall: Ink) -> Vec<Item> {
+fn rod(from: &Point3<f64>, to: &Point3<f64>, wall: Tint) -> Vec<Item> {
     let ends = [from, to].map(place);
     let inner = ROD[0] - 2.0 * ROD[1];
     let mut items = Vec::new();
-    for (width, ink) in [(ROD[0], wall), (inner, Token::Surface.into())] {
+    for (width, ink) in [(ROD[0], wall), (inner, ColourToken::Surface.into())] {
         items.push(Item::Line(ends.to_vec(), Stroke::new(width, ink)));
         let round = |end| Item::Mark(Mark::filled(end, Form::Disc, 0.5 * width, ink));
         items.extend(ends.map(round));
@@ -152,7 +159,7 @@ impl Pen<'_> {
     }
 
     /// A drum about an axis, or a block along it.
-    fn joint(&self, sign: &Sign, edge: Stroke) -> Vec<Item> {
+    fn joint(&self, sign: &JointSymbol, edge: Stroke) -> Vec<Item> {
         let axis = Vector3::from(sign.axis);
         let [radius, half] = if sign.turns { DRUM } else { [BLOCK; 2] };
         let aside = if axis.x.abs() < 0.9 {
@@ -171,10 +178,10 @@ impl Pen<'_> {
         let off = way * (half * self.mm);
         let near = sign.at_mm + off;
         let ends = [sign.at_mm - off, near].map(|end| self.face(end, sides, sign.turns));
-        let area = |corners, fill: Token| Item::Area(corners, Some(fill.into()), Some(edge));
+        let area = |corners, fill: ColourToken| Item::Area(corners, Some(fill.into()), Some(edge));
         vec![
-            area(ends.concat(), Token::Inset),
-            area(ends[1].clone(), Token::Surface),
+            area(ends.concat(), ColourToken::Inset),
+            area(ends[1].clone(), ColourToken::Surface),
             Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.ink)),
         ]
     }
@@ -188,11 +195,11 @@ pub(crate) fn surface(
     motions: &[Isometry3<f64>],
     facing: &Facing,
     asked_for: bool,
-) -> Vec<(Triangle, Ink)> {
+) -> Vec<(Triangle, Tint)> {
     let [right, up, towards] = [facing.right, facing.up, facing.towards].map(Vector3::from);
     let light = right * LIGHT[0] + up * LIGHT[1] + towards * LIGHT[2];
     let part = if asked_for { 1.0 } else { FAINT };
-    let mut faces: Vec<(f64, (Triangle, Ink))> = Vec::new();
+    let mut faces: Vec<(f64, (Triangle, Tint))> = Vec::new();
     for (behind, triangles) in &appearance.parts {
         let Some(motion) = motions.get(*behind) else {
             continue;
@@ -203,7 +210,7 @@ pub(crate) fn surface(
             // Meshes do not agree on which side is outside.
             let turned = normal.dot(&light).abs() / normal.norm().max(f64::MIN_POSITIVE);
             let near: f64 = corners.iter().map(|p| p.coords.dot(&towards)).sum();
-            let ink = Token::Lit(crate::numeric::single(turned.min(1.0))).pale(part);
+            let ink = ColourToken::Lit(crate::numeric::single(turned.min(1.0))).pale(part);
             let corners = corners.map(|p| [p.x, p.y, p.z].map(crate::numeric::single));
             (near, (corners, ink))
         }));

@@ -20,7 +20,7 @@ pub(crate) fn values(
     palette: &Palette,
 ) {
     const MOST: usize = 8;
-    let says = drawn.says();
+    let says = drawn.describe();
     let frame = camera.frame();
     let chain = drawn.corners_mm.iter();
     let chain: Vec<Pos2> = chain.map(|p| camera.at(p.coords.into())).collect();

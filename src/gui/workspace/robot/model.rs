@@ -38,7 +38,7 @@ fn displaced(corners: &[Point3<f64>], tip_mm: Vector3<f64>) -> Vec<Point3<f64>> 
 
 /// How a joint is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sign {
+pub(crate) struct JointSymbol {
     pub(crate) at_mm: Point3<f64>,
     /// Its axis, a unit vector of the measuring frame.
     pub(crate) axis: [f64; 3],
@@ -69,7 +69,7 @@ pub(crate) struct Drawn {
     pub(crate) corners_mm: Vec<Point3<f64>>,
     pub(crate) real: Option<Real>,
     /// Its joints.
-    pub(crate) signs: Vec<Sign>,
+    pub(crate) signs: Vec<JointSymbol>,
     /// The joints' names and values.
     pub(crate) values: Vec<(String, String)>,
 }
@@ -77,7 +77,7 @@ pub(crate) struct Drawn {
 impl Drawn {
     /// The robot at the sample that is pointed at or chosen, or else at one in the middle.
     pub(crate) fn of(workbench: &Workbench) -> Option<Self> {
-        let (subject, view) = (&**workbench.subject(), workbench.view());
+        let (subject, view) = (&**workbench.loaded_session(), workbench.view());
         let robot = &subject.session.robot;
         let asked = view
             .hovered
@@ -135,7 +135,7 @@ impl Drawn {
     }
 
     /// In words: which sample, at which joint values.
-    pub(crate) fn says(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         let mut says = match (self.sample, self.asked_for) {
             (Some(sample), true) => say!("robot at sample {sample}", sample = sample + 1),
             (Some(sample), false) => say!(
@@ -154,13 +154,18 @@ impl Drawn {
 }
 
 /// The joints at a pose, where the corners of the chain are known.
-fn signs(robot: &Robot, q: &[f64], base: &Isometry3<f64>, corners_mm: &[Point3<f64>]) -> Vec<Sign> {
+fn signs(
+    robot: &Robot,
+    q: &[f64],
+    base: &Isometry3<f64>,
+    corners_mm: &[Point3<f64>],
+) -> Vec<JointSymbol> {
     let motions = robot.motions_from_home(q);
     let joints = robot.joints.iter().zip(&motions);
     let corners = corners_mm.iter().skip(1).step_by(2);
     joints
         .zip(corners)
-        .map(|((joint, motion), at_mm)| Sign {
+        .map(|((joint, motion), at_mm)| JointSymbol {
             at_mm: *at_mm,
             axis: (base.rotation * (motion.rotation * joint.axis.direction))
                 .into_inner()
@@ -180,7 +185,7 @@ fn home(robot: &Robot) -> Vec<f64> {
 }
 
 fn real(workbench: &Workbench, sample: usize, corners: &[Point3<f64>]) -> Option<Real> {
-    let subject = &**workbench.subject();
+    let subject = &**workbench.loaded_session();
     if !subject.usable[sample] {
         return None;
     }
@@ -222,14 +227,14 @@ mod tests {
     fn the_robot_stands_at_the_chosen_sample_and_else_at_one_as_an_example() {
         let mut workbench = workbench();
         let faint = Drawn::of(&workbench).expect("there are samples");
-        assert!(!faint.asked_for && faint.says().contains("as an example"));
+        assert!(!faint.asked_for && faint.describe().contains("as an example"));
         workbench.execute(Command::Select(Some(30)));
         let chosen = Drawn::of(&workbench).expect("there are samples");
         assert!(chosen.asked_for);
-        assert_eq!(chosen.says(), "robot at sample 31: pan 0°");
+        assert_eq!(chosen.describe(), "robot at sample 31: pan 0°");
         workbench.execute(Command::Hover(Some(0)));
         let hovered = Drawn::of(&workbench).expect("there are samples");
-        assert_eq!(hovered.says(), "robot at sample 1: pan −90°");
+        assert_eq!(hovered.describe(), "robot at sample 1: pan −90°");
     }
 
     #[test]
@@ -247,7 +252,7 @@ mod tests {
                 real.identified,
             )
         };
-        let e = workbench.subject().deviation_before(30);
+        let e = workbench.loaded_session().deviation_before(30);
         workbench.execute(Command::Magnify(Some(2.0)));
         let (moved, times, identified) = displacement(&workbench);
         assert!((moved - 2.0 * e[0].hypot(e[1])).abs() < 1e-9);
@@ -257,7 +262,7 @@ mod tests {
         workbench.execute(Command::Magnify(Some(5000.0)));
         let (moved, times, identified) = displacement(&workbench);
         assert!(identified && times < 5000.0);
-        assert!(moved <= MOST_DISPLACED * workbench.subject().overview.reach_mm + 1e-9);
+        assert!(moved <= MOST_DISPLACED * workbench.loaded_session().overview.reach_mm + 1e-9);
     }
 
     #[test]
@@ -273,7 +278,7 @@ mod tests {
                 assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
             }
         }
-        let subject = Arc::clone(workbench.subject());
+        let subject = Arc::clone(workbench.loaded_session());
         assert_eq!(subject.overview.robot_mm[0][2], 0.0);
     }
 }

@@ -14,7 +14,7 @@ use crate::present::units::Units;
 pub(super) fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
     /// Samples that are looked at: a frame must not look at all.
     const SOME: usize = 2_000;
-    let session = &workbench.subject().session;
+    let session = &workbench.loaded_session().session;
     let one = &session.robot.joints[joint];
     let whole = match one.kind {
         JointKind::Revolute => std::f64::consts::PI,
@@ -39,7 +39,7 @@ pub(super) fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
 /// A slider for each joint; `now` is where the robot is drawn.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Command>) {
     let units = workbench.units();
-    let joints = &workbench.subject().session.robot.joints;
+    let joints = &workbench.loaded_session().session.robot.joints;
     ui.horizontal(|ui| {
         widgets::title(ui, say!("Pose"));
         if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {

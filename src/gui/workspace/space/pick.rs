@@ -56,7 +56,7 @@ pub(super) fn under(
             candidates.collect()
         }
         Canvas::Layers(_) => {
-            let cloud = Cloud::of(workbench.subject());
+            let cloud = Cloud::of(workbench.loaded_session());
             let [x, y] = facing.flat(cloud.centre_mm);
             let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
             let candidates = drawn.filter_map(|(place, sample)| {
@@ -110,7 +110,7 @@ mod tests {
                 workbench.execute(Command::Turn(camera));
                 let shown = Shown::of(&workbench);
                 let facing = workbench.facing();
-                let subject = workbench.subject();
+                let subject = workbench.loaded_session();
                 for sample in subject.overview.usable.iter().map(|s| *s as usize) {
                     let p = subject.measured(sample);
                     let at = facing.flat(p);

@@ -5,7 +5,9 @@ use egui::{Align2, Rect, pos2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::scene::{self, Form, Item, Label, Mark, Place, Projection, Scene, Stroke, Token};
+use crate::gui::scene::{
+    self, ColourToken, Form, Item, Label, Mark, Place, Projection, Scene, Stroke,
+};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
@@ -64,7 +66,7 @@ pub(super) fn scene(
     grid(&mut scene, workbench, space);
     path(&mut scene, shown);
     if let Some(robot) = robot {
-        let subject = workbench.subject();
+        let subject = workbench.loaded_session();
         let surface = subject.appearance.as_deref().map(|appearance| {
             let motions = subject.session.robot.motions_from_home(&robot.q);
             let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
@@ -118,9 +120,9 @@ fn grid(scene: &mut Scene, workbench: &Workbench, space: &Space) {
     for ends in lines(&space.ball, per_mm) {
         let through_origin = ends.iter().all(|p| p[0] == 0.0) || ends.iter().all(|p| p[1] == 0.0);
         let token = if through_origin {
-            Token::Axis
+            ColourToken::Axis
         } else {
-            Token::Line
+            ColourToken::Line
         };
         scene.line(ends.map(|p| space.of_base(p)), Stroke::new(1.0, token));
     }
@@ -145,13 +147,17 @@ fn side_of_squares(scene: &mut Scene, workbench: &Workbench, shown: &Shown, spac
     let corner = shown.look.facing.raised([corner.x, corner.y]);
     scene.label(Label {
         anchor: Align2::LEFT_BOTTOM,
-        ..Label::new(Place::from(corner).beside(4.0, -4.0), says, Token::Muted)
+        ..Label::new(
+            Place::from(corner).shifted(4.0, -4.0),
+            says,
+            ColourToken::Muted,
+        )
     });
 }
 
 /// Poses that a diagnosis proposes to measure: open diamonds where the target would be.
 fn proposed(scene: &mut Scene, workbench: &Workbench, space: &Space) {
-    let session = &workbench.subject().session;
+    let session = &workbench.loaded_session().session;
     let poses = workbench.diagnosis().map_or(&[][..], |d| &d.next_poses);
     for pose in poses
         .iter()
@@ -169,7 +175,7 @@ fn proposed(scene: &mut Scene, workbench: &Workbench, space: &Space) {
         };
         let at = session.robot.point_in_base(&pose.q, &target);
         let at = space.of_base(at.into());
-        let edge = Stroke::new(1.5, Token::Accent);
+        let edge = Stroke::new(1.5, ColourToken::Accent);
         scene.mark(Mark::ring(at, Form::Diamond, 5.0, edge));
     }
 }
@@ -177,13 +183,13 @@ fn proposed(scene: &mut Scene, workbench: &Workbench, space: &Space) {
 /// The frames of base, tool and instrument.
 fn frames(scene: &mut Scene, workbench: &Workbench, robot: Option<&Drawn>, space: &Space) {
     frame(scene, say!("base"), space.base, space);
-    let session = &workbench.subject().session;
+    let session = &workbench.loaded_session().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
         let tool = space.base * session.robot.base_from_tool(&robot.q);
         frame(scene, say!("tool"), tool, space);
     }
     let instrument = &session.instrument;
-    let own_frame = workbench.found_base().or(workbench.subject().base);
+    let own_frame = workbench.found_base().or(workbench.loaded_session().base);
     let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);
     if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
         // A tracker that stands aside is seen from farther away.
@@ -209,16 +215,20 @@ fn frame(scene: &mut Scene, name: &str, frame: Isometry3<f64>, space: &Space) {
             <[f64; 3]>::from(end)
         };
         let ends = [origin, end(AXIS)].map(Place::from);
-        let arrow = Item::Vector(ends, Stroke::new(1.5, Token::Text));
+        let arrow = Item::Vector(ends, Stroke::new(1.5, ColourToken::Text));
         scene.items.push(arrow);
-        let letter = Label::new(end(AXIS + 8.0), letter, Token::Text);
+        let letter = Label::new(end(AXIS + 8.0), letter, ColourToken::Text);
         below = below.max(camera.place(&letter.at).y + 6.0);
         scene.label(letter);
     }
     let at = pos2(0.0, below + 2.0 - from.y);
     scene.label(Label {
         anchor: Align2::CENTER_TOP,
-        ..Label::new(Place::from(origin).beside(at.x, at.y), name, Token::Muted)
+        ..Label::new(
+            Place::from(origin).shifted(at.x, at.y),
+            name,
+            ColourToken::Muted,
+        )
     });
 }
 

@@ -10,9 +10,9 @@ use egui::{Panel, Pos2, Role, Sense, Ui, WidgetInfo};
 
 use super::super::model::Shown;
 use super::super::notes::Notes;
+use super::super::plot_size::tell_plot_size;
 use super::super::pointer::{REACH, hover};
 use super::super::robot::Drawn;
-use super::super::room::tell_room;
 use super::super::{layout, legend, over};
 use super::scene::{Space, scene};
 use super::{joints, looking, pick};
@@ -46,7 +46,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     };
     let size = [rect.width(), rect.height()].map(f64::from);
     let seen = FORESHORTENED * whole.points_per_mm(&space.ball, size);
-    tell_room(workbench, seen, commands);
+    tell_plot_size(workbench, seen, commands);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -58,7 +58,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     let about = (&shown, robot.as_ref());
     over::show(ui, workbench, about, camera, (notes, scale));
     let view = workbench.view();
-    says(&response, workbench);
+    describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
     let under = pointer.and_then(|at| under(workbench, &shown, &space, at));
     hover(&response, workbench, under, commands);
@@ -71,13 +71,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
 }
 
 /// How the view is called, and what it shows, for those who do not see it.
-fn says(response: &egui::Response, workbench: &Workbench) {
+fn describe(response: &egui::Response, workbench: &Workbench) {
     let view = workbench.view();
-    let samples = workbench.subject().overview.usable.len();
+    let samples = workbench.loaded_session().overview.usable.len();
     let mut name = say!(
         "3-D view, {samples} samples, {camera}",
         samples = samples,
-        camera = view.camera.says()
+        camera = view.camera.describe()
     );
     if let Some(sample) = view.selected {
         name += &say!(", sample {sample} selected", sample = sample + 1);
@@ -109,18 +109,18 @@ fn under(workbench: &Workbench, shown: &Shown, space: &Space, at: Pos2) -> Optio
 /// # Errors
 /// There is nothing to draw.
 pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
-    if workbench.subject().is_empty() {
+    if workbench.loaded_session().is_empty() {
         return Err(say!("there are no samples to draw").to_owned());
     }
     let shown = Shown::on(workbench, Canvas::Shapes);
     let robot = Drawn::of(workbench);
     let space = Space::new(workbench, Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.subject().session.name);
+    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
     let title = say!(
         "{session}: {samples} samples, {camera}, deviations {state} magnified {magnified} times",
         session = session,
         samples = shown.samples,
-        camera = workbench.view().camera.says(),
+        camera = workbench.view().camera.describe(),
         state = if shown.look.answered {
             say!("after")
         } else {
@@ -168,14 +168,18 @@ mod tests {
     fn far(workbench: &Workbench) -> f64 {
         let drawn = Drawn::of(workbench).expect("there are samples");
         let (tool, sample) = (drawn.corners_mm[13], drawn.sample.expect("one of them"));
-        (tool - Point3::from(workbench.subject().measured(sample))).norm()
+        (tool - Point3::from(workbench.loaded_session().measured(sample))).norm()
     }
 
     #[test]
     fn with_setups_the_robot_stands_there_from_the_beginning() {
         let mut workbench = arm();
         assert!(far(&workbench) < 20.0, "{}", far(&workbench));
-        let before = workbench.subject().gap_before.expect("samples").rms_mm;
+        let before = workbench
+            .loaded_session()
+            .gap_before
+            .expect("samples")
+            .rms_mm;
         assert!(before < 10.0, "{before}");
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
@@ -221,7 +225,7 @@ mod tests {
             let turned = workbench.view().camera.orbited([61.0, 17.0]);
             workbench.execute(Command::Turn(turned));
             let space = Space::new(&workbench, rect);
-            let subject = workbench.subject();
+            let subject = workbench.loaded_session();
             for sample in 0..subject.len() {
                 let at = space.camera.at(subject.measured(sample));
                 assert!(rect.contains(at), "{at:?}");
@@ -242,9 +246,9 @@ mod tests {
         let drawn = Drawn::of(&workbench).expect("a robot");
         assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
         assert!(
-            drawn.says().starts_with("robot as posed"),
+            drawn.describe().starts_with("robot as posed"),
             "{}",
-            drawn.says()
+            drawn.describe()
         );
         workbench.execute(Command::Select(Some(3)));
         assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
@@ -260,7 +264,7 @@ mod tests {
     #[test]
     fn a_slider_reaches_over_the_limits_or_what_was_measured() {
         let workbench = arm();
-        let session = &workbench.subject().session;
+        let session = &workbench.loaded_session().session;
         for (k, joint) in session.robot.joints.iter().enumerate() {
             let [low, high] = joints::range(&workbench, k);
             assert!(low < high);

@@ -1,6 +1,6 @@
 //! The units of such a table.
 
-use super::parts::Part;
+use super::parts::TableColumn;
 use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
@@ -19,7 +19,7 @@ pub(super) fn units_of(
     case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
-    parts: &[Part],
+    parts: &[TableColumn],
 ) -> Option<Units> {
     let suits = |unit: &Unit| match unit {
         Unit::Length(_) => case.reading.slides,
@@ -36,14 +36,19 @@ pub(super) fn units_of(
     for (index, part) in parts.iter().enumerate() {
         let unit = in_heading(index);
         if let Some(unit) = unit.filter(|unit| !suits(unit))
-            && !matches!(part, Part::Other | Part::Direction | Part::Run)
+            && !matches!(
+                part,
+                TableColumn::Other | TableColumn::Direction | TableColumn::Run
+            )
         {
             strange = Some((index, unit));
         }
         match part {
-            Part::Target => target = unit,
-            Part::Position | Part::Deviation | Part::Of { .. } => measured = measured.or(unit),
-            Part::Direction | Part::Run | Part::Other => {}
+            TableColumn::Target => target = unit,
+            TableColumn::Position | TableColumn::Deviation | TableColumn::Of { .. } => {
+                measured = measured.or(unit);
+            }
+            TableColumn::Direction | TableColumn::Run | TableColumn::Other => {}
         }
     }
     if let Some((index, _)) = strange {
@@ -79,7 +84,7 @@ pub(super) fn units_of(
     // What holds for the targets holds for the positions, but for deviations nothing follows.
     let default = given.or(in_preamble.filter(suits));
     let target_unit = target.or(default);
-    let is_deviation = parts.contains(&Part::Deviation);
+    let is_deviation = parts.contains(&TableColumn::Deviation);
     let inherited = if is_deviation { None } else { target };
     let measured_unit = measured.or(default).or(inherited);
     let (Some(target), Some(measured)) = (target_unit, measured_unit) else {

@@ -15,7 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
+use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::reader::{direction, extent, fixed};
 use crate::importers::role::Role;
@@ -26,12 +26,12 @@ use crate::sessions::table::Cells;
 use crate::text::{Template, Text};
 
 use in_units::{Units, units_of};
-use parts::{Part, headings, parts};
+use parts::{TableColumn, headings, parts};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",
     plainly: phrase!("an ISO 230-2 run: targets and positions of one axis"),
-    asks: Asks {
+    asks: Questions {
         columns: Meanings::Own(&[
             ("target", "target position"),
             ("direction", "direction of approach"),
@@ -40,7 +40,7 @@ pub(crate) static IMPORTER: Importer = Importer {
             ("deviation", "deviation from the target"),
         ]),
         joint: true,
-        ..Asks::TABLE
+        ..Questions::TABLE
     },
     options: &[],
     known_by: KnownBy::Reading {
@@ -78,22 +78,22 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
                 _ => Known::FromHeading,
             },
             meaning: match part {
-                Part::Target => "target".to_owned(),
-                Part::Direction => "direction".to_owned(),
-                Part::Run => "run".to_owned(),
-                Part::Position => "position".to_owned(),
-                Part::Deviation => "deviation".to_owned(),
-                Part::Of { run, dir } => {
+                TableColumn::Target => "target".to_owned(),
+                TableColumn::Direction => "direction".to_owned(),
+                TableColumn::Run => "run".to_owned(),
+                TableColumn::Position => "position".to_owned(),
+                TableColumn::Deviation => "deviation".to_owned(),
+                TableColumn::Of { run, dir } => {
                     format!("run {run} {}", if *dir < 0.0 { "-" } else { "+" })
                 }
-                Part::Other => "-".to_owned(),
+                TableColumn::Other => "-".to_owned(),
             },
         })
         .collect();
     let is_number = |index: usize| {
         !matches!(
             parts.get(index),
-            None | Some(Part::Direction | Part::Run | Part::Other)
+            None | Some(TableColumn::Direction | TableColumn::Run | TableColumn::Other)
         )
     };
     let place = case.place.clone();
@@ -116,7 +116,9 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     if case.is_open() {
         return None;
     }
-    let is_wide = parts.iter().any(|part| matches!(part, Part::Of { .. }));
+    let is_wide = parts
+        .iter()
+        .any(|part| matches!(part, TableColumn::Of { .. }));
     let is_deviation = deviations(case, &parts, &list, units)?;
     Some(columns(case, &in_order(list, is_wide), is_deviation, units))
 }
@@ -125,7 +127,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
 fn measurements(
     case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
-    parts: &[Part],
+    parts: &[TableColumn],
     decimal: Decimal,
 ) -> Vec<Measurement> {
     let mut list = Vec::new();
@@ -143,15 +145,15 @@ fn measurements(
         let (mut target, mut dir, mut run) = (None, 0.0, 1);
         for (index, part) in parts.iter().enumerate() {
             match part {
-                Part::Target => match value(cell(index), decimal) {
+                TableColumn::Target => match value(cell(index), decimal) {
                     Ok(number) => target = Some(number),
                     Err(_) => wrong(index, phrase!("the target as a number")),
                 },
-                Part::Direction => match direction(cell(index)) {
+                TableColumn::Direction => match direction(cell(index)) {
                     Some(number) => dir = number,
                     None => wrong(index, phrase!("+ or -, 1 or -1, forward or backward")),
                 },
-                Part::Run => match cell(index).parse() {
+                TableColumn::Run => match cell(index).parse() {
                     Ok(number) => run = number,
                     Err(_) => wrong(index, phrase!("the number of the run")),
                 },
@@ -160,8 +162,8 @@ fn measurements(
         }
         for (index, part) in parts.iter().enumerate() {
             let (run, dir) = match part {
-                Part::Position | Part::Deviation => (run, dir),
-                Part::Of { run, dir } => (*run, *dir),
+                TableColumn::Position | TableColumn::Deviation => (run, dir),
+                TableColumn::Of { run, dir } => (*run, *dir),
                 _ => continue,
             };
             if cell(index).is_empty() {
@@ -198,11 +200,11 @@ fn measurements(
 /// Whether deviations stand in the place of positions.
 fn deviations(
     case: &mut ReadContext<'_>,
-    parts: &[Part],
+    parts: &[TableColumn],
     list: &[Measurement],
     units: Units,
 ) -> Option<bool> {
-    if parts.contains(&Part::Deviation) {
+    if parts.contains(&TableColumn::Deviation) {
         return Some(true);
     }
     let targets: Vec<f64> = list

@@ -8,7 +8,7 @@ use crate::importers::settings::{About, ReadContext};
 
 /// What a column of the table is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Part {
+pub(super) enum TableColumn {
     Target,
     Direction,
     Run,
@@ -54,18 +54,18 @@ pub(super) fn parts(
     case: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
-) -> Option<Vec<Part>> {
+) -> Option<Vec<TableColumn>> {
     let given = &case.reading.columns;
-    let parts: Vec<Part> = if !given.is_empty() {
-        let mut parts: Vec<Part> = given.iter().map(|word| part_of(word)).collect();
-        parts.resize(grid.width, Part::Other);
+    let parts: Vec<TableColumn> = if !given.is_empty() {
+        let mut parts: Vec<TableColumn> = given.iter().map(|word| part_of(word)).collect();
+        parts.resize(grid.width, TableColumn::Other);
         parts
     } else if grid.header.is_some() {
         let mut seen: Vec<f64> = Vec::new();
-        let mut parts: Vec<Part> = headings.iter().map(|heading| part_of(heading)).collect();
+        let mut parts: Vec<TableColumn> = headings.iter().map(|heading| part_of(heading)).collect();
         // Without a number the columns of one direction are counted.
         for part in &mut parts {
-            if let Part::Of { run, dir } = part {
+            if let TableColumn::Of { run, dir } = part {
                 seen.push(*dir);
                 if *run == 0 {
                     *run = seen.iter().filter(|other| *other == dir).count() as u64;
@@ -77,16 +77,21 @@ pub(super) fn parts(
         case.note(text!(
             "no header: the columns are taken as target, direction, run, position"
         ));
-        vec![Part::Target, Part::Direction, Part::Run, Part::Position]
+        vec![
+            TableColumn::Target,
+            TableColumn::Direction,
+            TableColumn::Run,
+            TableColumn::Position,
+        ]
     } else {
         let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
         case.ask(About::Columns, says, &["target,direction,run,position"]);
         return None;
     };
-    let count = |wanted: fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count();
-    let targets = count(|part| *part == Part::Target);
-    let long = count(|part| matches!(part, Part::Position | Part::Deviation));
-    let wide = count(|part| matches!(part, Part::Of { .. }));
+    let count = |wanted: fn(&TableColumn) -> bool| parts.iter().filter(|part| wanted(part)).count();
+    let targets = count(|part| *part == TableColumn::Target);
+    let long = count(|part| matches!(part, TableColumn::Position | TableColumn::Deviation));
+    let wide = count(|part| matches!(part, TableColumn::Of { .. }));
     if targets != 1 || (long == 0 && wide == 0) || long > 1 || (long > 0 && wide > 0) {
         let names: Vec<String> = headings.iter().map(|heading| quoted(heading)).collect();
         let says = text!(
@@ -103,7 +108,7 @@ pub(super) fn parts(
     Some(parts)
 }
 
-fn part_of(heading: &str) -> Part {
+fn part_of(heading: &str) -> TableColumn {
     let plain = heading.trim().to_lowercase();
     let (words, _) = words_and_unit(&plain);
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
@@ -115,17 +120,17 @@ fn part_of(heading: &str) -> Part {
             .take_while(char::is_ascii_digit)
             .take(6)
             .collect();
-        return Part::Of {
+        return TableColumn::Of {
             run: digits.parse().unwrap_or(0),
             dir,
         };
     }
     if has(&["deviation", "dev", "error", "err", "abweichung", "fehler"]) {
-        Part::Deviation
+        TableColumn::Deviation
     } else if has(&["direction", "dir", "richtung", "approach"]) {
-        Part::Direction
+        TableColumn::Direction
     } else if has(&["run", "cycle", "lauf", "zyklus", "repeat"]) {
-        Part::Run
+        TableColumn::Run
     } else if has(&[
         "target",
         "nominal",
@@ -134,7 +139,7 @@ fn part_of(heading: &str) -> Part {
         "commanded",
         "setpoint",
     ]) {
-        Part::Target
+        TableColumn::Target
     } else if has(&[
         "position",
         "actual",
@@ -143,9 +148,9 @@ fn part_of(heading: &str) -> Part {
         "istposition",
         "reading",
     ]) {
-        Part::Position
+        TableColumn::Position
     } else {
-        Part::Other
+        TableColumn::Other
     }
 }
 
@@ -172,7 +177,7 @@ mod tests {
 
     #[test]
     fn headings_of_runs_name_run_and_direction() {
-        let of = |run, dir| Part::Of { run, dir };
+        let of = |run, dir| TableColumn::Of { run, dir };
         for (heading, part) in [
             ("Run 1 +", of(1, 1.0)),
             ("Run 12 - [deg]", of(12, -1.0)),
@@ -181,12 +186,12 @@ mod tests {
             ("run1-backward", of(1, -1.0)),
             ("+", of(0, 1.0)),
             ("Lauf 2 vor", of(2, 1.0)),
-            ("Target [deg]", Part::Target),
-            ("Position (°)", Part::Position),
-            ("Deviation [arcsec]", Part::Deviation),
-            ("Direction", Part::Direction),
-            ("Cycle", Part::Run),
-            ("Remark", Part::Other),
+            ("Target [deg]", TableColumn::Target),
+            ("Position (°)", TableColumn::Position),
+            ("Deviation [arcsec]", TableColumn::Deviation),
+            ("Direction", TableColumn::Direction),
+            ("Cycle", TableColumn::Run),
+            ("Remark", TableColumn::Other),
         ] {
             assert_eq!(part_of(heading), part, "{heading}");
         }

@@ -16,17 +16,17 @@ mod topics;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
+use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
 use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
 
 use messages::Type;
-use options::{FRAME_CHILD, JOINT_NAMES, Open, TOPIC_JOINTS, TOPIC_MEASURED};
+use options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, TOPIC_JOINTS, TOPIC_MEASURED};
 use topics::{Topic, Topics};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
     plainly: phrase!("an MCAP recording: joint states and measured poses"),
-    asks: Asks {
+    asks: Questions {
         table: false,
         columns: Meanings::Fixed,
         y_up: false,
@@ -154,14 +154,14 @@ fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
 }
 
 /// Which topic is looked for, and how.
-struct Wanted {
+struct TopicRequest {
     option: &'static str,
     what: &'static str,
     /// Types, the ones that are preferred first.
     types: &'static [&'static [Type]],
 }
 
-const JOINTS: Wanted = Wanted {
+const JOINTS: TopicRequest = TopicRequest {
     option: TOPIC_JOINTS,
     what: "joint states",
     types: &[&[Type::JointState]],
@@ -169,7 +169,7 @@ const JOINTS: Wanted = Wanted {
 
 /// Transforms of a whole tree are taken only where nothing else was measured: most of them are what
 /// the robot believes of itself.
-const MEASURED: Wanted = Wanted {
+const MEASURED: TopicRequest = TopicRequest {
     option: TOPIC_MEASURED,
     what: "measured poses, points or transforms",
     types: &[
@@ -182,7 +182,7 @@ const MEASURED: Wanted = Wanted {
     ],
 };
 
-impl Wanted {
+impl TopicRequest {
     fn types_in_words(&self) -> String {
         let names: Vec<&str> = self
             .types
@@ -198,8 +198,8 @@ impl Wanted {
 fn chosen<'t>(
     case: &mut ReadContext<'_>,
     topics: &'t Topics,
-    wanted: &Wanted,
-) -> Result<Option<&'t Topic>, Open> {
+    wanted: &TopicRequest,
+) -> Result<Option<&'t Topic>, NeedsAnswer> {
     let of = |types: &[Type]| -> Vec<&'t Topic> {
         let all = topics.list.values();
         all.filter(|topic| types.contains(&topic.type_)).collect()
@@ -225,7 +225,7 @@ fn chosen<'t>(
                 names => text!("one of {names}", names = names.join(", ")),
             };
             case.refuse(found, expected);
-            return Err(Open);
+            return Err(NeedsAnswer);
         }
         return sound(case, found);
     }
@@ -246,7 +246,7 @@ fn chosen<'t>(
                     names = names.join(", ")
                 );
                 case.ask(About::Own(wanted.option), says, &names);
-                return Err(Open);
+                return Err(NeedsAnswer);
             }
         }
     }
@@ -257,7 +257,7 @@ fn chosen<'t>(
 fn sound<'t>(
     case: &mut ReadContext<'_>,
     topic: Option<&'t Topic>,
-) -> Result<Option<&'t Topic>, Open> {
+) -> Result<Option<&'t Topic>, NeedsAnswer> {
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
@@ -272,7 +272,7 @@ fn sound<'t>(
             found,
             text!("a {type} in CDR or JSON", type = topic.type_.name()),
         );
-        return Err(Open);
+        return Err(NeedsAnswer);
     }
     Ok(topic)
 }

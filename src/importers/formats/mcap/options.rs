@@ -9,4 +9,4 @@ pub(super) const FRAME_CHILD: &str = "frame-child";
 pub(super) const JOINT_NAMES: &str = "joint-names";
 
 /// Something is asked or wrong, and stands in the inspection.
-pub(super) struct Open;
+pub(super) struct NeedsAnswer;

@@ -14,7 +14,7 @@ use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::table::{Cells, Names};
 
 use super::messages::Measured;
-use super::options::{FRAME_CHILD, JOINT_NAMES, Open};
+use super::options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
 use super::topics::Topic;
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
@@ -291,7 +291,7 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
 }
 
 /// The child frame that was measured: `None` where there are no transforms.
-fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>, Open> {
+fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>, NeedsAnswer> {
     let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
     let children: Vec<&str> = children
         .into_iter()
@@ -313,7 +313,7 @@ fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>,
             names => text!("one of {names}", names = listed_up_to(names, SHOWN)),
         };
         case.refuse(found, expected);
-        return Err(Open);
+        return Err(NeedsAnswer);
     }
     match children[..] {
         [] => Ok(None),
@@ -325,7 +325,7 @@ fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>,
                 children = children.join(", ")
             );
             case.ask(About::Own(FRAME_CHILD), says, &children);
-            Err(Open)
+            Err(NeedsAnswer)
         }
     }
 }

@@ -26,7 +26,7 @@ use std::io::{self, Read};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{plain_decimal, short_cell, short_decimal};
 use crate::kinematics::Joint;
-use crate::progress::Part;
+use crate::progress::ProgressSpan;
 use crate::sessions::files::csv::blocks::Blocks;
 use crate::sessions::files::csv::cells::{Cell, Stop};
 use crate::sessions::files::csv::starts::{Mark, Starts};
@@ -49,7 +49,7 @@ pub(crate) fn read(
     file: &Place,
     joints: Option<&[Joint]>,
     findings: &mut Vec<Diagnostic>,
-    part: Part<'_>,
+    part: ProgressSpan<'_>,
 ) -> io::Result<Option<Table>> {
     let mut blocks = Blocks::new(input);
     let Some(names) = header::read(&mut blocks, file, findings)? else {

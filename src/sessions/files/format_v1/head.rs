@@ -7,7 +7,7 @@ use super::references::references;
 use super::robot::ROBOT;
 use crate::document::kinds::{DEGREES, TEXT, point, positive};
 use crate::document::number::quoted;
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, degrees, ranges};
 use crate::kinematics::Robot;
 use crate::sessions::domain::{
@@ -37,7 +37,7 @@ pub(crate) struct Head {
 }
 
 fn head(o: &mut Object<'_, '_>, own: &mut Head) {
-    o.says("format", FORMAT);
+    o.describe("format", FORMAT);
     o.required("name", &mut own.name, &TEXT);
     if o.is_read() || !own.note.is_empty() {
         o.usual("note", &mut own.note, &TEXT);
@@ -92,7 +92,7 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
         regions: Vec::new(),
         compensated_by: None,
     };
-    let mut at = At {
+    let mut at = Cursor {
         fields,
         node: &root,
         path: &Path::Root,

@@ -5,7 +5,7 @@ use crate::text::Template;
 use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
 
 use crate::document::kinds::{NUMBER, components, point, wxyz};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Member, Node, Value};
 use crate::sessions::references::{
     Anchor, Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station,
@@ -21,7 +21,7 @@ pub(crate) fn references(o: &mut Object<'_, '_>, all: &mut References) {
     o.know(key);
     if o.is_given(key) {
         let expected = text!("an array of [\"S1\", \"S2\", 400.0]");
-        let read = |at: &mut At<'_, '_>| Some(distances(at, sockets));
+        let read = |at: &mut Cursor<'_, '_>| Some(distances(at, sockets));
         let name = |index: usize| Value::from(&sockets[index].name);
         let write = |all: &Vec<SocketDistance>| {
             let one = |d: &SocketDistance| {
@@ -36,7 +36,7 @@ pub(crate) fn references(o: &mut Object<'_, '_>, all: &mut References) {
     o.know(key);
     if o.is_given(key) {
         let declare = |o: &mut Object<'_, '_>, own: &mut Pointing| pointing(o, own, stations);
-        let read = |at: &mut At<'_, '_>| {
+        let read = |at: &mut Cursor<'_, '_>| {
             let mut own = Pointing {
                 axis: Vector3::z_axis(),
                 stations: None,
@@ -70,7 +70,7 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
     if !o.is_given(key) {
         return;
     }
-    let read = |at: &mut At<'_, '_>| {
+    let read = |at: &mut Cursor<'_, '_>| {
         at.named(|name, at| {
             let mut one = (entry.blank)(name.to_owned());
             let is_empty = matches!(&at.node.value, Value::Object(members) if members.is_empty());
@@ -202,7 +202,7 @@ const SOCKET: Entry<Socket> = Entry {
     declare: |o, socket| o.usual("position_mm", &mut socket.position_mm, &POSITION),
 };
 
-fn distances(at: &mut At<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
+fn distances(at: &mut Cursor<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
     const EXPECTED: Template = phrase!(
         "two different sockets of the session and their distance above 0 mm, \
                             such as [\"S1\", \"S2\", 400.0]"
@@ -249,7 +249,7 @@ fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
     if !o.is_given("stations") {
         return;
     }
-    let read = |at: &mut At<'_, '_>| {
+    let read = |at: &mut Cursor<'_, '_>| {
         let mut all = Vec::new();
         for (index, node) in at.elements().unwrap_or_default().iter().enumerate() {
             let place = match &node.value {

@@ -10,7 +10,7 @@ use super::robot_parts::{ENDS, JOINT_KIND, POSE, range};
 use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point};
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Value, degrees, ranges};
 use crate::kinematics::{
     Axis, DescriptionFormat, Follows, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Robot,
@@ -57,11 +57,13 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
         // The robot of rows or of a file has a name of its own, or none.
         ["dh"] => o.with("dh", own, phrase!(""), robot_source::from_dh, |_| None),
         ["urdf"] => {
-            let read = |at: &mut At<'_, '_>| robot_source::from_file(at, DescriptionFormat::Urdf);
+            let read =
+                |at: &mut Cursor<'_, '_>| robot_source::from_file(at, DescriptionFormat::Urdf);
             o.with("urdf", own, robot_source::FILE, read, |_| None);
         }
         ["mjcf"] => {
-            let read = |at: &mut At<'_, '_>| robot_source::from_file(at, DescriptionFormat::Mjcf);
+            let read =
+                |at: &mut Cursor<'_, '_>| robot_source::from_file(at, DescriptionFormat::Mjcf);
             o.with("mjcf", own, robot_source::FILE, read, |_| None);
         }
         _ => {

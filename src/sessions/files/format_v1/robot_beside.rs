@@ -7,7 +7,7 @@ use nalgebra::Point3;
 use super::robot_parts::{ENDS, POSE, range};
 use crate::document::Value;
 use crate::document::kinds::{NUMBER, point};
-use crate::document::object::{At, Kind, Object};
+use crate::document::object::{Cursor, Kind, Object};
 use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
 
 /// Reads what stands beside `source`, one of the keys `dh`, `urdf` and `mjcf`.
@@ -75,7 +75,7 @@ fn of_joints(
     key: &'static str,
     joints: &mut Vec<Joint>,
     what: &str,
-    take: fn(&mut Joint, &mut At<'_, '_>) -> bool,
+    take: fn(&mut Joint, &mut Cursor<'_, '_>) -> bool,
 ) {
     if !o.is_given(key) {
         return;
@@ -87,7 +87,7 @@ fn of_joints(
     );
     let own = joints.clone();
     let element = text!("an object with mass_kg and centre_mm, or null");
-    let read = |at: &mut At<'_, '_>| at.each(own, element, take);
+    let read = |at: &mut Cursor<'_, '_>| at.each(own, element, take);
     o.with(key, joints, expected, read, |_| None);
 }
 
@@ -104,7 +104,7 @@ fn gear_ratios(o: &mut Object<'_, '_>, joints: &mut Vec<Joint>) {
     );
     let mut own = joints.clone();
     let is_one = |ratio: &f64| ratio.is_nan() || ratio.is_finite() && *ratio > 0.0;
-    let read = |at: &mut At<'_, '_>| match &at.node.value {
+    let read = |at: &mut Cursor<'_, '_>| match &at.node.value {
         Value::Numbers(ratios) if ratios.len() == own.len() && ratios.iter().all(is_one) => {
             for (joint, ratio) in own.iter_mut().zip(ratios) {
                 joint.gear_ratio = Some(*ratio).filter(|r| !r.is_nan()).or(joint.gear_ratio);

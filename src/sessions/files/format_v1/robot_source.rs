@@ -7,7 +7,7 @@
 use super::robot_parts::{JOINT_KIND, POSE};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT};
 use crate::document::number::quoted;
-use crate::document::object::{At, Kind, Object, written};
+use crate::document::object::{Cursor, Kind, Object, written};
 use crate::kinematics::{
     DescriptionFormat, DhConvention, DhRow, JointKind, Pose, Robot, RobotSource, robot_from_dh,
     robot_from_file,
@@ -15,7 +15,7 @@ use crate::kinematics::{
 use crate::text::{Template, Text};
 
 /// The robot of Denavit–Hartenberg rows.
-pub(super) fn from_dh(at: &mut At<'_, '_>) -> Option<Robot> {
+pub(super) fn from_dh(at: &mut Cursor<'_, '_>) -> Option<Robot> {
     let rows = DH_ROWS.read(at.fields, at.node, at.path)?;
     let robot = robot_from_dh("", &rows);
     robot.map_or_else(
@@ -83,7 +83,7 @@ fn convention(own: DhConvention) -> &'static str {
 pub(super) const FILE: Template = phrase!("an object with file, base and tip");
 
 /// The robot between two links of a file, which stands beside the document.
-pub(super) fn from_file(at: &mut At<'_, '_>, format: DescriptionFormat) -> Option<Robot> {
+pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> Option<Robot> {
     let [file, base, tip] = at.object([const { String::new() }; 3], |o, [file, base, tip]| {
         o.required("file", file, &TEXT);
         o.required("base", base, &TEXT);
@@ -122,7 +122,7 @@ pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
         return;
     }
     let joints = robot.joints.len();
-    let read = |at: &mut At<'_, '_>| {
+    let read = |at: &mut Cursor<'_, '_>| {
         let source = at.object(RobotSource::Axes, described)?;
         let count = match &source {
             RobotSource::Axes => joints,

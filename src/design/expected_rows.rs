@@ -274,7 +274,7 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
 }
 
 /// What samples show of some coefficients of a model.
-pub(crate) struct Shown {
+pub(crate) struct ExpectedRows {
     /// Rows in units of their noise, sample by sample.
     pub(crate) rows: DMatrix<f64>,
     /// The first row of each sample, and the end.
@@ -283,7 +283,7 @@ pub(crate) struct Shown {
     pub(crate) beside: DMatrix<f64>,
 }
 
-impl Shown {
+impl ExpectedRows {
     /// What the samples behind the first `before` add to what those show and to what is known beforehand.
     pub(crate) fn information(&self, before: usize, mut known: DMatrix<f64>) -> Information {
         let from = self.first[before];
@@ -299,7 +299,7 @@ impl Shown {
 }
 
 /// What every sample shows that is there to be fitted.
-pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Shown {
+pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> ExpectedRows {
     let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
     let mut first = vec![0; session.samples.len() + 1];
     for (item, _) in layer.items.iter().zip(&layer.fit).filter(|own| *own.1) {
@@ -310,7 +310,7 @@ pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Show
     }
     let mut next = first.clone();
     let p = columns.len();
-    let mut all = Shown {
+    let mut all = ExpectedRows {
         rows: DMatrix::zeros(first.last().copied().unwrap_or(0), p),
         first,
         beside: DMatrix::zeros(p, p),

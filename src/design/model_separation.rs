@@ -2,14 +2,14 @@
 //! with the place of another one.
 
 use crate::diagnosis::NextPose;
-use crate::diagnosis::search::prepare::Prepared;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::survey::JointSurvey;
 use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
 
 use super::candidates::{CandidatePoses, other_reflectors};
-use super::comparison::{Apart, Comparison};
+use super::comparison::{Comparison, ModelDistance};
 use super::decision::{Decision, SURE};
 use super::exchange::Criterion;
 
@@ -20,14 +20,14 @@ const WORTH_MOUNTING: f64 = 0.03;
 
 /// Models that are to be parted: as far as each comparison asks for, and where there is a decision until
 /// the right one is found often enough. No candidate is taken more than `repeats` times.
-pub(crate) struct Parting {
+pub(crate) struct ModelSeparation {
     pub(crate) comparisons: Vec<Comparison>,
     pub(crate) decision: Option<Decision>,
     taken: Vec<u8>,
     repeats: u8,
 }
 
-impl Parting {
+impl ModelSeparation {
     pub(crate) fn new(comparisons: Vec<Comparison>, candidates: usize, repeats: u8) -> Self {
         Self {
             comparisons,
@@ -38,7 +38,7 @@ impl Parting {
     }
 
     /// Each pair of models.
-    pub(crate) fn apart(&self) -> impl Iterator<Item = &Apart> {
+    pub(crate) fn distances(&self) -> impl Iterator<Item = &ModelDistance> {
         self.comparisons.iter().flat_map(|c| &c.apart)
     }
 
@@ -47,12 +47,13 @@ impl Parting {
     }
 }
 
-impl Criterion for Parting {
+impl Criterion for ModelSeparation {
     fn worths(&self) -> Vec<f64> {
         // The gain of each comparison counts up to where it is decided.
-        let one = |c: &Apart, gain: f64| gain.min(c.enough - c.delta).max(0.0) / (1.0 + c.delta);
+        let one =
+            |c: &ModelDistance, gain: f64| gain.min(c.enough - c.delta).max(0.0) / (1.0 + c.delta);
         let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
-        let undecided = |c: &Apart| !c.decided();
+        let undecided = |c: &ModelDistance| !c.decided();
         let worth = |k: usize| open.iter().map(|c| c.worth(k, undecided, one)).sum();
         let free = |k: usize| self.taken[k] < self.repeats;
         let all = 0..self.taken.len();
@@ -77,8 +78,8 @@ impl Criterion for Parting {
             return true;
         }
         // All are far enough apart and still too few draws are decided: further apart, then.
-        let can = |c: &Apart| c.enough < MOST_SEPARATION;
-        while !self.comparisons.is_empty() && self.parted() && self.apart().all(can) {
+        let can = |c: &ModelDistance| c.enough < MOST_SEPARATION;
+        while !self.comparisons.is_empty() && self.parted() && self.distances().all(can) {
             for comparison in &mut self.comparisons {
                 comparison.ask_for_more(1.3);
             }
@@ -101,7 +102,12 @@ pub(crate) struct Attempt {
 
 impl Attempt {
     /// The poses that were chosen, at most `most`.
-    pub(crate) fn poses(&self, prepared: &Prepared, why: &Text, most: usize) -> Vec<NextPose> {
+    pub(crate) fn poses(
+        &self,
+        prepared: &PreparedSearch,
+        why: &Text,
+        most: usize,
+    ) -> Vec<NextPose> {
         let joints = &prepared.problem.session.robot.joints;
         let place = |(q, joint): (&f64, &Joint)| match joint.kind {
             JointKind::Revolute => format!("{:.1}°", joint.kind.outer(*q)),
@@ -135,7 +141,7 @@ impl Attempt {
 /// The best attempt: with the session's reflectors where these decide, else where there is but one perhaps
 /// with one of the places for another.
 pub(crate) fn over_reflectors<T>(
-    prepared: &Prepared,
+    prepared: &PreparedSearch,
     attempt: impl Fn(Vec<Target>) -> (Attempt, T),
 ) -> (Attempt, T) {
     let session = prepared.problem.session;

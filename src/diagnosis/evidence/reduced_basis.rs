@@ -19,7 +19,7 @@ use crate::linear::{Basis, along, gram};
 const LEAST_SEEN: f64 = 1e-10;
 
 /// A basis of which some rows are left out.
-pub(super) struct LeftOut<'b> {
+pub(super) struct ReducedBasis<'b> {
     basis: &'b Basis,
     rows: &'b [usize],
     /// `Q_Bᵀ`.
@@ -28,7 +28,7 @@ pub(super) struct LeftOut<'b> {
     inverse_root: DMatrix<f64>,
 }
 
-impl<'b> LeftOut<'b> {
+impl<'b> ReducedBasis<'b> {
     /// `None` where the rows that stay do not tell all columns.
     pub(crate) fn new(basis: &'b Basis, rows: &'b [usize]) -> Option<Self> {
         let rank = basis.rank();
@@ -128,7 +128,7 @@ mod tests {
         let out: Vec<usize> = (0..60).filter(|i| (i + 3) % every == 0).collect();
         let stay: Vec<usize> = (0..60).filter(|i| (i + 3) % every != 0).collect();
         let basis = Basis::new(&a);
-        let left_out = LeftOut::new(&basis, &out).expect("told");
+        let left_out = ReducedBasis::new(&basis, &out).expect("told");
 
         let anew = Basis::new(&a.select_rows(&stay));
         let seen = y.select_rows(&stay);
@@ -169,7 +169,7 @@ mod tests {
             a[(i, 2)] = 0.0;
         }
         let basis = Basis::new(&a);
-        assert!(LeftOut::new(&basis, &[0, 1, 2, 3, 4]).is_none());
-        assert!(LeftOut::new(&basis, &[0, 1]).is_some());
+        assert!(ReducedBasis::new(&basis, &[0, 1, 2, 3, 4]).is_none());
+        assert!(ReducedBasis::new(&basis, &[0, 1]).is_some());
     }
 }

@@ -64,7 +64,7 @@ impl Allowance {
     }
 
     /// What remains of it beside a part that is independent.
-    pub(super) fn beside(&self, mm: f64) -> f64 {
+    pub(super) fn without_independent(&self, mm: f64) -> f64 {
         (self.mm * self.mm - mm * mm).max(0.0).sqrt()
     }
 }
@@ -203,7 +203,7 @@ fn lever(job: &Job) -> f64 {
 
 /// RMS error in mm that a table leaves, from the written file as the controller applies it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Left {
+pub struct ResidualError {
     /// What the table adds to the exact correction, root mean square, mm.
     pub added_rms_mm: f64,
     /// The same at the worst place, mm.
@@ -215,7 +215,7 @@ pub struct Left {
     pub allowance: Allowance,
 }
 
-impl Left {
+impl ResidualError {
     pub(super) fn new(job: &Job, exact: &Exact, read: &ReadBack) -> Self {
         let [added_rms_mm, added_max_mm] = exact.added(read, false);
         Self {
@@ -232,7 +232,7 @@ impl Left {
     }
 
     /// In words.
-    pub fn says(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> Text {
+    pub fn describe(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> Text {
         let (entries, allowed) = (sheet.places.len(), self.allowance.is);
         let added = length(self.added_rms_mm, 5);
         let limit = length(self.allowance.mm, 5);

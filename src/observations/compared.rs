@@ -15,7 +15,7 @@ pub(crate) const MOST_NUMBERS: usize = MOST;
 
 /// One observation beside a model, in units of its noise.
 #[derive(Debug, Clone)]
-pub(crate) struct Beside {
+pub(crate) struct ComparedObservation {
     /// The sample.
     pub(crate) sample: usize,
     /// Measured − predicted, and its derivatives.
@@ -26,7 +26,7 @@ pub(crate) struct Beside {
     turn: Matrix3<f64>,
 }
 
-impl Beside {
+impl ComparedObservation {
     /// How what is predicted moves with the numbers of a group, row by row: mm along x, y, z of the tool of a target;
     /// a rotation vector and mm of a setup, rad; the coefficients of a place.
     pub(crate) fn by(&self, group: Group) -> [[f64; MOST_NUMBERS]; 3] {
@@ -46,7 +46,11 @@ impl Beside {
 }
 
 /// Every observation that there is to be fitted beside a model, sample by sample.
-pub(crate) fn beside(session: &Session, values: JointValues, model: &Model) -> Vec<Beside> {
+pub(crate) fn compared_with(
+    session: &Session,
+    values: JointValues,
+    model: &Model,
+) -> Vec<ComparedObservation> {
     let layer = Layer::new(session, values);
     let here = layer.seen(model);
     let turned: Vec<Vec<[f64; 3]>> = (0..3)
@@ -69,7 +73,7 @@ pub(crate) fn beside(session: &Session, values: JointValues, model: &Model) -> V
         }
         let point = Vector3::from(here[item].0);
         let axis = |along: usize| Vector3::from(turned[along][item]) - point;
-        all.push(Beside {
+        all.push(ComparedObservation {
             sample: layer.items[item].sample,
             left,
             point,

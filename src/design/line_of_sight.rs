@@ -100,7 +100,7 @@ impl SightPose {
         }
         let end = from + sight * ((far - AT_TARGET_MM) / far);
         let mut rods = self.joints.windows(2);
-        rods.all(|rod| apart([from, &end], [&rod[0], &rod[1]]) > THICK_MM)
+        rods.all(|rod| smallest_distance([from, &end], [&rod[0], &rod[1]]) > THICK_MM)
     }
 
     fn faces(&self, from: &Point3<f64>, cone_rad: f64) -> bool {
@@ -110,7 +110,7 @@ impl SightPose {
 
 /// The smallest distance between two segments, mm (Ericson, *Real-Time Collision Detection*, 2005,
 /// section 5.1.9).
-fn apart(one: [&Point3<f64>; 2], other: [&Point3<f64>; 2]) -> f64 {
+fn smallest_distance(one: [&Point3<f64>; 2], other: [&Point3<f64>; 2]) -> f64 {
     let (u, v, w) = (one[1] - one[0], other[1] - other[0], one[0] - other[0]);
     let (a, e, b) = (u.norm_squared(), v.norm_squared(), u.dot(&v));
     let (c, f) = (u.dot(&w), v.dot(&w));
@@ -169,7 +169,7 @@ mod tests {
                     least = least.min((along(&a, i) - along(&b, j)).norm());
                 }
             }
-            let found = apart([&a[0], &a[1]], [&b[0], &b[1]]);
+            let found = smallest_distance([&a[0], &a[1]], [&b[0], &b[1]]);
             assert!((found - least).abs() < 1e-2, "{found} {least}");
         }
     }

@@ -8,7 +8,7 @@ use crate::gui::view::Colouring;
 
 /// What a colour stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Token {
+pub(crate) enum ColourToken {
     Before,
     After,
     Nominal,
@@ -37,7 +37,7 @@ pub(crate) enum Token {
 const ON_LIGHT: [f32; 2] = [0.16, 0.78];
 const ON_DARK: [f32; 2] = [0.95, 0.28];
 
-impl Token {
+impl ColourToken {
     fn color(self, palette: &Palette) -> Color32 {
         match self {
             Self::Before => palette.before,
@@ -66,9 +66,9 @@ impl Token {
     }
 
     /// So much of it, and what is beneath shows through.
-    pub(crate) fn clear(self, part: f32) -> Ink {
+    pub(crate) fn clear(self, part: f32) -> Tint {
         let through = true;
-        Ink {
+        Tint {
             token: self,
             part,
             through,
@@ -76,9 +76,9 @@ impl Token {
     }
 
     /// So much of it, and the rest is the surface.
-    pub(crate) fn pale(self, part: f32) -> Ink {
+    pub(crate) fn pale(self, part: f32) -> Tint {
         let through = false;
-        Ink {
+        Tint {
             token: self,
             part,
             through,
@@ -88,19 +88,19 @@ impl Token {
 
 /// A token, whole or in part.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Ink {
-    token: Token,
+pub(crate) struct Tint {
+    token: ColourToken,
     part: f32,
     through: bool,
 }
 
-impl From<Token> for Ink {
-    fn from(token: Token) -> Self {
+impl From<ColourToken> for Tint {
+    fn from(token: ColourToken) -> Self {
         token.clear(1.0)
     }
 }
 
-impl Ink {
+impl Tint {
     /// Its colour in a theme.
     pub(crate) fn color(self, palette: &Palette) -> Color32 {
         let color = self.token.color(palette);
@@ -118,12 +118,12 @@ impl Ink {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
     pub(crate) width: f32,
-    pub(crate) ink: Ink,
+    pub(crate) ink: Tint,
     pub(crate) dash: Option<[f32; 2]>,
 }
 
 impl Stroke {
-    pub(crate) fn new(width: f32, ink: impl Into<Ink>) -> Self {
+    pub(crate) fn new(width: f32, ink: impl Into<Tint>) -> Self {
         Self {
             width,
             ink: ink.into(),

@@ -3,14 +3,14 @@
 
 use nalgebra::Point3;
 
-use super::imagined::place_of;
+use super::expected_rows::place_of;
 use super::typed::typed;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::places::{name, stated};
 use crate::effects::{Inputs, Place, PlaceKind};
 use crate::kinematics::Range;
 use crate::model::Model;
-use crate::observations::held::bring;
+use crate::observations::constrained::bring;
 use crate::observations::{KINDS, Seen};
 use crate::sessions::Session;
 
@@ -19,12 +19,12 @@ const MOST_WAYS: usize = 24;
 
 /// One way of measuring.
 #[derive(Debug, Clone)]
-pub(crate) struct Way {
+pub(crate) struct MeasuringMethod {
     /// The sample that was measured so; none: a point of a robot that was not measured.
     pub(crate) like: Option<usize>,
     pub(crate) target: u32,
     /// What is measured, and the places that it refers to.
-    pub(crate) places: Measured,
+    pub(crate) places: MeasuredKinds,
     /// Where the target has to be.
     pub(crate) held: Option<(usize, Place)>,
     /// From where it is seen, measuring frame.
@@ -32,11 +32,11 @@ pub(crate) struct Way {
 }
 
 /// What was measured of a sample: kinds, and the places that they refer to.
-pub(crate) type Measured = Vec<(usize, Option<Place>)>;
+pub(crate) type MeasuredKinds = Vec<(usize, Option<Place>)>;
 
-impl Way {
+impl MeasuringMethod {
     /// What is measured, in words.
-    pub(crate) fn says(&self, session: &Session) -> String {
+    pub(crate) fn describe(&self, session: &Session) -> String {
         let references = &session.instrument.references;
         let one = |(kind, place): &(usize, Option<Place>)| {
             let kind = KINDS[*kind].about().name;
@@ -96,8 +96,8 @@ pub(crate) fn last_setup(session: &Session) -> Option<f64> {
 
 /// The different ways in which the samples were measured; `from` is where the instrument stands that is no
 /// station.
-pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
-    let mut known: Vec<(Measured, u32)> = Vec::new();
+pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<MeasuringMethod> {
+    let mut known: Vec<(MeasuredKinds, u32)> = Vec::new();
     let mut ways = Vec::new();
     for sample in 0..session.samples.len() {
         let measured = KINDS
@@ -122,7 +122,7 @@ pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
             let at = stated(&session.instrument.references, place);
             Some(Point3::new(at[3]?, at[4]?, at[5]?))
         });
-        ways.push(Way {
+        ways.push(MeasuringMethod {
             like: Some(sample),
             target,
             places: key.0.clone(),

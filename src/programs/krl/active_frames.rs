@@ -18,7 +18,7 @@ use crate::programs::program::Program;
 
 /// Base and tool of motions.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Held {
+pub(super) struct ActiveFrames {
     pub(super) base: Referred,
     pub(super) tool: Referred,
 }
@@ -26,7 +26,7 @@ pub(super) struct Held {
 /// What a line sets: base, tool.
 type Set = [Option<Referred>; 2];
 
-impl Held {
+impl ActiveFrames {
     /// Base and tool at each line; what the file declares of them goes to the program.
     pub(super) fn of(lines: &[Words], program: &mut Program) -> Vec<Self> {
         declare_none(&mut program.tools, "$nullframe");

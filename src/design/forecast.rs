@@ -31,7 +31,7 @@ pub struct ExpectedError {
 
 /// What is to be expected of poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Prospect {
+pub struct Forecast {
     /// The error.
     pub error: ExpectedError,
     /// The observability index, mm; 0 where a parameter is not shown at all.
@@ -127,17 +127,17 @@ impl Workspace {
     }
 
     /// `gram`: the information of `count` poses.
-    pub(crate) fn prospect(
+    pub(crate) fn forecast(
         &self,
         covariance: &DMatrix<f64>,
         gram: &DMatrix<f64>,
         count: usize,
-    ) -> Prospect {
+    ) -> Forecast {
         let squares = self.squares(gram);
         let own = &squares[..self.shown];
         let all_shown = own.iter().all(|s| *s > NONE * own[0]) && self.shown > 0;
         let mean = own.iter().map(|s| 0.5 * s.max(1e-300).ln()).sum::<f64>() / own.len() as f64;
-        Prospect {
+        Forecast {
             error: self.error(covariance),
             observability: if all_shown {
                 mean.exp() / (count.max(1) as f64).sqrt()
