@@ -30,13 +30,13 @@ pub enum WriteError {
         /// The input that is the same file.
         input: PathBuf,
     },
-    /// The file exists, and nobody said that it may be replaced.
+    /// The file exists, and replacing it was not allowed.
     Exists(PathBuf),
     /// A directory or a device stands there.
     NotAFile(PathBuf),
     /// Two outputs of one command are the same file.
     SameName(PathBuf),
-    /// Whoever watches asked to stop before the file had its name.
+    /// The watcher asked to stop before the file had its name.
     Cancelled(PathBuf),
     /// The system says no.
     Io {

@@ -1,7 +1,7 @@
 //! The one way to a file that a file or a person names: a regular file, no longer than its reader
 //! takes, and where a document names it, in the document's folder or below.
 //!
-//! A session is often somebody else's file. A device, a folder or a pipe is refused before it is
+//! A session often comes from another machine. A device, a folder or a pipe is refused before it is
 //! opened, because opening a pipe waits for ever and reading a device never ends; what grows while it
 //! is read is read no further than it may be long.
 

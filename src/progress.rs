@@ -5,7 +5,7 @@
 //! whether to go on. Once it said no the work is [`Cancelled`], whatever it says later.
 //!
 //! Work is made of parts. A `ProgressSpan` goes from 0 to 1 by itself, knows where in the whole it lies,
-//! and is cheap to hand on; whoever reads a file does not know what is done with it afterwards.
+//! and is cheap to hand on; a reader of a file does not know what is done with it afterwards.
 
 use std::cell::Cell;
 use std::io;
@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 use crate::diagnostic::Rejected;
 
-/// Whoever watches asked to stop.
+/// The watcher asked to stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("cancelled")]
 pub struct Cancelled;
@@ -37,13 +37,13 @@ pub enum ReadError {
     /// Something is wrong with it.
     #[error(transparent)]
     Rejected(#[from] Rejected),
-    /// Whoever watches asked to stop.
+    /// The watcher asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
 impl ReadError {
-    /// What is wrong, where nobody could have cancelled it.
+    /// What is wrong, where it could not have been cancelled.
     pub(crate) fn rejected(self) -> Rejected {
         match self {
             Self::Rejected(rejected) => rejected,
@@ -57,7 +57,7 @@ pub fn unwatched(_: f64) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Between the work and whoever watches it.
+/// Between the work and its watcher.
 pub(crate) struct Progress<'a> {
     watch: &'a dyn Fn(f64) -> ControlFlow<()>,
     /// Which part is done, as it was told last.
@@ -105,7 +105,7 @@ impl ProgressSpan<'_> {
         }
     }
 
-    /// For work of which nobody knows how often it is still to be done: a third of what is left.
+    /// For work of unknown length: a third of what is left.
     pub(crate) fn next_pass(self) -> Self {
         let from = self.progress.share.get().clamp(self.from, self.to);
         let to = from + (self.to - from) / 3.0;

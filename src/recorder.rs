@@ -1,8 +1,8 @@
 //! Lines of a stream, put down as a CSV file that grows by whole lines.
 //!
 //! An instrument or a controller sends a line of text for each measurement. Every line that is
-//! complete goes to the file before the next bytes are waited for, so that whoever follows the file
-//! (the window does) and whoever pulls the plug find whole lines only. The file begins with headings:
+//! complete goes to the file before the next bytes are waited for, so that a reader of the growing file
+//! (the window is one) and one after a power cut find whole lines only. The file begins with headings:
 //! the stream's own first line, or those that a person gives. Cells between semicolons, tabs or
 //! spaces come out between commas, with a decimal point. [`source`] connects, [`live`] keeps at it.
 
@@ -22,7 +22,7 @@ const NAMED: u64 = 20;
 /// Why a stream cannot be recorded.
 #[derive(Debug)]
 pub enum RecordError {
-    /// The first line holds numbers, and nobody said what they are.
+    /// The first line holds numbers, and their headings are not stated.
     NoHeadings {
         /// The first line.
         found: String,

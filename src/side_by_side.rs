@@ -6,7 +6,7 @@
 
 use std::thread::{available_parallelism, scope};
 
-/// So many threads are taken where nobody says how many: what a search can do side by side keeps no more busy.
+/// So many threads are taken by default: what a search can do side by side keeps no more busy.
 const USUAL: usize = 2;
 
 /// On how many threads parts are done.

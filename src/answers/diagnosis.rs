@@ -173,7 +173,7 @@ pub struct Unexplained {
     pub shapes: Vec<(Shape, Vec<f64>)>,
     /// Noise as stated and as found, where they differ; whether anything is unexplained or not.
     pub noise: Option<StatedNoise>,
-    /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
+    /// A smooth correction of it, or why there is none; `None` where it was not asked for.
     pub correction: Option<Result<Correction, Text>>,
 }
 

@@ -40,7 +40,7 @@ pub(crate) struct Export {
     #[arg(long, value_name = "SESSION")]
     session: Option<PathBuf>,
     /// Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the
-    /// controller, never both; without it whoever the format is for [origins; lerobot: controller]
+    /// controller, never both; by default what the format is for [origins; lerobot: controller]
     #[arg(long, value_name = "WHO", value_parser = PossibleValuesParser::new(Zeros::ALL.map(|(name, _)| name)))]
     zeros: Option<String>,
     /// Convention of dh rows; without it the one that the robot came in, else standard

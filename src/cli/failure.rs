@@ -46,7 +46,7 @@ impl Failure {
             Self::Failed(_) => FAILED,
         };
         let mut stderr = std::io::stderr().lock();
-        // With standard error closed there is nobody left to tell.
+        // With standard error closed there is nothing left to write to.
         let _ = writeln!(stderr, "truepose: {}", plain(&self.spoken()));
         ExitCode::from(status)
     }

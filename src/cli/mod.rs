@@ -230,7 +230,7 @@ impl Command {
 
 /// Help and version are no errors; anything else is a wrong argument.
 fn complain_about_arguments(error: &clap::Error) -> ExitCode {
-    // Where standard output or error is closed there is nobody left to tell.
+    // Where standard output or error is closed there is nothing left to write to.
     let _ = error.print();
     if error.use_stderr() {
         ExitCode::from(failure::WRONG_INPUT)

@@ -1,5 +1,5 @@
 //! A calibration beside a session of other measurements than points: distances, directions, touches,
-//! sockets. Places that the model knows by name are where it has them; others that nobody knows are
+//! sockets. Places that the model knows by name are where it has them; others that are unknown are
 //! located beside the robot first. What corrected commands would do is not said: nothing was measured
 //! of where the target is.
 

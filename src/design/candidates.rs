@@ -22,7 +22,7 @@ use super::measuring_methods::{MeasuringMethod, last_setup, ways};
 
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
 pub(crate) const REACH_MM: f64 = 300.0;
-/// Travel of a joint whose limits nobody gave and that has no samples: a full turn, or ± half a
+/// Travel of a joint without stated limits and without samples: a full turn, or ± half a
 /// metre.
 const FREE: [f64; 2] = [std::f64::consts::PI, 500.0];
 /// Angles that are tried over the range of a joint.

@@ -11,7 +11,7 @@ use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::Target;
 
-/// Noise of the instrument where nobody says it, mm: a laser tracker.
+/// Noise of the instrument where none is stated, mm: a laser tracker.
 pub(crate) const USUAL_SIGMA_MM: f64 = 0.03;
 
 /// What the plan is made for.

@@ -163,13 +163,13 @@ impl<'a> Fields<'a> {
         None
     }
 
-    /// Reports keys that nobody reads.
+    /// Reports keys that are not read.
     pub(crate) fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
         let notes = self.notes_of_unknown(members, path, known);
         self.findings.extend(notes);
     }
 
-    /// A note for each key that nobody reads, and one for all beyond the first few.
+    /// A note for each key that is not read, and one for all beyond the first few.
     pub(crate) fn notes_of_unknown(
         &self,
         members: &[Member],

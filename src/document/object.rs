@@ -3,7 +3,7 @@
 //! A declaration is a function that names each field once: its key, where it is in the value of the
 //! program, its kind (unit, range and what a complaint expects, see [`kinds`](super::kinds)), and
 //! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
-//! a finished one. What the function never names is a key that nobody knows.
+//! a finished one. What the function never names is an unknown key.
 
 pub(crate) use super::at::Cursor;
 use crate::text::{Template, Text};
@@ -286,7 +286,7 @@ impl Object<'_, '_> {
         self.good && self.is_read()
     }
 
-    /// Notes the keys that nobody reads, before what was found in the others.
+    /// Notes the keys that are not read, before what was found in the others.
     pub(super) fn finish(self, first: usize) -> bool {
         if let Side::Reading {
             fields,

@@ -8,10 +8,10 @@ use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{NotANumber, any_decimal, plain_decimal, quoted};
 use crate::progress::{Cancelled, ProgressSpan, ReadError};
 
-/// Nobody nests deeper than this, and the stack is finite.
+/// No sound document nests deeper than this, and the stack is finite.
 const DEEPEST: usize = 64;
 
-/// Bytes between two looks at whoever watches.
+/// Bytes between two looks at the watcher.
 const AT_ONCE: usize = 1 << 18;
 
 /// Why reading ends early.
@@ -22,7 +22,7 @@ enum Stop {
         found: Text,
         expected: Template,
     },
-    /// Nobody wants it any more.
+    /// Cancelled.
     Cancelled(Cancelled),
 }
 
@@ -76,7 +76,7 @@ struct Parser<'a> {
     at: usize,
     depth: usize,
     part: Option<ProgressSpan<'a>>,
-    /// Where whoever watches is told next.
+    /// Where the watcher is told next.
     tell_at: usize,
 }
 

@@ -242,7 +242,7 @@ pub enum Owner {
     Session,
 }
 
-/// What nobody would be surprised by: the standard deviation of a coefficient before anything is
+/// A weak expectation of its size: the standard deviation of a coefficient before anything is
 /// measured, inner units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prior {

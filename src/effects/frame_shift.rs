@@ -18,7 +18,7 @@ const ABOUT: About = About {
     setting: Setting::Time,
     equation: "p = p + (x, y, z) from t* on",
     source: "a change point of the measuring frame",
-    cause: phrase!("somebody touched the tripod, or the base slipped"),
+    cause: phrase!("the tripod was touched, or the base slipped"),
     over: Over::Time,
     usual_size: phrase!("any"),
     confused_with: phrase!("two sessions that were joined: the notes of the day tell"),

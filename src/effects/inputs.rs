@@ -167,7 +167,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// Poses that nobody has measured: at standstill, at 20 °C, without load, approached from
+    /// Poses that were not measured: at standstill, at 20 °C, without load, approached from
     /// neither side. The columns are public: set what differs. There are as many poses as the first
     /// joint has values.
     pub fn at_poses(q: Vec<Vec<f64>>, reflectors_at_home: Vec<[f64; 3]>) -> Self {
@@ -342,7 +342,7 @@ fn with_gaps_bridged(time_s: &[f64]) -> Cow<'_, [f64]> {
 
 /// How far the joint has moved since it last reversed. While the side stays the same the moves
 /// between poses add up; a new side starts from the pose before. The first sample has come from
-/// nobody knows where: infinitely far.
+/// unknown place: infinitely far.
 fn travel_since_reversal(q: &[f64], dir: &[f64]) -> Vec<f64> {
     let mut travel = Vec::with_capacity(q.len());
     for i in 0..q.len() {

@@ -1,4 +1,4 @@
-//! Places that measurements refer to and that nobody knows: anchors, stations, planes, sockets.
+//! Unknown places that measurements refer to: anchors, stations, planes, sockets.
 //!
 //! They are no effects of the robot and change nothing that it does, so they are in no catalogue.
 //! They are terms of a model all the same, so that what was found of them is fitted, held, reported

@@ -18,7 +18,7 @@ use crate::text::length;
 const ROUND: [f64; 13] = [
     10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
 ];
-/// Nobody wants more entries than this without having asked for them.
+/// Most entries of a table whose number was not asked for.
 const MOST_UNASKED: usize = 20_001;
 
 /// The sheet for a format.

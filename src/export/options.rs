@@ -50,7 +50,7 @@ pub struct Reference<'a> {
 /// Options of an export of a robot's description.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options<'a> {
-    /// Who takes the zero offsets; `None`: whoever the format is for.
+    /// What takes the zero offsets; `None`: what the format is for.
     pub zeros: Option<Zeros>,
     /// The servos, for their calibration.
     pub motors: Motors,

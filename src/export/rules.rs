@@ -28,7 +28,7 @@ impl Says {
         }
     }
 
-    /// In words, for whoever uses the table.
+    /// In words, for the user of the table.
     pub fn sentence(self) -> Template {
         match self {
             Self::Correction => {

@@ -36,7 +36,7 @@ use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
 use crate::model::rigid_motion::best_rigid_motion;
 
-/// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
+/// A turn or a move beyond this is no error of an alignment: the frame was never aligned.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
 const NEVER_ALIGNED_MM: f64 = 100.0;
 /// How often priors may be weighed anew and let go.

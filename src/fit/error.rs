@@ -15,7 +15,7 @@ pub enum IdentifyError {
     Regions(crate::sessions::division::RegionError),
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
     Rejected(crate::diagnostic::Rejected),
-    /// Whoever asked does not want the answer any more.
+    /// The caller cancelled.
     Cancelled,
 }
 

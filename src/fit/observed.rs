@@ -31,7 +31,7 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
     terms
 }
 
-/// The same beside effects that somebody chose: frames only where the session has setups.
+/// The same beside effects that the user chose: frames only where the session has setups.
 pub(crate) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone());
     let mut terms = Vec::new();

@@ -4,7 +4,7 @@
 //! c(x) = Σ rᵀ W r + s² Σ (x_k/σ_k)²
 //! ```
 //!
-//! with s² the variance of a coordinate of weight one. σ are what nobody would be surprised by
+//! with s² the variance of a coordinate of weight one. σ are weak expectations
 //! (half a link of 1 mm and 2 mrad is usual), so that many poses say everything and thirty do not
 //! explode. They keep a direction that the samples hardly show where it belongs; a parameter that the
 //! samples cannot tell from others at all is held at zero instead ([`super::base_model`]), so no prior

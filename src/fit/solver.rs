@@ -33,7 +33,7 @@ pub enum Stopped {
     TooManySteps,
     /// No step, however short, made the fit better.
     NoDescent,
-    /// Nobody wants the answer any more.
+    /// Cancelled.
     Cancelled,
 }
 

@@ -59,7 +59,7 @@ pub(crate) fn estimates(
     let values = term.parameters_on(kind);
     let half_widths = half_widths(term, covariance, factor, undetermined, kind);
     // A fade is shown first and solved for last, as a logarithm; other settings are chosen, not
-    // estimated, and whoever scans them says how sure that is.
+    // estimated, and the scan says how sure that is.
     let fading = matches!(about.form, Form::Fading(_));
     let settings = usize::from(!fading && setting_quantity(about.setting).is_some());
     let matters = |name: &str| {

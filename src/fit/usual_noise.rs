@@ -4,7 +4,7 @@ use crate::sessions::Sigma;
 
 use super::problem::Problem;
 
-/// Noise where nobody says, mm: what a tracker has.
+/// Noise where none is stated, mm: that of a tracker.
 pub(super) const USUAL_NOISE_MM: f64 = 0.05;
 
 /// Variance of a coordinate of weight one, where the instrument's maker says.

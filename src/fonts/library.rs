@@ -2,7 +2,7 @@
 //! module above.
 //!
 //! What the faces are called is read once, and only when a character is missing. Without optimisation
-//! that and a search over 55 faces took 36 ms, with 1000 faces it is tenths of a second: whoever may
+//! that and a search over 55 faces took 36 ms, with 1000 faces it is tenths of a second: what may
 //! not wait asks on another thread.
 
 use std::collections::BTreeSet;

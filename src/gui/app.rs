@@ -42,7 +42,7 @@ pub struct App {
     /// As it was laid out last, and how many passes from now on are not to be seen.
     arranged: Option<Arrangement>,
     unseen: u8,
-    /// `None`: nobody is to draw letters that the bundled fonts lack.
+    /// `None`: letters that the bundled fonts lack are not drawn.
     alphabet: Option<Alphabet>,
     shown: Preferences,
     /// The language where none is preferred.
@@ -99,7 +99,7 @@ impl App {
         self
     }
 
-    /// The same work for the window, of which nobody sees the result: to measure it without
+    /// The same work for the window without showing it: to measure it without
     /// anything that draws.
     #[must_use]
     pub fn drawn_by_nobody(mut self) -> Self {

@@ -44,7 +44,7 @@ words! {
     P_FAMILY, phrase!("By chance"), phrase!("How often noise alone would make some name of the whole list look at least this good. 1 of 2000 is hard evidence, 1 of 20 is not");
     ODDS, phrase!("Odds over the next candidate"), phrase!("How many times more likely this name is than the next best one, given the samples. Below about 20 : 1 both stay possible, and the poses that would decide are listed");
     SHARE, phrase!("Share"), phrase!("Which part of what the identification left over this name explains");
-    UNEXPLAINED, phrase!("Unexplained"), phrase!("Something regular is left that no name of the list fits. It is shown where it is, so that somebody can look there");
+    UNEXPLAINED, phrase!("Unexplained"), phrase!("Something regular is left that no name of the list fits. It is shown where it is, so that you can look there");
     LIMIT, phrase!("Detection limit"), phrase!("The smallest size of an effect that these samples would have shown. What was not found is smaller than this, not necessarily nothing");
     REGION, phrase!("Region"), phrase!("A range of the joint that gets a constant correction of its own, as older controllers want it");
     CORRECTION, phrase!("Correction"), phrase!("What to add to the command or the position: the deviation with the opposite sign");
@@ -61,7 +61,7 @@ words! {
     DIRECTION, phrase!("Direction"), phrase!("The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible");
     POLAR, phrase!("Polar view"), phrase!("A component of the deviation around the angle of the joint, as circles of a ballbar test are shown (ISO 230-4): on the nominal circle there is none, and one ring stands for the length that is written above. An oval is a tilted or wobbling axis, a shifted circle a wrong centre, two circles play between both directions");
     DRAWN_ROBOT, phrase!("The robot in the workspace"), phrase!("The nominal robot in outline at the sample that is chosen or under the pointer, and beside it as a line the real one, as it was measured or identified, displaced as many times as is written beside it. Without a choice it stands faintly at a sample in the middle");
-    OVER_TIME, phrase!("Deviation over time"), phrase!("The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when somebody touched one of them");
+    OVER_TIME, phrase!("Deviation over time"), phrase!("The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when one of them was touched");
     OVER_LOAD, phrase!("Deviation over load"), phrase!("The deviation over the weight that the arm carried. A slope is an arm or a joint that gives way; it needs poses measured with different loads");
     OVER_TEMPERATURE, phrase!("Deviation over temperature"), phrase!("The deviation over the temperature that was logged. A slope is a link that grows, or a joint whose zero moves, as the machine gets warm");
     ORDERS, phrase!("Order spectrum"), phrase!("How large the part of the deviation is that comes back once, twice, three times … with every turn of the joint. Once is an eccentric encoder or bearing, twice an oval one, and a gear shows at its number of teeth. Bars below the noise line mean nothing");

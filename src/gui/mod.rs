@@ -120,7 +120,7 @@ fn has_display() -> bool {
             .contains(&true)
 }
 
-/// An error without the place in somebody's source code at which it came up.
+/// An error without the place in a library's source code at which it came up.
 fn without_source_place(error: &str) -> &str {
     let after_place = error.rsplit_once(".rs:").map(|(_, rest)| rest);
     let reason = after_place.and_then(|rest| rest.split_once(": "));

@@ -18,7 +18,7 @@ use crate::sessions::columns::{Quantity, Unit};
 
 impl Job<'_> {
     /// Where the instrument had lost its reflector it says (0, 0, 0): once points are moved or
-    /// averaged nobody could see that any more.
+    /// averaged that could not be seen any more.
     pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns) {
         let Some(points) = points_of(columns) else {
             return;

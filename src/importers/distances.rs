@@ -22,7 +22,7 @@ use crate::sessions::table::{Cells, Names};
 pub(crate) const ANCHOR: &str = "anchor";
 /// Option: what the instrument shows beyond the distance, mm.
 pub(crate) const ANCHOR_OFFSET: &str = "anchor-offset";
-/// What an anchor is called where nobody names it.
+/// Default name of an anchor.
 const UNNAMED: &str = "A";
 
 impl Job<'_> {

@@ -156,7 +156,7 @@ impl Job<'_> {
             .push(Diagnostic::warning(self.place.clone(), found, expected));
     }
 
-    /// Warns of what did not come into the session, and has its note say it: whoever signs reads
+    /// Warns of what did not come into the session, and has its note say it: the one who signs reads
     /// the note, not the terminal.
     pub(crate) fn left_out(&mut self, place: Place, found: Text) {
         self.said.push(found.clone());

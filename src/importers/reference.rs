@@ -271,7 +271,7 @@ fn grown(landmarks: &[Landmark], mut inside: Vec<bool>, with_scale: bool) -> Opt
         .iter()
         .map(|l| l.known.coords.amax())
         .fold(0.0, f64::max);
-    // Files are rounded; nobody calls a millionth of the extent an outlier.
+    // Files are rounded: a millionth of the extent is no outlier.
     let rounding = 1e-6 * size;
     for _ in 0..ROUNDS {
         let kept = chosen(landmarks, &inside);

@@ -78,7 +78,7 @@ pub(crate) struct OpenQuote {
     pub(crate) line: u64,
 }
 
-/// Bytes between two looks at whoever watches.
+/// Bytes between two looks at the watcher.
 const AT_ONCE: usize = 1 << 18;
 
 /// A quoted cell is no longer than this: an open quote must not swallow the file.
@@ -94,7 +94,7 @@ pub(crate) struct Rows<'a> {
     /// The last comment that was passed over, without its sign.
     pub(crate) comment: Option<(u64, &'a str)>,
     pass: Option<ProgressSpan<'a>>,
-    /// Where whoever watches is told next.
+    /// Where the watcher is told next.
     tell_at: usize,
 }
 

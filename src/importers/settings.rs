@@ -161,7 +161,7 @@ pub enum Known {
 }
 
 impl Known {
-    /// Whether somebody should look at it.
+    /// Whether it should be looked at.
     pub fn is_guess(self) -> bool {
         matches!(self, Self::FromHeading | Self::FromContent)
     }
@@ -243,7 +243,7 @@ pub(crate) struct ReadContext<'a> {
 pub struct Importer {
     /// Its name for `--as`.
     pub id: &'static str,
-    /// What it is, for somebody who has only the file.
+    /// What it is, for a user who has only the file.
     pub plainly: Template,
     /// What is asked about its files.
     pub asks: Questions,
@@ -324,7 +324,7 @@ pub struct OwnOption {
     pub values: &'static [&'static str],
 }
 
-/// How the files of a format are known when nobody says what they are.
+/// How the files of a format are known when it is not stated.
 pub(crate) enum KnownBy {
     /// By their first bytes, which no other format has: they are no text.
     Bytes(fn(&[u8]) -> bool),

@@ -10,7 +10,7 @@ use crate::kinematics::{Axis, Joint, JointKind, Robot, pose_from_parts};
 use crate::progress::ReadError;
 use crate::progress::testing::{assert_grows, no_at, report_to};
 
-/// Rows enough for several looks at whoever watches.
+/// Rows enough for several looks at the watcher.
 const ROWS: u32 = 12_000;
 
 fn robot() -> Robot {

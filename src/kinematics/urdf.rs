@@ -81,7 +81,7 @@ pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
 
 /// Gear ratios by the names of the joints: of `<transmission>` elements with one joint, at the actuator, the joint or
 /// the transmission itself, as ROS 1 (`mechanicalReduction`) and ROS 2 (`mechanical_reduction`) write them. A direct
-/// drive (1), which is what simulators state where nobody measured one, is no statement; neither is what is no number.
+/// drive (1), which simulators state by default, is no statement; neither is what is no number.
 fn gear_ratios(document: &Document) -> BTreeMap<&str, f64> {
     let stated = |element: usize| {
         let names = ["mechanicalReduction", "mechanical_reduction"];

@@ -1,5 +1,5 @@
-//! From where a fit begins: the frame of an instrument that was never aligned, places that nobody
-//! knows, a tool that is mounted turned. Everything is found from where the nominal robot has its
+//! From where a fit begins: the frame of an instrument that was never aligned, unknown
+//! places, a tool that is mounted turned. Everything is found from where the nominal robot has its
 //! target, which is near enough.
 
 use std::collections::BTreeMap;

@@ -15,7 +15,7 @@ pub(crate) struct Notation {
 }
 
 thread_local! {
-    /// The window is drawn by one thread; it sets this once a frame and nobody else does. Every other
+    /// The window is drawn by one thread; it alone sets this, once a frame. Every other
     /// thread writes with a point: reports and files are the same on every machine.
     static NOTATION: Cell<Notation> = const { Cell::new(Notation { decimals: None, comma: false }) };
 }

@@ -158,7 +158,7 @@ const LOGO: Kind<Logo> = Kind {
         let Value::Text(name) = &at.node.value else {
             return at.wrong();
         };
-        // Details in memory are the program's own; a file may be somebody else's.
+        // Details in memory are the program's own; a file may come from anywhere.
         let path = match at.fields.folder() {
             Some(folder) => below(folder, name, phrase!("the folder of the details")),
             None => Ok(name.into()),

@@ -2,7 +2,7 @@
 //!
 //! Inter comes first; what its cut lacks (Cyrillic, Vietnamese, …) is taken from Ubuntu Light, then
 //! from Hack, then from faces that are installed here ([`crate::fonts`]). A character that none of
-//! them has is written as its code, `[U+4E2D]`, and stands under the code as itself for whoever copies
+//! them has is written as its code, `[U+4E2D]`, and is under the code as itself for copying
 //! or searches the text.
 
 use std::cell::RefCell;

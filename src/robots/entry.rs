@@ -73,7 +73,7 @@ pub struct LibraryRobot {
     pub repeatability_mm: Option<f64>,
     /// Turns of the motor for one of each joint, where they are public; empty otherwise.
     pub gear_ratios: Vec<f64>,
-    /// What whoever measures this robot has to know.
+    /// What the one who measures this robot has to know.
     pub note: Option<String>,
     /// Source of joints, tool and ranges.
     pub geometry: Reference,

@@ -356,7 +356,7 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
     findings
 }
 
-/// Noise and tolerance that no instrument and nobody has.
+/// Noise and tolerance beyond any instrument.
 fn noise(session: &Session) -> Vec<Diagnostic> {
     let instrument = &session.instrument;
     let sigma = match instrument.sigma_mm {

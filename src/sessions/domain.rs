@@ -79,7 +79,7 @@ pub struct Tracker {
     pub position_mm: Point3<f64>,
 }
 
-/// How well the targets' own places are known where nobody says, mm.
+/// How well the targets' own places are known by default, mm.
 pub(crate) const TARGETS_SIGMA_MM: f64 = 0.05;
 
 impl Default for Instrument {

@@ -1,7 +1,7 @@
 //! What measurements other than points refer to: anchors of distances, stations of directions,
 //! planes that are touched, sockets that a target is put into, the axis that points.
 //!
-//! All places are in the measuring frame, mm. What nobody knows is `None` and is fitted.
+//! All places are in the measuring frame, mm. What is not known is `None` and is fitted.
 
 use nalgebra::{Point3, Unit, UnitQuaternion, Vector3};
 

@@ -315,7 +315,7 @@ mod tests {
         let mut left = samples(&ROWS);
         left.remove(&[3, 1, 99]);
         let mut expected = samples(&[ROWS[0], ROWS[2]]);
-        // Setups keep their names although nobody is in some any more.
+        // Setups keep their names although some are empty now.
         expected.setups.as_mut().unwrap().names = vec!["a".into(), "b".into(), "c".into()];
         assert!(same(&left, &expected), "{left:?}");
     }

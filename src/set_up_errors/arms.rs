@@ -1,6 +1,6 @@
 //! Mistakes of setting up a robot with several joints, each with its joint.
 //!
-//! A trial fits the measuring frame, one shift of the tool and the zero offsets, as whoever mounts
+//! A trial fits the measuring frame, one shift of the tool and the zero offsets, as the one who mounts
 //! a robot would adjust them, and looks at the median error. What some change of the samples brings
 //! down to a small part, and to what the geometry of a robot may leave, is a mistake. Changes that do
 //! so equally well are said together: the sign of a spherical wrist's middle joint is both
@@ -200,7 +200,7 @@ fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> Data
     }
 }
 
-/// A measuring frame that nobody aligned, where the session has no free one.
+/// A measuring frame that was not aligned, where the session has no free one.
 fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     if part.samples.setups.is_some() || part.samples.z_mm.is_none() {
         return None;

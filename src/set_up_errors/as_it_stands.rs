@@ -86,7 +86,7 @@ pub(super) fn reach_mm(session: &Session) -> f64 {
     links.sum::<f64>().max(tool.norm())
 }
 
-/// Whether the zero offsets and the tool of a model are those of a robot that somebody set up.
+/// Whether the zero offsets and the tool of a model are those of a robot that was set up.
 pub(super) fn is_plausible(session: &Session, model: &Model) -> bool {
     let zero = joint_zero().about().id;
     let tool = TOOL_POSITION.about().id;

@@ -8,7 +8,7 @@ pub enum SimulateError {
     /// The scenario makes no sense.
     #[error("{0}")]
     Rejected(#[from] Rejected),
-    /// Whoever watched wanted no more.
+    /// The watcher cancelled.
     #[error("the simulation was stopped")]
     Stopped,
 }

@@ -2,7 +2,7 @@
 //! for practice, and to check the program against itself.
 //!
 //! A [`Scenario`] says which robot, which poses, which effects, how it is measured; [`simulate`]
-//! makes the session that a technician would have brought home, and the [`Truth`] that nobody
+//! makes the session that a technician would have brought home, and the [`Truth`] that no one
 //! would. The points come from [`Model::predict`]: the exact equations, not the linearised ones
 //! that a search may use.
 //!
@@ -49,7 +49,7 @@ use crate::model::{Model, Positions};
 use crate::sessions::{Samples, Session};
 use random::{Stream, random};
 
-/// Blocks between two looks at whoever watches.
+/// Blocks between two looks at the watcher.
 const BLOCKS_AT_ONCE: usize = 256;
 
 /// Plays a scenario with this seed. `watch` hears now and then which part is done (0 to 1), and

@@ -43,7 +43,7 @@ pub struct Scenario {
     pub unknown: Vec<PlaceKind>,
     /// Coordinates are rounded to multiples of this, mm.
     pub resolution_mm: Option<f64>,
-    /// Seed where nobody gives another.
+    /// Default seed.
     pub seed: u64,
 }
 

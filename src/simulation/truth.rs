@@ -1,4 +1,4 @@
-//! What was in a simulated session, for whoever checks the answer; the session itself says nothing
+//! What was in a simulated session, for the one who checks the answer; the session itself says nothing
 //! of it.
 
 use super::scenario::Noise;

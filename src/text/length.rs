@@ -1,4 +1,4 @@
-//! Lengths in sentences: said in the unit that the reader chose for this thread, and in millimetres where nobody did,
+//! Lengths in sentences: said in the unit that the reader chose for this thread, and in millimetres by default,
 //! as in files, in the terminal and on paper.
 
 use std::cell::Cell;

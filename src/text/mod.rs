@@ -71,7 +71,7 @@ macro_rules! phrase {
     };
 }
 
-/// `Display` of what says itself: in English, as documents and whoever uses the library have it.
+/// `Display` of what says itself: in English, as documents and users of the library have it.
 macro_rules! displays_what_it_says {
     ($what:ty) => {
         impl ::std::fmt::Display for $what {

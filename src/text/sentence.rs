@@ -10,7 +10,7 @@ use super::length::{InUnit, Lengths, current_unit};
 use super::speech::filled_in;
 use crate::units::LengthUnit;
 
-/// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are nobody's to
+/// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are not to
 /// translate: a name in a file, what a library or the system reported.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Text(Kind);
@@ -41,7 +41,7 @@ impl Text {
         Self(Kind::Sentence(Box::new((template, arguments))))
     }
 
-    /// Words that are nobody's to translate: a name in a file, what a library or the system reported.
+    /// Words that are not translated: a name in a file, what a library or the system reported.
     pub fn verbatim(words: impl Into<String>) -> Self {
         Self(Kind::Verbatim(words.into()))
     }

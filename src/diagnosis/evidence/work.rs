@@ -2,7 +2,7 @@
 //! same way on every machine.
 //!
 //! The search has shares of it one after the other. Where its share is spent nothing more is looked for: what was
-//! found so far is tested and said, and that the search ended there. The same where whoever watches asks it to stop.
+//! found so far is tested and said, and that the search ended there. The same where the watcher asks it to stop.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -55,7 +55,7 @@ impl Work {
         self.0.share.set(share);
     }
 
-    /// Whoever watches wants what is proven so far.
+    /// The watcher wants what is proven so far.
     pub(crate) fn stop(&self) {
         self.0.asked_to_stop.set(true);
     }
@@ -114,7 +114,7 @@ mod tests {
         let all = PRODUCTS + 100.0 * FOR_A_SAMPLE;
         work.did(0.6 * all);
         let shared = work.clone();
-        // Nobody was kept from looking so far.
+        // No one was kept from looking so far.
         assert!(work.ended().is_none());
         assert!(shared.is_over());
         assert_eq!(work.ended(), Some(Stopped::Budget));

@@ -38,7 +38,7 @@ use crate::diagnosis::search::{is_above, stands_above};
 use crate::diagnosis::{DiagnoseError, Progress, Watch};
 use crate::set_up_errors::{CorrectedSession, DataProblem};
 
-/// What stays undecided, for whoever proposes poses.
+/// What stays undecided, for the proposal of poses.
 pub(crate) struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,

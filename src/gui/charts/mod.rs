@@ -81,7 +81,7 @@ pub(crate) trait ChartKind: Sync {
         !scene.subject.is_empty()
     }
 
-    /// Whether it is what the step is about: it is shown where nobody has chosen.
+    /// Whether it is what the step is about: it is shown without a choice of the user.
     fn suits(&self, _: &Scene) -> bool {
         false
     }

@@ -67,7 +67,7 @@ pub(crate) fn seen(chain: Option<Chain>, findings: &mut Vec<Diagnostic>) -> Opti
     }
 }
 
-/// What the robot of a session looks like whose chain is remembered from when it was saved. Nobody asked
+/// What the robot of a session looks like whose chain is remembered from when it was saved. The user was not asked
 /// for it now: that it is not known is a note.
 pub(crate) fn seen_again(
     chain: &Chain,

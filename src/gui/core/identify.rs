@@ -94,7 +94,7 @@ fn fitted(
     with: &[Term],
     watch: &Watch,
 ) -> Result<(Identification, Calibration), String> {
-    // How many passes there will be nobody knows; each takes a part of what is left.
+    // The number of passes is not known; each takes a part of what is left.
     let left = Cell::new(1.0_f64);
     let go_on = || {
         left.set(left.get() * 0.85);

@@ -118,11 +118,11 @@ pub(crate) struct LoadedSession {
     pub(crate) usable: Vec<bool>,
     /// What every frame needs to know of it.
     pub(crate) overview: Overview,
-    /// How many samples lie where along joint 1, once somebody asked.
+    /// How many samples lie where along joint 1, once it was asked for.
     angles: OnceLock<Angles>,
     /// What its samples cover.
     pub(crate) known: Coverage,
-    /// What is drawn of its samples, once somebody asked.
+    /// What is drawn of its samples, once it was asked for.
     pub(crate) drawn: Attached,
     /// Effects that the session can show.
     pub(crate) testable: Vec<&'static str>,
@@ -164,7 +164,7 @@ impl LoadedSession {
     /// Looks through a session, told as this part of something.
     ///
     /// # Errors
-    /// Nobody wants it any more.
+    /// Cancelled.
     pub(crate) fn watched(
         session: Session,
         findings: Vec<Diagnostic>,

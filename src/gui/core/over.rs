@@ -75,7 +75,7 @@ impl Over {
             Variable::Time => [
                 say!("No time was logged"),
                 say!(
-                    "A column time_s would show whether the deviation drifts while you measure, and when somebody touched the tripod"
+                    "A column time_s would show whether the deviation drifts while you measure, and when the tripod was touched"
                 ),
             ],
             Variable::Load => [

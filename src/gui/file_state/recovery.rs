@@ -3,7 +3,7 @@
 //! While a document has changes that no file holds, it is written to a file of its own in the data
 //! folder: one line that says what follows and how long it is, with its hash, then the session as a
 //! document. A window holds a lock on its file for as long as it lives; the system gives the lock
-//! back when the program ends, however it ends. A file whose lock nobody holds was left behind, and
+//! back when the program ends, however it ends. A file whose lock is free was left behind, and
 //! the next window offers it. Two windows never touch the same file.
 
 use std::fs::{self, File, TryLockError};
@@ -130,7 +130,7 @@ impl SavedDocument {
     }
 }
 
-/// A file that a window left behind, with its lock: nobody else offers it.
+/// A file that a window left behind, with its lock: no other window offers it.
 #[derive(Debug)]
 pub(crate) struct OrphanedRecovery {
     path: PathBuf,
@@ -146,7 +146,7 @@ impl RecoveryFile {
     pub(crate) fn new(folder: &Path) -> io::Result<Self> {
         let folder = folder.join("recovery");
         fs::create_dir_all(&folder)?;
-        // A name that nobody has, from the system's own source of such names.
+        // A unique name, from the system's own source of such names.
         let lock = tempfile::Builder::new()
             .prefix("window-")
             .suffix(".lock")
@@ -254,7 +254,7 @@ pub(crate) fn orphaned(folder: &Path) -> Vec<OrphanedRecovery> {
         let Ok(file) = File::options().write(true).open(lock) else {
             continue;
         };
-        // Somebody lives.
+        // Its window is still open.
         if file.try_lock().is_err() {
             continue;
         }
@@ -279,13 +279,13 @@ impl OrphanedRecovery {
         &self.path
     }
 
-    /// Removes it: it was restored and is kept elsewhere, or nobody wants it.
+    /// Removes it: it was restored and is kept elsewhere, or was discarded.
     pub(crate) fn remove(self) {
         let _ = fs::remove_file(&self.path);
         let _ = fs::remove_file(&self.lock.0);
     }
 
-    /// Puts a damaged file aside, so that nobody is asked about it again, and says where it is.
+    /// Puts a damaged file aside, so that it is not offered again, and says where it is.
     pub(crate) fn put_aside(self) -> PathBuf {
         let aside = self.path.with_extension("damaged");
         let moved = fs::rename(&self.path, &aside);

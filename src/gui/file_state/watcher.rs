@@ -117,7 +117,7 @@ impl Watched {
         seen
     }
 
-    /// Looks once a second until nobody gives orders any more.
+    /// Looks once a second until the orders end.
     pub(crate) fn keep_looking(mut self, orders: &Receiver<Order>, tell: impl Fn(Seen)) {
         loop {
             match orders.recv_timeout(EVERY) {
@@ -132,7 +132,7 @@ impl Watched {
 /// Who looks at the disk.
 #[derive(Debug)]
 pub(crate) enum Watcher {
-    /// Whoever asks: [`Watcher::look`] has to be called from time to time.
+    /// The caller: [`Watcher::look`] has to be called from time to time.
     Here(Watched),
     /// A thread of its own; it ends with this.
     Thread(Sender<Order>),
@@ -169,7 +169,7 @@ impl Watcher {
         }
     }
 
-    /// Whether somebody has to call [`Self::look`].
+    /// Whether the caller has to call [`Self::look`].
     pub(crate) fn wants_looking(&self) -> bool {
         matches!(self, Self::Here(_))
     }

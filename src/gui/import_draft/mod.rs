@@ -40,7 +40,7 @@ pub(crate) struct InspectedDraft {
     pub(crate) said: ImportAnswers,
     /// What was found out about the file.
     pub(crate) inspection: Inspection,
-    /// The robot, or why there is none; `None` while nobody has said which.
+    /// The robot, or why there is none; `None` while it is not stated which.
     pub(crate) robot: Option<Result<Robot, Vec<String>>>,
     /// What the import brings, or why it is refused; `None` while something is open.
     pub(crate) trial: Option<Result<Trial, Vec<String>>>,
@@ -58,7 +58,7 @@ pub(crate) struct ImportDraft {
     pub(crate) said: ImportAnswers,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
-    /// The meanings of the columns that somebody has looked at.
+    /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
 }
 
@@ -149,7 +149,7 @@ impl ImportDraft {
     /// Looks again, with what was said since.
     ///
     /// # Errors
-    /// Nobody wants it any more.
+    /// Cancelled.
     pub(crate) fn look(&self, watch: &Watch) -> Result<InspectedDraft, Cancelled> {
         let told = watch.progress_callback();
         let progress = Progress::new(&told);
@@ -168,14 +168,14 @@ impl ImportDraft {
         self.seen.said == self.said
     }
 
-    /// Whether columns are only guessed, and nobody has looked at them.
+    /// Whether columns are only guessed and not confirmed.
     pub(crate) fn asks_for_confirmation(&self) -> bool {
         let columns = &self.seen.inspection.columns;
         columns.iter().any(crate::importers::ColumnGuess::is_guess)
             && self.confirmed.as_ref() != Some(&self.meanings())
     }
 
-    /// Somebody has looked at the columns.
+    /// The user has looked at the columns.
     pub(crate) fn confirm(&mut self) {
         self.confirmed = Some(self.meanings());
     }

@@ -14,7 +14,7 @@ use crate::units::rad_from_deg;
 
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) enum RobotFrom {
-    /// Nobody has said.
+    /// Not stated.
     #[default]
     Open,
     /// That of the session that is open.

@@ -33,7 +33,7 @@ impl Trial {
     /// Tries it.
     ///
     /// # Errors
-    /// Why it is refused, or that nobody wants it any more.
+    /// Why it is refused, or that it was cancelled.
     pub(super) fn of(
         bytes: &[u8],
         path: &Path,

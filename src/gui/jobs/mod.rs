@@ -1,7 +1,7 @@
 //! Work in the background: the window never waits.
 //!
 //! A job runs on a thread of its own. What it makes goes, with what is to become of it, through a
-//! channel to whoever polls, and the window is woken. A cancelled job is told so by its [`Watch`],
+//! channel to the one who polls, and the window is woken. A cancelled job is told so by its [`Watch`],
 //! by which it says how far it is; whatever it still makes is dropped. Only of a file that is being
 //! written it is told how that went all the same: it may have been too late to cancel it. What is
 //! asked faster than it is answered goes through [`Latest`]: one at a time, and the latest after it.
@@ -67,7 +67,7 @@ impl<B: 'static> Jobs<B> {
         self.runner
     }
 
-    /// Starts a job: `work` is done in the background, `then` with what it made by whoever polls.
+    /// Starts a job: `work` is done in the background, `then` with its result by the one who polls.
     /// One that brings another session takes the place of one that is under way already: what was
     /// asked for last counts, not what takes longest.
     pub(crate) fn start<T: Send + 'static>(
@@ -98,7 +98,7 @@ impl<B: 'static> Jobs<B> {
             // A bug in one job must not leave the window waiting for it.
             let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();
             let outcome = made.map(|made| Box::new(|to: &mut B| then(to, made)) as Outcome<B>);
-            // The window may be gone already; then nobody wants it.
+            // The window may be gone already; then the result is dropped.
             let _ = sender.send((id, outcome));
             wake();
         };
@@ -113,7 +113,7 @@ impl<B: 'static> Jobs<B> {
         }
     }
 
-    /// Starts a job that nobody has to know of, and that nobody can cancel.
+    /// Starts a job that is not shown and cannot be cancelled.
     pub(crate) fn quietly<T: Send + 'static>(
         &mut self,
         work: impl FnOnce() -> T + Send + 'static,

@@ -26,7 +26,7 @@ impl Watch {
         self.permille.store(permille, Ordering::Relaxed);
     }
 
-    /// What the library tells: which part is done. Goes on while somebody wants it.
+    /// What the library tells: which part is done. Goes on until it is cancelled.
     pub(crate) fn progress_callback(&self) -> impl Fn(f64) -> ControlFlow<()> {
         |part| {
             self.done(part);
@@ -66,7 +66,7 @@ impl Watch {
         self.permille.load(Ordering::Relaxed) > 0
     }
 
-    /// Nobody wants the task any more.
+    /// The task was cancelled.
     pub(crate) fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
     }
@@ -142,7 +142,7 @@ pub(crate) enum Kind {
     Looks,
     /// What is only drawn: it passes without a word.
     Draws,
-    /// Nobody has to know.
+    /// Not shown.
     Quiet,
 }
 

@@ -88,7 +88,7 @@ impl Frame {
             at.x * pixels - viewport.left(),
             at.y * pixels - viewport.top(),
         ];
-        // The last is for whoever knows whether the target wants linear colours.
+        // The last depends on whether the target wants linear colours.
         rows[3] = [viewport.width(), viewport.height(), pixels, 0.0];
         let long = single(look.long_mm.max(1e-12));
         rows[4] = [look.blend, single(look.magnification), long, tolerance];

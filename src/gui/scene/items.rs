@@ -61,7 +61,7 @@ pub(crate) struct Mark {
 }
 
 impl Mark {
-    /// Filled, of nobody.
+    /// Filled, of no sample.
     pub(crate) fn filled(
         at: impl Into<Place>,
         form: Form,
@@ -78,7 +78,7 @@ impl Mark {
         }
     }
 
-    /// An outline, of nobody.
+    /// An outline, of no sample.
     pub(crate) fn ring(at: impl Into<Place>, form: Form, radius: f32, edge: Stroke) -> Self {
         Self {
             at: at.into(),

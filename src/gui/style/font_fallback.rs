@@ -28,7 +28,7 @@ pub(crate) struct Characters {
     asked: BTreeSet<char>,
     /// Characters that no face has.
     lacking: BTreeSet<char>,
-    /// Characters that no face has, and of which nobody has read so yet.
+    /// Characters that no face has, and that were not reported yet.
     pub(crate) unshown: BTreeSet<char>,
 }
 
@@ -122,7 +122,7 @@ impl FontProvider for Shared {
 }
 
 impl Alphabet {
-    /// Lets egui ask this, and nobody else.
+    /// Makes this the one that egui asks.
     pub(crate) fn asked_by(ctx: &Context) -> Self {
         let shared = Arc::<Shared>::default();
         ctx.set_font_providers(vec![Arc::clone(&shared) as Arc<dyn FontProvider>]);

@@ -9,7 +9,7 @@
 
 use egui::Color32;
 
-/// How somebody sees.
+/// How a person sees colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ColourVision {
     /// As most people do.
@@ -95,14 +95,14 @@ fn lab(light: [f64; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// How far apart somebody sees two colours, ΔE*ab.
+/// Perceived distance of two colours, ΔE*ab.
 pub(crate) fn colour_distance(a: Color32, b: Color32, sight: ColourVision) -> f64 {
     let (a, b) = (lab(seen(a, sight)), lab(seen(b, sight)));
     let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
     squares.sum::<f64>().sqrt()
 }
 
-/// How light somebody sees a colour, L*: from 0, black, to 100, white.
+/// Perceived lightness of a colour, L*: from 0, black, to 100, white.
 pub(crate) fn lightness(color: Color32, sight: ColourVision) -> f64 {
     lab(seen(color, sight))[0]
 }

@@ -393,7 +393,7 @@ impl Panes {
         }
     }
 
-    /// Whether nobody has arranged anything.
+    /// Whether the panes are as they are by default.
     pub(crate) fn are_usual(&self) -> bool {
         // As they are kept: without numbers.
         let kept = |panes: &Self| serde_json::to_value(panes).ok();

@@ -1,4 +1,4 @@
-//! An open file that is not what it was: said above the plots until somebody decides.
+//! An open file that is not what it was: said above the plots until the user decides.
 
 use std::path::Path;
 
@@ -54,7 +54,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 }
 
 /// Offers to write what is gone. Where it is the samples the document still says where they belong;
-/// where it is the document somebody has to.
+/// where it is the document the user has to.
 fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
     let (says, command) = if workbench.samples_file() == Some(gone) {
         (say!("Save it again"), Command::Save)

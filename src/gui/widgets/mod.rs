@@ -80,7 +80,7 @@ pub(crate) fn focus_ring(ctx: &egui::Context) {
     painter.rect_stroke(response.rect, round, ring, StrokeKind::Outside);
 }
 
-/// What runs in the background tells how far it is; nobody else would wake the window for it.
+/// What runs in the background tells how far it is and wakes the window for it.
 pub(crate) fn look_again_soon(ui: &Ui) {
     ui.ctx()
         .request_repaint_after(std::time::Duration::from_millis(100));

@@ -179,7 +179,7 @@ impl Workbench {
         of_this.map(|(path, _)| path)
     }
 
-    /// Whether the identification was cancelled: nobody asks again by himself.
+    /// Whether the identification was cancelled: it is not repeated by itself.
     pub(crate) fn is_declined(&self) -> bool {
         self.declined.is_some() && self.question() == self.declined
     }

@@ -255,7 +255,7 @@ impl Workbench {
             move || ask(beside.as_deref()),
             |bench, path| match path {
                 Some(path) => bench.execute(Command::OpenFile(path)),
-                // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
+                // Cancelled, or there is no dialog on this system: the two look alike.
                 None => bench.view.message = Some(no_file_was_chosen()),
             },
         );

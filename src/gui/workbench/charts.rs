@@ -28,7 +28,7 @@ impl Workbench {
         chosen.unwrap_or_else(|| self.suiting())
     }
 
-    /// Where nobody has chosen: the table that is exported, the gap that is searched, the deviation.
+    /// Without a choice of the user: the table that is exported, the gap that is searched, the deviation.
     fn suiting(&self) -> &'static dyn ChartKind {
         let scene = self.scene();
         let suits = |chart: &&&dyn ChartKind| chart.is_offered(&scene) && chart.suits(&scene);
@@ -142,7 +142,7 @@ impl Workbench {
     /// The panes with another chart in one of them.
     pub(crate) fn with_choice(&self, key: Key, chart: &str) -> Panes {
         let mut panes = self.view.panes.clone();
-        // Whoever chooses what suits the step is content with what suits the next.
+        // Choosing what suits the step means: follow the steps.
         let suits = chart == self.suiting().about().id;
         let others = |(one, pane): (Key, &ChartPane)| one != key && pane.chart.is_none();
         let suits = suits && !panes.charts().any(others);
@@ -246,7 +246,7 @@ mod tests {
         for step in Step::ALL {
             assert_eq!(go(&mut workbench, step), ORDERS, "it was chosen");
         }
-        // Whoever chooses the table again wants no more than what suits.
+        // Choosing the table again means: follow the steps.
         go(&mut workbench, Step::Export);
         choose(&mut workbench, TABLE);
         assert_eq!(go(&mut workbench, Step::Gap), GAP);

@@ -43,7 +43,7 @@ impl Workbench {
 
     pub(super) fn take_adapted(&mut self, (subject, made): Adapted) {
         if !Arc::ptr_eq(&subject, self.loaded_session()) {
-            // Another session is looked at now: nobody asked about that one.
+            // Another session is open now: the answer is about the old one.
             return;
         }
         match made {

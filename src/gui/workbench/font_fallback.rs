@@ -44,7 +44,7 @@ impl Workbench {
         );
     }
 
-    /// Somebody has read that they cannot be shown.
+    /// The user has read that they cannot be shown.
     pub(super) fn dismiss_letters(&mut self) {
         self.letters.unshown.clear();
     }

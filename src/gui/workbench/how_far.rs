@@ -240,7 +240,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
         _ => false,
     });
     assert_eq!(*bench.document(), before);
-    // Whoever closes the sheet wants no look any more.
+    // Closing the sheet cancels the look.
     let (work, arrived, go, _) = halfway(|_| ());
     bench.jobs.start(Kind::Looks, what, work, |_, ()| ());
     arrived.recv().unwrap();

@@ -74,7 +74,7 @@ impl Workbench {
             say!("looking at the file"),
             work,
             |bench: &mut Self, (seen, of)| {
-                // Of one that was cancelled nobody takes anything.
+                // A cancelled one has no result.
                 if let Ok(seen) = seen {
                     bench.take_looked(&of, seen);
                 }

@@ -71,7 +71,7 @@ impl Workbench {
     /// Does it, unless something would be lost: then asks first.
     pub(super) fn ask_then(&mut self, then: NextAction) {
         if let (NextAction::Leave, Some(writing)) = (&then, self.writing()) {
-            // Nobody has to choose between a file and leaving.
+            // Leaving does not depend on a file being chosen.
             let title = say!("The window closes after {what}", what = writing.what);
             self.view.message = Some(Message::done(title, Vec::new()));
             self.desk.then = Some(then);

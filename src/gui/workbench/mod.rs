@@ -73,7 +73,7 @@ pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 /// Document, view, answer and jobs.
 pub(crate) struct Workbench {
     history: History<Document>,
-    /// The session that nobody opened: the window began with it.
+    /// The session that the window began with, not opened by the user.
     first: Arc<LoadedSession>,
     desk: FileState,
     /// A question that was cancelled: it is not asked again by itself.

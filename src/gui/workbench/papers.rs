@@ -89,7 +89,7 @@ impl Workbench {
         same.then_some(figures)
     }
 
-    /// Asks for the figures that the export step shows; one at a time, nobody waits for them.
+    /// Asks for the figures that the export step shows; one at a time, in the background.
     pub(super) fn keep_figuring(&mut self) {
         // A decision stands in the results of every step.
         let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();

@@ -35,7 +35,7 @@ impl Workbench {
             self.desk.kept = None;
             let restored = std::mem::take(&mut self.desk.restored);
             let work = move || {
-                // What was restored is saved: nobody needs either.
+                // What was restored is saved: both can go.
                 let _ = std::fs::remove_file(&path);
                 restored.into_iter().for_each(OrphanedRecovery::remove);
             };
@@ -99,7 +99,7 @@ impl Workbench {
         }
     }
 
-    /// Nobody wants what was left behind.
+    /// Discards what was left behind.
     pub(super) fn discard_left(&mut self, index: usize) {
         if index < self.desk.left_behind.len() {
             let left = self.desk.left_behind.remove(index);

@@ -92,7 +92,7 @@ impl Workbench {
             .map(PathBuf::from)
     }
 
-    /// Where a file of this name is written: nobody has to know where the program was started.
+    /// Where a file of this name is written, wherever the program was started.
     pub(crate) fn placed(&self, name: &Path) -> PathBuf {
         match self.folder() {
             Some(folder) => folder.join(name),
@@ -287,7 +287,7 @@ impl Workbench {
         }
     }
 
-    /// Whether somebody has to ask for a look at the disk from time to time.
+    /// Whether the caller has to ask for a look at the disk from time to time.
     pub(crate) fn wants_looking(&self) -> bool {
         self.watcher.wants_looking()
     }

@@ -111,7 +111,7 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
     let to = path.clone();
     let work = move |_: &Watch| {
         let _ = wait.recv();
-        // It was too late: nobody asks any more.
+        // It was too late: the question was withdrawn.
         let asked = Watch::default();
         files::save(document, &to, files::Replace::Nothing, Vec::new(), &asked)
     };
@@ -181,7 +181,7 @@ fn of_two_sessions_the_one_asked_for_last_is_opened_whichever_takes_longer() {
     });
     bench.execute(Command::Do(NextAction::Example(1)));
     until(&mut bench, |bench| bench.loaded_session().len() == 30);
-    // The first one has nobody left to tell.
+    // The first one has no window left to report to.
     let _ = go.send(());
     for _ in 0..40 {
         bench.receive();

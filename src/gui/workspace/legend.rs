@@ -159,7 +159,7 @@ fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<L
     if !workbench.loaded_session().is_empty() {
         meanings(&mut all, workbench, shown);
     }
-    // Whether somebody points at a sample or not: nothing moves under the pointer.
+    // Whether the pointer is at a sample or not: nothing moves under the pointer.
     let Some(robot) = robot else {
         return all;
     };

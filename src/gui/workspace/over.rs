@@ -35,7 +35,7 @@ pub(super) fn show(
         return;
     };
     let view = workbench.view();
-    // Nobody asks where the crowd is while nothing is written.
+    // Only needed where something is written.
     let crowd = if view.selected.is_some() && view.hovered.is_none() {
         vector_points(workbench, all, camera)
     } else {

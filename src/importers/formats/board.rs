@@ -12,7 +12,7 @@
 //! The camera looks along +z, x points to the right and y downwards in the image. With a camera that
 //! stands still and the board on the tool this is the pose of the tool frame in the camera frame.
 //! With the camera on the tool and the board standing still the inverse is: the pose of the camera in
-//! the frame of the board. Which of the two it is nobody can see in the numbers: `--camera` says it.
+//! the frame of the board. The numbers do not show which of the two it is: `--camera` says it.
 
 use crate::text::Text;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -225,7 +225,7 @@ fn into_tool_poses(
     Some(())
 }
 
-/// The frame is that of the camera or of the board: one that nobody has aligned with the base.
+/// The frame is that of the camera or of the board: one that was not aligned with the base.
 fn say_frame(case: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool) {
     let (of, frame) = if is_on_tool {
         ("the camera on the tool", "board")

@@ -1,7 +1,7 @@
 //! From a table as it was read to samples in inner units.
 //!
 //! Here a cell gets its meaning: units become mm and rad, names become indices, and what a number
-//! cannot be (a direction of 2, a target that nobody declared) is said with its place.
+//! cannot be (a direction of 2, a target that is not declared) is said with its place.
 
 use crate::text::Text;
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Opens what a session names, and nothing else.
 //!
-//! A session is often somebody else's file. It may point to its samples in its own folder or
+//! A session often comes from another machine. It may point to its samples in its own folder or
 //! below, and only a regular file is opened (see [`guard`](crate::guard)).
 
 use crate::text::{Template, Text};
@@ -12,7 +12,7 @@ use crate::guard;
 pub(crate) use crate::guard::{Refusal, open_regular};
 use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
-/// Bytes that are read between two looks at whoever watches.
+/// Bytes that are read between two looks at the watcher.
 const AT_ONCE: u64 = 4 << 20;
 
 /// The whole of a file that the user named; nothing but a regular file is opened.

@@ -191,7 +191,7 @@ fn columns_fit(session: &Session) -> io::Result<()> {
     consistency::columns_fit(session).map_err(rejected)
 }
 
-/// Rows that are written between two looks at whoever watches.
+/// Rows that are written between two looks at the watcher.
 const AT_ONCE: usize = 4096;
 
 fn write_rows(session: &Session, output: &mut dyn Write, part: ProgressSpan<'_>) -> io::Result<()> {

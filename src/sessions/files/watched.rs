@@ -13,7 +13,7 @@ use crate::sessions::{Replacing, load_watched, save_watched};
 const HEAD: &str = r#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[{"name":"pan",
 "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"samples":"#;
 
-/// Rows enough for several looks at whoever watches.
+/// Rows enough for several looks at the watcher.
 const ROWS: usize = 40_000;
 
 fn cell(row: usize, column: usize) -> String {

@@ -118,7 +118,7 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
     widgets::look_again_soon(ui);
 }
 
-/// What is wrong with the file, and what somebody should know.
+/// What is wrong with the file, and what to know about it.
 fn findings(ui: &mut Ui, now: &ImportDraft) {
     for finding in now.seen.inspection.findings.iter().take(8) {
         parts::line(

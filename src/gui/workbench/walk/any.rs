@@ -218,7 +218,7 @@ fn form(random: &mut ChaCha8Rng) -> Form {
     }
 }
 
-/// A foreign file as it stands in its sheet, and something that somebody says about it.
+/// A foreign file as it stands in its sheet, and an answer about it.
 fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<ImportDraft> {
     let foreign = {
         let nobody = Progress::new(&unwatched);

@@ -38,7 +38,7 @@ kinds!(
     Identify(), IdentifyBy(..),
 );
 
-/// These open a dialog of the system, which nobody can drive.
+/// These open a dialog of the system, which a test cannot drive.
 pub(super) const ASK_THE_SYSTEM: &[&str] = &[
     "ChooseFile",
     "ChooseImport",

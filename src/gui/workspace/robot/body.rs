@@ -25,7 +25,7 @@ const END_ON: f32 = 0.35;
 const PLATE: f64 = 17.0;
 /// Width of the real robot's line, points.
 const LINE: f32 = 2.5;
-/// How much of the robot is seen that nobody asked for.
+/// Opacity of a robot whose pose was not asked for.
 const FAINT: f32 = 0.6;
 /// The light: from above and from the left, over the shoulder.
 const LIGHT: [f64; 3] = [-0.35, 0.55, 0.76];
@@ -58,7 +58,7 @@ pub(crate) fn body(
     real(scene, drawn);
 }
 
-/// As it is seen where somebody asked for it, or else paler.
+/// In full where the pose was asked for, or else paler.
 fn seen(drawn: &Drawn, token: ColourToken) -> Tint {
     token.pale(if drawn.asked_for { 1.0 } else { FAINT })
 }
@@ -75,7 +75,7 @@ fn tool(scene: &mut Scene, drawn: &Drawn) {
     }
 }
 
-/// The real robot, where somebody asked for this pose.
+/// The real robot, where this pose was asked for.
 fn real(scene: &mut Scene, drawn: &Drawn) {
     let Some(real) = drawn.real.as_ref().filter(|_| drawn.asked_for) else {
         return;

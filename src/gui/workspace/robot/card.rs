@@ -93,7 +93,7 @@ pub(crate) fn values(
     said(ui, place, &says);
 }
 
-/// A line for whoever cannot see the plot.
+/// A line for screen readers.
 fn said(ui: &Ui, place: Rect, says: &str) {
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());

@@ -59,9 +59,9 @@ pub(crate) struct Real {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Drawn {
-    /// The sample; `None`: nobody measured this pose.
+    /// The sample; `None`: the pose was not measured.
     pub(crate) sample: Option<usize>,
-    /// Whether somebody points at that sample, chose it, or posed the robot.
+    /// Whether the user points at that sample, chose it, or posed the robot.
     pub(crate) asked_for: bool,
     /// The joint values, rad or mm.
     pub(crate) q: Vec<f64>,

@@ -97,7 +97,7 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
     }
 }
 
-/// Nobody calibrates robots on Jupiter: the unit may be wrong.
+/// Beyond any planet where robots are calibrated: the unit may be wrong.
 const GRAVITY: Kind<Vector3<f64>> = Kind {
     read: |at| {
         let gravity = (VECTOR.read)(at)?;
