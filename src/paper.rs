@@ -23,8 +23,7 @@ use crate::model::Model;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Region, Session};
-use crate::text::Text;
-use crate::units::deg_from_rad;
+use crate::text::{Text, angle, length};
 
 use crate::diagnosis::Diagnosis;
 
@@ -159,15 +158,12 @@ fn describe(
 ) -> Text {
     let regions = regional.regions.len();
     let [before, after] = [regional.gap.before, regional.gap.after].map(|s| s.rms_mm);
-    let (after, before) = (format!("{after:.4}"), format!("{before:.4}"));
-    let (theta, l1) = (format!("{:+.4}°", deg_from_rad(theta)), format!("{l1:+.4}"));
-    let (apart, end) = (
-        format!("{apart_mm:.4}"),
-        format!("{:.4}", diagnosis.gap.end_mm),
-    );
+    let (after, before) = (length(after, 4), length(before, 4));
+    let (theta, l1) = (angle(theta, 4), length(l1, 4));
+    let (apart, end) = (length(apart_mm, 4), length(diagnosis.gap.end_mm, 4));
     let one = if diagnosis.found.is_empty() {
         text!(
-            "one constant correction ({theta} and {l1} mm), turned into the base frame, gives the {regions} corrections to within {apart} mm and leaves {end} mm",
+            "one constant correction ({theta} and {l1}), turned into the base frame, gives the {regions} corrections to within {apart} and leaves {end}",
             theta = theta,
             l1 = l1,
             regions = regions,
@@ -177,7 +173,7 @@ fn describe(
     } else {
         let names = diagnosis.found.iter().map(|f| called(f.effect));
         text!(
-            "one constant correction ({theta} and {l1} mm), turned into the base frame, gives the {regions} corrections to within {apart} mm; with {effects} it leaves {end} mm",
+            "one constant correction ({theta} and {l1}), turned into the base frame, gives the {regions} corrections to within {apart}; with {effects} it leaves {end}",
             theta = theta,
             l1 = l1,
             regions = regions,
@@ -188,14 +184,14 @@ fn describe(
     };
     match turn {
         None => text!(
-            "{regions} regions leave {after} of {before} mm; {one}",
+            "{regions} regions leave {after} of {before}; {one}",
             regions = regions,
             after = after,
             before = before,
             one = one
         ),
         Some(turn) if (turn - 1.0).abs() < TURNS => text!(
-            "{regions} regions leave {after} of {before} mm; within a region the error turns by {turn} for each degree of the joint: it is constant in the frame that turns with the joint, and the regional model drops that rotation; {one}",
+            "{regions} regions leave {after} of {before}; within a region the error turns by {turn} for each degree of the joint: it is constant in the frame that turns with the joint, and the regional model drops that rotation; {one}",
             regions = regions,
             after = after,
             before = before,
@@ -203,7 +199,7 @@ fn describe(
             one = one
         ),
         Some(turn) => text!(
-            "{regions} regions leave {after} of {before} mm; within a region the error turns by {turn} for each degree of the joint; {one}",
+            "{regions} regions leave {after} of {before}; within a region the error turns by {turn} for each degree of the joint; {one}",
             regions = regions,
             after = after,
             before = before,

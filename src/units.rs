@@ -50,6 +50,43 @@ impl LengthUnit {
     }
 }
 
+/// Unit of angles for a reader.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum AngleUnit {
+    /// 1°.
+    #[default]
+    Degree,
+    /// 1 rad.
+    Radian,
+    /// 0.001 rad.
+    Milliradian,
+    /// 1/3600°.
+    ArcSecond,
+}
+
+impl AngleUnit {
+    /// An angle in this unit.
+    pub(crate) fn of_rad(self, rad: f64) -> f64 {
+        match self {
+            Self::Degree => deg_from_rad(rad),
+            Self::Radian => rad,
+            Self::Milliradian => rad * 1000.0,
+            Self::ArcSecond => deg_from_rad(rad) * 3600.0,
+        }
+    }
+
+    /// Its sign, as it is after a number.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Degree => "°",
+            Self::Radian => " rad",
+            Self::Milliradian => " mrad",
+            Self::ArcSecond => " arcsec",
+        }
+    }
+}
+
 /// Degrees to radians.
 #[inline]
 pub fn rad_from_deg(deg: f64) -> f64 {

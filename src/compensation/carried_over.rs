@@ -5,7 +5,7 @@
 //! is dropped, and a common shift of the new one is fitted to the samples. Frames that the model does not
 //! know are fitted with it, in turns.
 
-use crate::text::Text;
+use crate::text::{Text, components};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::effects::{Inputs, Role, TOOL_POSITION, Term};
@@ -78,9 +78,9 @@ pub(super) fn carried_over(
         (true, _) => phrase!("other targets"),
     };
     let note = text!(
-        "the session has {what} than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} mm in the tool frame",
+        "the session has {what} than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
         what = what,
-        shift = format!("({:.4}, {:.4}, {:.4})", shift[0], shift[1], shift[2])
+        shift = components(shift, 4)
     );
     Some((carried, note))
 }

@@ -1,8 +1,8 @@
 //! How much of an answer is shown, by where.
 
 use crate::present::numbers::{mm, plain};
-use crate::present::units::{LengthUnit, Units};
-use crate::text::{ByTitles, InUnit};
+use crate::present::units::Units;
+use crate::text::{ByTitles, InUnits};
 
 use super::section::{Block, Fact};
 
@@ -20,12 +20,11 @@ pub(crate) struct Detail {
 }
 
 impl Detail {
-    /// While the answer lives, sentences on this thread have titles for names and this detail's unit of lengths.
-    pub(super) fn speaking(self) -> (ByTitles, InUnit) {
-        let unit = self
-            .units
-            .map_or_else(LengthUnit::default, |units| units.length);
-        (ByTitles::begin(), InUnit::begin(unit))
+    /// While the answer lives, sentences on this thread have titles for names and this detail's units.
+    pub(super) fn speaking(self) -> (ByTitles, InUnits) {
+        let units = self.units.unwrap_or_default();
+        let units = InUnits::begin((units.length, units.angle));
+        (ByTitles::begin(), units)
     }
 
     /// In the terminal: on one page.

@@ -210,9 +210,9 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
     let mut blocks = vec![Block::Table(table)];
     if let Some((mm, poses)) = geometry.enough {
         blocks.push(Block::Text(say!(
-            "{poses} poses are enough for {mm} mm at 95 % of the places",
+            "{poses} poses are enough for {mm} at 95 % of the places",
             poses = poses,
-            mm = mm
+            mm = detail.length(mm)
         )));
     }
     let each = geometry.curve.iter().map(|(poses, error)| {

@@ -2,10 +2,11 @@
 //! their orientation, what could not be corrected.
 
 use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
+use crate::language;
 use crate::present::compensation_v1::{SAID_RAD, Summary};
 use crate::present::names::word;
 use crate::programs::{Answer, Outcome, SkippedTarget, Written};
-use crate::text::Text;
+use crate::text::{Text, small_angle};
 
 /// Where something is in the file: line and column, from 1.
 type LineColumn = (u64, u64);
@@ -111,9 +112,11 @@ fn errors(summary: &Summary, detail: Detail) -> Vec<Fact> {
 fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
     let said = |target: &Outcome| {
         let written = target.result.as_ref().ok().filter(|w| is_in_part(w))?;
-        let [before, after] = written.rotation_rad.map(mrad);
+        let [before, after] = written
+            .rotation_rad
+            .map(|rad| language::spoken(small_angle(rad, 3)));
         let says = say!(
-            "{target}: {after} mrad left of {before}",
+            "{target}: {after} left of {before}",
             target = clean(&target.name),
             after = after,
             before = before
@@ -122,9 +125,9 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
     };
     let targets = answer.targets.iter().filter_map(said);
     let title = say!(
-        "Orientation corrected in part: {targets}, largest error left {largest} mrad",
+        "Orientation corrected in part: {targets}, largest error left {largest}",
         targets = summary.turned,
-        largest = mrad(summary.max_after_rad)
+        largest = language::spoken(small_angle(summary.max_after_rad, 3))
     );
     let listed = first(targets, most)?;
     let why = say!("The rest of the orientation would take large moves of the joints");
@@ -134,10 +137,6 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
 
 fn is_in_part(written: &Written) -> bool {
     written.rotation_rad[1] > SAID_RAD
-}
-
-fn mrad(rad: f64) -> String {
-    format!("{:.3}", 1e3 * rad)
 }
 
 /// What is said of a place in the file.

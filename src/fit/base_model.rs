@@ -22,7 +22,7 @@ use crate::effects::{
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 use crate::sessions::Session;
-use crate::text::Text;
+use crate::text::{Text, angle, length};
 
 use super::estimator::fit_without_outliers;
 use super::frames::frames_from;
@@ -224,9 +224,9 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -
         if turn > NEVER_ALIGNED_RAD || shift > NEVER_ALIGNED_MM {
             aligned = false;
             notes.push(text!(
-                "the measuring frame was never aligned with the robot's base (turned by {turn}°, moved by {shift} mm): it is fitted freely",
-                turn = format!("{:.1}", turn.to_degrees()),
-                shift = format!("{shift:.0}")
+                "the measuring frame was never aligned with the robot's base (turned by {turn}, moved by {shift}): it is fitted freely",
+                turn = angle(turn, 1),
+                shift = length(shift, 0)
             ));
         }
     }

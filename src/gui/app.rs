@@ -143,7 +143,8 @@ impl App {
     /// Shows everything and does what was asked for.
     pub fn show(&mut self, ui: &mut Ui) {
         self.speak();
-        let _unit = crate::text::InUnit::begin(self.workbench.units().length);
+        let units = self.workbench.units();
+        let _units = crate::text::InUnits::begin((units.length, units.angle));
         if let Some(path) = self.first.take() {
             self.workbench.execute(Command::OpenFile(path));
         }

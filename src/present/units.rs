@@ -1,30 +1,13 @@
 //! The units in which the window shows lengths and angles, as the user chose them.
 
-use serde::{Deserialize, Serialize};
-
 use super::numbers::{
     NOTHING, decimals_of, fixed, notation, significant, trimmed, typed, with_interval,
 };
 use crate::fit::Estimate;
 use crate::importers::units::{Word, word};
 use crate::sessions::columns::Unit;
-pub(crate) use crate::units::LengthUnit;
+pub(crate) use crate::units::{AngleUnit, LengthUnit};
 use crate::units::{deg_from_rad, rad_from_deg};
-
-/// Unit of angles on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum AngleUnit {
-    /// 1°.
-    #[default]
-    Degree,
-    /// 1 rad.
-    Radian,
-    /// 0.001 rad.
-    Milliradian,
-    /// 1/3600°.
-    ArcSecond,
-}
 
 /// Both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -48,22 +31,12 @@ impl Units {
 
     /// An angle in the chosen unit.
     pub(crate) fn angle_value(self, rad: f64) -> f64 {
-        match self.angle {
-            AngleUnit::Degree => deg_from_rad(rad),
-            AngleUnit::Radian => rad,
-            AngleUnit::Milliradian => rad * 1000.0,
-            AngleUnit::ArcSecond => deg_from_rad(rad) * 3600.0,
-        }
+        self.angle.of_rad(rad)
     }
 
     /// The unit of angles, as it stands after a number.
     pub(crate) fn angle_name(self) -> &'static str {
-        match self.angle {
-            AngleUnit::Degree => "°",
-            AngleUnit::Radian => " rad",
-            AngleUnit::Milliradian => " mrad",
-            AngleUnit::ArcSecond => " arcsec",
-        }
+        self.angle.name()
     }
 
     /// A length with its unit.

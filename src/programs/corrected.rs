@@ -14,7 +14,7 @@ use crate::compensation::pose::{Reached, Tools, commands_for_poses, directions, 
 use crate::effects::Inputs;
 use crate::kinematics::configuration::Statement;
 use crate::kinematics::{JointKind, Pose, Robot};
-use crate::text::length;
+use crate::text::{length, small_angle};
 
 use super::answer::{Reason, SkippedTarget, Written};
 use super::axes::Axes;
@@ -299,16 +299,16 @@ impl Corrector<'_> {
         let turned = self.whole && reached.rotation_rad > REACHED[1] && !reached.damped;
         if off || turned {
             let says = text!(
-                "the real tool does not reach it: {position_mm} and {rotation_rad} mrad are left",
+                "the real tool does not reach it: {position_mm} and {rotation_rad} are left",
                 position_mm = length(reached.position_mm, 4),
-                rotation_rad = format!("{:.4}", 1e3 * reached.rotation_rad)
+                rotation_rad = small_angle(reached.rotation_rad, 4)
             );
             return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         if self.whole && reached.rotation_rad > turned_before_rad + MOST_TURNED {
             let says = text!(
-                "its position is nearly singular: the correction would turn the tool by {rotation_rad} mrad",
-                rotation_rad = format!("{:.1}", 1e3 * reached.rotation_rad)
+                "its position is nearly singular: the correction would turn the tool by {rotation_rad}",
+                rotation_rad = small_angle(reached.rotation_rad, 1)
             );
             return Err(SkippedTarget::new(Reason::Singular, says));
         }

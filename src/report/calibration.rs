@@ -22,7 +22,7 @@ impl Report {
     /// The report of a model file.
     pub fn of_model(calibration: &VerifiedCalibration, extras: &Extras) -> Self {
         let _by_titles = crate::text::ByTitles::begin();
-        let _unit = crate::text::InUnit::begin(crate::units::LengthUnit::Millimetre);
+        let _units = crate::text::InUnits::of_documents();
         let hash = model_hash(calibration);
         let tolerance_mm = extras.details.tolerance_mm.or(calibration.tolerance_mm);
         let mut sections = vec![

@@ -62,7 +62,7 @@ impl Report {
     /// If the model is another robot's.
     pub fn of_session(evidence: &Evidence, extras: &Extras) -> Result<Self, ReportError> {
         let _by_titles = crate::text::ByTitles::begin();
-        let _unit = crate::text::InUnit::begin(crate::units::LengthUnit::Millimetre);
+        let _units = crate::text::InUnits::of_documents();
         let Evidence {
             session,
             given,

@@ -15,8 +15,7 @@ use crate::fit::{DEFAULT_EFFECTS, base_model, fit_without_outliers, free_frames}
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
-use crate::text::Text;
-use crate::units::deg_from_rad;
+use crate::text::{Text, angle};
 
 use super::DataProblem;
 use super::thinned::thinned;
@@ -122,8 +121,8 @@ impl Lag {
                     samples = samples
                 ),
                 text!(
-                    "{turn}° towards the side it came from",
-                    turn = format!("{:.4}", -deg_from_rad(self.slope))
+                    "{turn} towards the side it came from",
+                    turn = angle(-self.slope, 4)
                 ),
             )
         };

@@ -103,7 +103,7 @@ macro_rules! template {
 mod catalogue;
 mod english;
 mod language;
-mod length;
+mod quantity;
 mod sentence;
 mod speech;
 
@@ -113,10 +113,10 @@ pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
-pub(crate) use length::InUnit;
+pub(crate) use quantity::InUnits;
 #[cfg(feature = "gui")]
-pub(crate) use length::current_unit;
-pub(crate) use sentence::{length, lengths};
+pub(crate) use quantity::current_units;
+pub(crate) use sentence::{angle, components, length, lengths, small_angle};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]

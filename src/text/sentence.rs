@@ -6,9 +6,8 @@ use std::sync::Arc;
 
 use super::english::Template;
 use super::language::Language;
-use super::length::{InUnit, Lengths, current_unit};
+use super::quantity::{Dimension, InUnits, Quantity, Several, current_units};
 use super::speech::filled_in;
-use crate::units::LengthUnit;
 
 /// A sentence with its arguments, to be spoken in any language; `Display` is English. Or words that are not to
 /// translate: a name in a file, what a library or the system reported.
@@ -20,7 +19,7 @@ enum Kind {
     Verbatim(String),
     /// Clauses one after the other.
     Joined(Vec<Text>),
-    Length(Lengths),
+    Quantity(Quantity),
     /// What files and commands have an id for, which English says as well, and what other languages call it.
     Named(Box<(String, Text)>),
     /// In a box: findings travel in results, which should be small.
@@ -77,7 +76,7 @@ impl Text {
                 let clauses = clauses.iter();
                 clauses.map(|one| one.said(language, by_titles)).collect()
             }
-            Kind::Length(lengths) => lengths.said(current_unit()),
+            Kind::Quantity(quantity) => quantity.said(current_units()),
             Kind::Named(named) if language == Language::English && !by_titles => named.0.clone(),
             Kind::Named(named) => named.1.said(language, by_titles),
             Kind::Sentence(sentence) => {
@@ -105,19 +104,50 @@ impl Text {
         match &self.0 {
             Kind::Verbatim(text) => text.is_empty(),
             Kind::Joined(clauses) => clauses.iter().all(Self::is_empty),
-            Kind::Length(_) | Kind::Named(_) | Kind::Sentence(_) => false,
+            Kind::Quantity(_) | Kind::Named(_) | Kind::Sentence(_) => false,
         }
     }
 }
 
 /// A length with so many digits behind the point in mm, as the argument of a sentence.
 pub(crate) fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
-    Text(Kind::Length(Lengths::new(&[*mm.borrow()], decimals)))
+    quantity(
+        Dimension::Length,
+        (&[*mm.borrow()], Several::Change),
+        decimals,
+    )
 }
 
 /// How a length changes: `0.1350 → 0.0540 mm`.
 pub(crate) fn lengths(mm: [f64; 2], decimals: usize) -> Text {
-    Text(Kind::Length(Lengths::new(&mm, decimals)))
+    quantity(Dimension::Length, (&mm, Several::Change), decimals)
+}
+
+/// The components of a vector: `1.00, 2.00, 3.00 mm`.
+pub(crate) fn components(mm: [f64; 3], decimals: usize) -> Text {
+    quantity(Dimension::Length, (&mm, Several::Components), decimals)
+}
+
+/// An angle with so many digits behind the point in degrees.
+pub(crate) fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
+    quantity(
+        Dimension::Angle,
+        (&[*rad.borrow()], Several::Change),
+        decimals,
+    )
+}
+
+/// An error of an orientation with so many digits behind the point in mrad.
+pub(crate) fn small_angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
+    quantity(
+        Dimension::SmallAngle,
+        (&[*rad.borrow()], Several::Change),
+        decimals,
+    )
+}
+
+fn quantity(dimension: Dimension, values: (&[f64], Several), decimals: usize) -> Text {
+    Text(Kind::Quantity(Quantity::new(dimension, values, decimals)))
 }
 
 impl Argument {
@@ -133,9 +163,9 @@ impl fmt::Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Kind::Verbatim(text) => f.pad(text),
-            Kind::Joined(_) | Kind::Length(_) | Kind::Named(_) | Kind::Sentence(_) => {
-                // Documents have millimetres whatever the reader of this thread chose.
-                let _unit = InUnit::begin(LengthUnit::Millimetre);
+            Kind::Joined(_) | Kind::Quantity(_) | Kind::Named(_) | Kind::Sentence(_) => {
+                // Documents have their units whatever the reader of this thread chose.
+                let _units = InUnits::of_documents();
                 f.pad(&self.spoken_in(Language::English))
             }
         }

@@ -68,7 +68,26 @@ fn exchanged(indices: Option<&mut Vec<Option<u32>>>) -> bool {
     any
 }
 
-const MISTAKES: [Mistake; 20] = [
+/// From half of the rows on, what these columns have of the first of a column of names is more by so much.
+fn moved<T: Copy + Into<Option<u32>>>(
+    names: Option<&Vec<T>>,
+    columns: [Option<&mut Vec<f64>>; 2],
+    by: f64,
+) -> bool {
+    let mut any = false;
+    for column in columns.into_iter().flatten() {
+        let half = column.len() / 2;
+        for (row, value) in column.iter_mut().enumerate().skip(half) {
+            if names.is_none_or(|names| names[row].into() == Some(0)) && value.is_finite() {
+                *value += by;
+                any = true;
+            }
+        }
+    }
+    any
+}
+
+const MISTAKES: [Mistake; 28] = [
     ("inches", |s, _| scaled(s, 1.0 / 25.4)),
     ("metres", |s, _| scaled(s, 1e-3)),
     ("x and y exchanged", |s, _| {
@@ -157,6 +176,48 @@ const MISTAKES: [Mistake; 20] = [
     }),
     ("stations exchanged", |s, _| {
         exchanged(s.samples.observed.station.as_mut())
+    }),
+    ("a target knocked half way through", |s, _| {
+        let samples = &mut s.samples;
+        let columns = [Some(&mut samples.x_mm), Some(&mut samples.y_mm)];
+        moved(samples.target.as_ref(), columns, 2.0)
+    }),
+    ("an anchor moved half way through", |s, _| {
+        let observed = &mut s.samples.observed;
+        let columns = [observed.distance_mm.as_mut(), None];
+        moved(observed.anchor.as_ref(), columns, 3.0)
+    }),
+    ("a station turned half way through", |s, _| {
+        let observed = &mut s.samples.observed;
+        let columns = [observed.azimuth.as_mut(), observed.elevation.as_mut()];
+        moved(observed.station.as_ref(), columns, 4e-3)
+    }),
+    ("a socket elsewhere than stated", |s, _| {
+        let mut stated = s.references.sockets.iter_mut();
+        let place = stated.find_map(|socket| socket.position_mm.as_mut());
+        place.map(|place| place.x += 4.0).is_some()
+    }),
+    ("an anchor elsewhere than stated", |s, _| {
+        let mut stated = s.references.anchors.iter_mut();
+        let place = stated.find_map(|anchor| anchor.position_mm.as_mut());
+        place.map(|place| place.y -= 4.0).is_some()
+    }),
+    ("a plane elsewhere than stated", |s, _| {
+        let mut stated = s.references.planes.iter_mut();
+        let known = stated.find_map(|plane| plane.known.as_mut());
+        known.map(|(_, distance)| *distance += 3.0).is_some()
+    }),
+    ("a joint's sign and metres", |s, pick| {
+        let joint = joint(s, pick);
+        s.samples.q[joint].iter_mut().for_each(|q| *q = -*q);
+        scaled(s, 1e-3)
+    }),
+    ("two homes", |s, pick| {
+        let (n, one) = (s.robot.joints.len(), joint(s, pick));
+        for joint in [one, (one + 1) % n] {
+            s.samples.q[joint].iter_mut().for_each(|q| *q += 90.0 * DEG);
+        }
+        n > 1
     }),
     ("the tool of another robot", |s, _| {
         s.robot.base_from_tool.translation.vector.x += 80.0;

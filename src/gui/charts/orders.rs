@@ -15,7 +15,8 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
-use crate::text::spoken;
+use crate::language;
+use crate::text::{angle, spoken};
 
 /// Part of the height that is left for names.
 const ROOM: f64 = 0.30;
@@ -351,10 +352,10 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
     if spectrum.turns >= A_TURN || spectrum.orders.is_empty() {
         return None;
     }
-    let range = trimmed(360.0 * spectrum.turns, 0);
+    let range = language::spoken(angle(std::f64::consts::TAU * spectrum.turns, 0));
     let apart = trimmed((1.0 / spectrum.turns).ceil(), 0);
     let mut says = say!(
-        "range {range}°: orders nearer than {apart} cannot be told apart",
+        "range {range}: orders nearer than {apart} cannot be told apart",
         range = range,
         apart = apart
     );

@@ -90,10 +90,10 @@ impl<B: 'static> Jobs<B> {
             watch: Arc::clone(&watch),
         });
         let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
-        let (spoken, unit) = (text::current(), text::current_unit());
+        let (spoken, units) = (text::current(), text::current_units());
         let job = move || {
             text::choose(spoken);
-            let _unit = text::InUnit::begin(unit);
+            let _units = text::InUnits::begin(units);
             text::name_by_titles(true);
             // A bug in one job must not leave the window waiting for it.
             let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();

@@ -12,8 +12,10 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::region_sums::RegionContents;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::numbers::{grouped, trimmed};
+use crate::language;
+use crate::present::numbers::grouped;
 use crate::present::units::Units;
+use crate::text::angle;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::free_space;
@@ -48,7 +50,10 @@ pub(crate) fn show(
             .on_hover_cursor(CursorIcon::Grab);
         let at_deg = deg_from_rad(boundary.at_rad);
         response.widget_info(|| {
-            let label = say!("boundary at {at}°", at = trimmed(at_deg, 2));
+            let label = say!(
+                "boundary at {at}",
+                at = language::spoken(angle(boundary.at_rad, 2))
+            );
             let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
             info.role = Role::Slider;
             info

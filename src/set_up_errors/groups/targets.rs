@@ -9,8 +9,7 @@ use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
-use crate::text::Text;
-use crate::text::length;
+use crate::text::{Text, components, length};
 
 use super::super::as_it_stands::reach_mm;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
@@ -283,8 +282,8 @@ fn problem(
         ),
         evidence,
         proposal: text!(
-            "its place is fitted (moved by {by} mm); measure it, or state targets_sigma_mm",
-            by = format!("{:.3}, {:.3}, {:.3}", by.x, by.y, by.z)
+            "its place is fitted (moved by {by}); measure it, or state targets_sigma_mm",
+            by = components(by.into(), 3)
         ),
         mend: Some(mend),
         samples: samples

@@ -7,6 +7,8 @@ use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 use crate::importers::{Alignment, Matching, Motion};
+use crate::language;
+use crate::text::length;
 
 /// Where the robot was sent.
 pub(super) fn commanded(
@@ -79,15 +81,15 @@ pub(super) fn commanded(
     if let Some(clock) = clock {
         let says = match clock.sigma_s {
             Some(sigma) => say!(
-                "The measured clock needs {offset_s} s to agree with the commands, ± {sigma} s (95 %); {rms} mm are left",
+                "The measured clock needs {offset_s} s to agree with the commands, ± {sigma} s (95 %); {rms} are left",
                 offset_s = format!("{:+.4}", clock.offset_s),
                 sigma = format!("{:.4}", 1.96 * sigma),
-                rms = format!("{:.3}", clock.rms_mm)
+                rms = language::spoken(length(clock.rms_mm, 3))
             ),
             None => say!(
-                "With {offset_s} s added, {rms} mm are left between path and measurements",
+                "With {offset_s} s added, {rms} are left between path and measurements",
                 offset_s = format!("{:+.4}", clock.offset_s),
-                rms = format!("{:.3}", clock.rms_mm)
+                rms = language::spoken(length(clock.rms_mm, 3))
             ),
         };
         widgets::hint(ui, says);
@@ -127,9 +129,9 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     let left_out = alignment.outliers().count();
     let used = alignment.residuals.len() - left_out;
     let mut says = say!(
-        "{used} points fit with {rms} mm (root mean square)",
+        "{used} points fit with {rms} (root mean square)",
         used = used,
-        rms = format!("{:.4}", alignment.rms_mm)
+        rms = language::spoken(length(alignment.rms_mm, 4))
     );
     if left_out > 0 {
         says += &say!(

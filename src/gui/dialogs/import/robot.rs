@@ -7,6 +7,8 @@ use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, RobotFrom,
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::{JointKind, Robot};
+use crate::language;
+use crate::text::length;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -149,9 +151,9 @@ fn in_words(robot: &Robot) -> String {
     };
     let reach = robot.base_from_tool.translation.vector.norm();
     say!(
-        "{robot}: {joints}, tool {reach} mm from the base",
+        "{robot}: {joints}, tool {reach} from the base",
         robot = robot.name,
         joints = joints,
-        reach = format!("{reach:.0}")
+        reach = language::spoken(length(reach, 0))
     )
 }
