@@ -55,7 +55,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Some samples of a problem of plain points.
-    pub(super) fn of_samples(problem: &Problem<'a>, mut samples: Vec<usize>) -> Self {
+    pub(crate) fn of_samples(problem: &Problem<'a>, mut samples: Vec<usize>) -> Self {
         problem.in_measuring_order(&mut samples);
         let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
         let all = &problem.session.samples;

@@ -193,17 +193,17 @@ const MISTAKES: [Mistake; 28] = [
         moved(observed.station.as_ref(), columns, 4e-3)
     }),
     ("a socket elsewhere than stated", |s, _| {
-        let mut stated = s.references.sockets.iter_mut();
+        let mut stated = s.instrument.references.sockets.iter_mut();
         let place = stated.find_map(|socket| socket.position_mm.as_mut());
         place.map(|place| place.x += 4.0).is_some()
     }),
     ("an anchor elsewhere than stated", |s, _| {
-        let mut stated = s.references.anchors.iter_mut();
+        let mut stated = s.instrument.references.anchors.iter_mut();
         let place = stated.find_map(|anchor| anchor.position_mm.as_mut());
         place.map(|place| place.y -= 4.0).is_some()
     }),
     ("a plane elsewhere than stated", |s, _| {
-        let mut stated = s.references.planes.iter_mut();
+        let mut stated = s.instrument.references.planes.iter_mut();
         let known = stated.find_map(|plane| plane.known.as_mut());
         known.map(|(_, distance)| *distance += 3.0).is_some()
     }),

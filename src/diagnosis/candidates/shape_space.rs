@@ -11,6 +11,9 @@ use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Shape, Variable};
 
+/// Samples whose columns are made at once.
+const AT_ONCE: usize = 1 << 15;
+
 /// What shapes are made from: the values of every variable and the directions, row by row.
 #[derive(Debug, Clone)]
 pub(crate) struct ShapeSpace {
@@ -102,7 +105,7 @@ impl ShapeSpace {
 
     /// The same over other rows of the same session.
     pub(crate) fn on(&self, rows: &Rows, base: &Model) -> Self {
-        let mut other = shape_space(rows, base, &self.survey);
+        let mut other = shape_space(rows, base, &self.survey, true);
         other.tangential = tangential(rows, base, self.survey.joints.len());
         other
     }
@@ -114,26 +117,43 @@ impl ShapeSpace {
         if shapes.is_empty() || problem.observed.is_some() {
             return Vec::new();
         }
-        let mut all = problem.clone();
-        all.used.clone_from(&all.usable);
-        let rows = Rows::of(&all);
-        let space = self.on(&rows, &self.base);
-        let n = rows.samples.len();
-        let mut columns = Vec::new();
-        for placed in shapes {
-            let own = space.columns_in(&placed.shape, self.range(placed.shape.variable));
-            for k in 0..own.ncols() {
-                let mut column: [Vec<f64>; 3] =
-                    std::array::from_fn(|_| vec![0.0; problem.used.len()]);
-                for (a, axis) in rows.axes.iter().enumerate() {
-                    for (i, sample) in rows.samples.iter().enumerate() {
-                        column[*axis][*sample] = own[(a * n + i, k)];
+        let count = problem.used.len();
+        let width = shapes.iter().map(|placed| self.width(&placed.shape)).sum();
+        let mut columns: Vec<[Vec<f64>; 3]> = (0..width)
+            .map(|_| std::array::from_fn(|_| vec![0.0; count]))
+            .collect();
+        let usable: Vec<usize> = (0..count).filter(|i| problem.usable[*i]).collect();
+        // What a space holds of a sample is a few hundred bytes: of ten million it would be gigabytes.
+        for part in usable.chunks(AT_ONCE) {
+            let rows = Rows::of_samples(problem, part.to_vec());
+            let space = self.on(&rows, &self.base).with_directions_of(self);
+            let n = rows.samples.len();
+            let mut column = columns.iter_mut();
+            for placed in shapes {
+                let own = space.columns_in(&placed.shape, self.range(placed.shape.variable));
+                for (own, column) in own.column_iter().zip(&mut column) {
+                    for (a, axis) in rows.axes.iter().enumerate() {
+                        for (i, sample) in rows.samples.iter().enumerate() {
+                            column[*axis][*sample] = own[a * n + i];
+                        }
                     }
                 }
-                columns.push(column);
             }
         }
         columns
+    }
+
+    /// With the directions that another space has: a few samples may show nothing along one of them.
+    fn with_directions_of(mut self, other: &Self) -> Self {
+        let rows = self.samples * self.axes.len();
+        let none = || DVector::zeros(rows);
+        for (own, other) in [
+            (&mut self.radial, &other.radial),
+            (&mut self.axial, &other.axial),
+        ] {
+            *own = other.is_some().then(|| own.take().unwrap_or_else(none));
+        }
+        self
     }
 
     pub(crate) fn frame_axes(&self) -> usize {
@@ -154,7 +174,13 @@ impl ShapeSpace {
     }
 }
 
-pub(crate) fn shape_space(rows: &Rows, base: &Model, survey: &Survey) -> ShapeSpace {
+/// The space of some rows; with every target among the variables, or all but the first, which the others tell.
+pub(crate) fn shape_space(
+    rows: &Rows,
+    base: &Model,
+    survey: &Survey,
+    every_target: bool,
+) -> ShapeSpace {
     let inputs = &rows.inputs;
     let pick = |column: &[f64]| column.to_vec();
     let mut variables = Vec::new();
@@ -182,7 +208,7 @@ pub(crate) fn shape_space(rows: &Rows, base: &Model, survey: &Survey) -> ShapeSp
         let of_sample = used.clone();
         used.sort_unstable();
         used.dedup();
-        for one in used.into_iter().skip(1) {
+        for one in used.into_iter().skip(usize::from(!every_target)) {
             let is = |t: &u32| f64::from(u8::from(*t == one));
             variables.push((Variable::Target(one), of_sample.iter().map(is).collect()));
         }

@@ -116,7 +116,7 @@ impl Table {
                 .cmp(&key(&b.0))
                 .then(a.0.setting.total_cmp(&b.0.setting))
         });
-        let mut space = shape_space(rows, base, survey);
+        let mut space = shape_space(rows, base, survey, false);
         space.tangential = tangential(rows, base, survey.joints.len());
         let lacks =
             |is: fn(&Setting) -> bool| !names.iter().any(|c| is(&c.0.effect.about().setting));
