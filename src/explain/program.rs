@@ -51,7 +51,7 @@ pub(crate) fn program(
 pub(crate) fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
     let says = say!(
         "{target} is left as it is ({reason}): {left}",
-        target = clean(&target.name),
+        target = called(&target.name),
         reason = word(left.reason.name()),
         left = cleaned(&left.says)
     );
@@ -117,7 +117,7 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
             .map(|rad| language::spoken(small_angle(rad, 3)));
         let says = say!(
             "{target}: {after} left of {before}",
-            target = clean(&target.name),
+            target = called(&target.name),
             after = after,
             before = before
         );
@@ -137,6 +137,14 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
 
 fn is_in_part(written: &Written) -> bool {
     written.rotation_rad[1] > SAID_RAD
+}
+
+/// A target's name; rows of a table, which have none, in the reader's language.
+fn called(name: &str) -> String {
+    let row = name
+        .strip_prefix("row ")
+        .and_then(|n| n.parse::<u64>().ok());
+    row.map_or_else(|| clean(name), |row| say!("row {rows}", rows = row))
 }
 
 /// What is said of a place in the file.

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use super::csv;
 use super::rules::Rules;
 use super::sheet::Sheet;
-use super::table_file::{Columns, TableFile, number};
+use super::table_file::{Columns, TableFile, in_a_comment, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
@@ -66,22 +66,23 @@ fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
         format!(" * {}\n", plain.replace("/*", "/ *"))
     };
     text.push_str("/*\n");
-    text.push_str(&comment(&format!(
-        "Correction of joint {} ({}) in {unit}: add it to the command",
-        table.joint + 1,
-        table.name
-    )));
+    text.push_str(&comment(&in_a_comment(&text!(
+        "Correction of joint {joint} ({name}) in {unit}: add it to the command",
+        joint = table.joint + 1,
+        name = &table.name,
+        unit = unit
+    ))));
     text.push_str(" *\n");
     for note in notes {
-        text.push_str(&comment(&note.to_string()));
+        text.push_str(&comment(&in_a_comment(note)));
     }
     text.push_str(" *\n");
-    text.push_str(&comment(&format!(
-        "Made by truepose {} from '{}', samples {}",
-        env!("CARGO_PKG_VERSION"),
-        job.calibration.session,
-        job.calibration.samples_hash
-    )));
+    text.push_str(&comment(&in_a_comment(&text!(
+        "Made by truepose {version} from '{session}', samples {hash}",
+        version = env!("CARGO_PKG_VERSION"),
+        session = &job.calibration.session,
+        hash = &job.calibration.samples_hash
+    ))));
     text.push_str(" */\n");
     let [from, to] = table.ends();
     let step = table.step.unwrap_or((to - from) / last as f64);
@@ -96,7 +97,7 @@ fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
     array(&mut text, &format!("{name}_reverse_{unit}"), &table.reverse);
     let _ = write!(
         text,
-        "/* Correction at one side's entries. */\n\
+        "/* {at_entries} */\n\
          static inline double {name}_at(const double *entries, double commanded_{unit})\n\
          {{\n\
          \x20   double place = (commanded_{unit} - ({from})) * {per_step};\n\
@@ -110,8 +111,7 @@ fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
          \x20   index = (int)place;\n\
          \x20   return entries[index] + (entries[index + 1] - entries[index]) * (place - (double)index);\n\
          }}\n\n\
-         /* What to add to the command; direction: above 0 moving to larger values, below 0 to\n\
-         \x20* smaller ones, 0 unknown. */\n\
+         /* {to_add} */\n\
          static inline double {name}_correction_{unit}(double commanded_{unit}, int direction)\n\
          {{\n\
          \x20   if (direction > 0) {{\n\
@@ -124,6 +124,10 @@ fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
          \x20       + {name}_at({name}_reverse_{unit}, commanded_{unit}));\n\
          }}\n\n\
          #endif /* {guard} */\n",
+        at_entries = in_a_comment(&text!("Correction at the entries of one side")),
+        to_add = in_a_comment(&text!(
+            "What to add to the command; direction: above 0 moving to larger values, below 0 to smaller ones, 0 unknown"
+        )),
         from = literal(from),
         per_step = literal(1.0 / step),
     );

@@ -11,7 +11,13 @@ use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
 use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, grid};
-use crate::text::{Template, Text};
+use crate::text::{InUnits, Template, Text, current};
+
+/// A comment in a file: a person reads it, in the language of this thread and the units of documents.
+pub(super) fn in_a_comment(text: &Text) -> String {
+    let _units = InUnits::of_documents();
+    text.said(current(), false).replace(['\n', '\r'], " ")
+}
 
 /// What tells one table format from another.
 pub(super) struct TableFile {

@@ -18,7 +18,7 @@ use std::fmt::Write;
 
 use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
 use super::sheet::Sheet;
-use super::table_file::{Columns, TableFile, number};
+use super::table_file::{Columns, TableFile, in_a_comment, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
@@ -66,16 +66,16 @@ fn write(_: &Job, sheet: &Sheet, notes: &[Text]) -> String {
     line(
         &mut text,
         &format!(
-            "// Correction of joint {} in {}",
-            sheet.joint + 1,
-            sheet.unit()
+            "// {}",
+            in_a_comment(&text!(
+                "Correction of joint {joint} in {unit}",
+                joint = sheet.joint + 1,
+                unit = sheet.unit()
+            ))
         ),
     );
     for note in notes {
-        line(
-            &mut text,
-            &format!("// {}", note.to_string().replace(['\n', '\r'], " ")),
-        );
+        line(&mut text, &format!("// {}", in_a_comment(note)));
     }
     let [from, to] = sheet.ends();
     let last = sheet.places.len() - 1;

@@ -256,6 +256,35 @@ fn documents_and_files_are_the_same_in_every_language() {
 }
 
 #[test]
+fn comments_in_a_controller_s_file_follow_the_language_and_its_numbers_do_not() {
+    let bench = Bench::with_models();
+    for (format, file) in [("c-header", "e.h"), ("twincat-nc", "e.txt")] {
+        let of = |language: &str| {
+            let command = format!("export column.json --to {format} --out {file} --force");
+            let arguments = command.split(' ').chain(["--language", language]);
+            bench.done(&arguments.collect::<Vec<_>>());
+            let text = fs::read_to_string(bench.path().join(file)).unwrap();
+            let is_comment = |line: &&str| {
+                let line = line.trim_start();
+                line.starts_with("//") || line.starts_with("/*") || line.starts_with('*')
+            };
+            let lines: (Vec<&str>, Vec<&str>) = text.lines().partition(is_comment);
+            [lines.0.join("\n"), lines.1.join("\n")]
+        };
+        let [said, code] = of("en");
+        for (language, word) in [("de", "Korrektur"), ("zh", "修正")] {
+            let [other, same] = of(language);
+            assert!(
+                said.contains("Correction") && other.contains(word),
+                "{other}"
+            );
+            assert!(!other.contains("Correction of"), "{other}");
+            assert_eq!(same, code, "{format}, {language}");
+        }
+    }
+}
+
+#[test]
 fn a_german_error_names_file_line_and_column() {
     let bench = Bench::new();
     fs::write(
