@@ -135,7 +135,8 @@ pub(crate) fn remarks_on_fit(
     detail: Detail,
 ) -> Vec<Section> {
     let _speaking = detail.speaking();
-    let not_identifiable = open::not_identifiable(&answer.not_identifiable, detail, open::MOST_COMBINATIONS);
+    let not_identifiable =
+        open::not_identifiable(&answer.not_identifiable, detail, open::MOST_COMBINATIONS);
     let outliers = open::outliers(answer, detail);
     let all = [
         not_identifiable,

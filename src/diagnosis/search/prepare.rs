@@ -442,22 +442,31 @@ fn keep_clusters(problem: &mut Problem) {
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
         let of = |i: usize| q[problem.sample_of(i)];
-        let mut order: Vec<usize> = (0..fit.len()).filter(|i| fit[*i]).collect();
-        order.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
-        let mut run: Vec<usize> = Vec::new();
-        for k in 0..=order.len() {
-            if let Some(sample) = order.get(k).filter(|s| suspected[**s]) {
-                run.push(*sample);
+        let along = |a: &usize, b: &usize| of(*a).total_cmp(&of(*b)).then(a.cmp(b));
+        // Suspects are few: they are put in order, and the others only part them.
+        let mut suspects: Vec<usize> = (0..fit.len()).filter(|i| suspected[*i]).collect();
+        suspects.sort_unstable_by(along);
+        let mut parted = vec![false; suspects.len()];
+        for other in (0..fit.len()).filter(|i| fit[*i] && !suspected[*i]) {
+            let next = suspects.partition_point(|suspect| along(suspect, &other).is_lt());
+            if let Some(parted) = parted.get_mut(next) {
+                *parted = true;
+            }
+        }
+        let mut first = 0;
+        for end in 1..=suspects.len() {
+            if parted.get(end).is_some_and(|parted| !parted) {
                 continue;
             }
+            let run = &suspects[first..end];
             // So many in a row by accident: n·share^run.
             let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
             if run.len() >= RUN && accident < 0.01 {
-                for index in &run {
+                for index in run {
                     back[*index] = true;
                 }
             }
-            run.clear();
+            first = end;
         }
     }
     problem.set_counted(back);
