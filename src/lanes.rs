@@ -61,3 +61,30 @@ pub(crate) fn turned(v: [f64; 3], axis: [f64; 3], sin: f64, cos: f64) -> [f64; 3
         v[2] * cos + across[2] * sin + axis[2] * along,
     ]
 }
+
+/// A vector of every lane [`turned`] about one axis by an angle of its own.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a part of wide loops")]
+pub(crate) fn turn_lanes(v: &mut Lanes3, axis: [f64; 3], sin: &Lanes, cos: &Lanes) {
+    let [x, y, z] = v;
+    for i in 0..LANES {
+        [x[i], y[i], z[i]] = turned([x[i], y[i], z[i]], axis, sin[i], cos[i]);
+    }
+}
+
+/// `a + b·k` in every lane, with a factor of its own.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "as turn_lanes")]
+pub(crate) fn add_scaled_lanes(a: &mut Lanes3, b: [f64; 3], k: impl Fn(usize) -> f64) {
+    let [x, y, z] = a;
+    for i in 0..LANES {
+        [x[i], y[i], z[i]] = add_scaled([x[i], y[i], z[i]], b, k(i));
+    }
+}
+
+/// One vector in every lane.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "as turn_lanes")]
+pub(crate) fn in_all_lanes(v: [f64; 3]) -> Lanes3 {
+    v.map(|v| [v; LANES])
+}

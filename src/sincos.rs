@@ -15,6 +15,8 @@
 
 use std::f64::consts::FRAC_2_PI;
 
+use crate::lanes::{LANES, Lanes};
+
 /// Beyond this angle (rad) k π/2 is no longer exact enough.
 const LARGEST_RAD: f64 = 1e5;
 
@@ -103,6 +105,17 @@ pub(crate) fn sin_cos_small(x: f64) -> (f64, f64) {
         f64::from_bits(sine_bits ^ sine_sign),
         f64::from_bits(cosine_bits ^ cosine_sign),
     )
+}
+
+/// Sines and cosines of angles of moderate size in all lanes, each as [`sin_cos_small`] has it.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "as sin_cos_all")]
+pub(crate) fn sin_cos_lanes(angles_rad: &Lanes) -> (Lanes, Lanes) {
+    let (mut sines, mut cosines) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        (sines[i], cosines[i]) = sin_cos_small(angles_rad[i]);
+    }
+    (sines, cosines)
 }
 
 #[cfg(test)]

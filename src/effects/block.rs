@@ -57,20 +57,25 @@ pub struct Turned<const N: usize> {
 }
 
 /// [`Turned`] for every sample of a block.
-struct TurnedLanes<const N: usize> {
-    value: Lanes,
-    by_input: Lanes,
-    by_coefficient: [Lanes; N],
+pub(super) struct TurnedLanes<const N: usize> {
+    pub(super) value: Lanes,
+    pub(super) by_input: Lanes,
+    pub(super) by_coefficient: [Lanes; N],
 }
 
 impl<const N: usize> TurnedLanes<N> {
-    #[inline]
-    fn of(f: impl Fn(usize) -> Turned<N>) -> Self {
-        let mut lanes = Self {
+    /// Nothing yet.
+    pub(super) fn zero() -> Self {
+        Self {
             value: [0.0; LANES],
             by_input: [0.0; LANES],
             by_coefficient: [[0.0; LANES]; N],
-        };
+        }
+    }
+
+    #[inline]
+    fn of(f: impl Fn(usize) -> Turned<N>) -> Self {
+        let mut lanes = Self::zero();
         for i in 0..LANES {
             let turned = f(i);
             lanes.value[i] = turned.value;
@@ -334,6 +339,16 @@ impl<'a> Block<'a> {
         self.q[joint][lane]
     }
 
+    /// The same in all lanes.
+    pub(super) fn commands(&self, joint: usize) -> &Lanes {
+        &self.q[joint]
+    }
+
+    /// Values of a joint in all lanes after the joint effects so far, rad or mm.
+    pub(super) fn values(&self, joint: usize) -> &Lanes {
+        &self.theta[joint]
+    }
+
     /// Value of a joint after the joint effects so far, rad or mm.
     pub(super) fn value(&self, joint: usize, lane: usize) -> f64 {
         self.theta[joint][lane]
@@ -364,6 +379,11 @@ impl<'a> Block<'a> {
         self.load_kg[lane]
     }
 
+    /// The same in all lanes.
+    pub(super) fn loads_kg(&self) -> &Lanes {
+        &self.load_kg
+    }
+
     /// An effect of the joint stage: `f` gives the joint's value after the effect.
     #[inline]
     pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
@@ -372,7 +392,8 @@ impl<'a> Block<'a> {
         self.take_turn(me, &turned);
     }
 
-    fn take_turn<const N: usize>(&mut self, me: &Placed, turned: &TurnedLanes<N>) {
+    /// The same where all lanes are known.
+    pub(super) fn take_turn<const N: usize>(&mut self, me: &Placed, turned: &TurnedLanes<N>) {
         let joint = me.joint;
         self.theta[joint] = turned.value;
         if self.by == Columns::None {

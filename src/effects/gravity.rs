@@ -6,8 +6,10 @@
 
 use super::block::Block;
 use crate::kinematics::{Joint, JointKind};
-use crate::lanes::{add_scaled, cross, turned};
-use crate::sincos::sin_cos_small as sin_cos;
+use crate::lanes::{
+    LANES, Lanes, Lanes3, add_scaled, add_scaled_lanes, cross, in_all_lanes, turn_lanes, turned,
+};
+use crate::sincos::{sin_cos_lanes, sin_cos_small as sin_cos};
 
 /// One metre in a millimetre.
 const MM: f64 = 1e-3;
@@ -126,6 +128,69 @@ pub(super) fn first_moment(block: &Block, joint: usize, lane: usize) -> [f64; 3]
     let origin = block.robot.joints[joint].axis.point_mm.coords.into();
     let arm = add_scaled(carried.moment, origin, -carried.mass_kg);
     arm.map(|v| v * MM)
+}
+
+/// [`first_moment`] of every lane, with the same bits; a part of wide loops.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+pub(super) fn first_moments(block: &Block, joint: usize) -> Lanes3 {
+    let robot = block.robot;
+    let (mut mass, mut moment) = ([0.0; LANES], in_all_lanes([0.0; 3]));
+    let add = |mass: &mut Lanes, moment: &mut Lanes3, of: &Lanes, at: [f64; 3]| {
+        for (mass, of) in mass.iter_mut().zip(of) {
+            *mass += of;
+        }
+        add_scaled_lanes(moment, at, |i| of[i]);
+    };
+    let tool = robot.base_from_tool.translation.vector.into();
+    add(&mut mass, &mut moment, block.loads_kg(), tool);
+    for (k, behind) in robot.joints.iter().enumerate().skip(joint).rev() {
+        if let Some(link) = behind.link {
+            let own = [link.mass_kg; LANES];
+            add(&mut mass, &mut moment, &own, link.centre_mm.coords.into());
+        }
+        if k == joint {
+            continue;
+        }
+        let along = behind.axis.direction.into_inner().into();
+        let commands = block.commands(k);
+        match behind.kind {
+            JointKind::Revolute => {
+                let origin: [f64; 3] = behind.axis.point_mm.coords.into();
+                let (sin, cos) = sin_cos_lanes(commands);
+                add_scaled_lanes(&mut moment, origin, |i| -mass[i]);
+                turn_lanes(&mut moment, along, &sin, &cos);
+                add_scaled_lanes(&mut moment, origin, |i| mass[i]);
+            }
+            JointKind::Prismatic => {
+                add_scaled_lanes(&mut moment, along, |i| mass[i] * commands[i]);
+            }
+        }
+    }
+    let origin = robot.joints[joint].axis.point_mm.coords.into();
+    add_scaled_lanes(&mut moment, origin, |i| -mass[i]);
+    moment.map(|own| own.map(|v| v * MM))
+}
+
+/// [`seen_by`] of every lane, with the same bits; a part of wide loops.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+pub(super) fn seen_by_all(block: &Block, joint: usize) -> Lanes3 {
+    let robot = block.robot;
+    let mut gravity = in_all_lanes(robot.gravity_m_s2.map_or([0.0; 3], Into::into));
+    for (k, before) in robot.joints.iter().enumerate().take(joint) {
+        if before.kind == JointKind::Revolute {
+            let (sin, cos) = sin_cos_lanes(block.commands(k));
+            let back = sin.map(|sin| -sin);
+            turn_lanes(
+                &mut gravity,
+                before.axis.direction.into_inner().into(),
+                &back,
+                &cos,
+            );
+        }
+    }
+    gravity
 }
 
 /// Moment of all weights about the origin of the base frame, base frame, N·m; zero where gravity

@@ -89,11 +89,30 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
+    use crate::effects::gravity::{first_moments, seen_by_all};
     use crate::effects::{Inputs, JointValues};
     use crate::kinematics::JointKind;
     use crate::kinematics::testing::{robot_and_pose, with_joint_moved};
     use crate::sessions::{Instrument, Samples, Session, Target};
     use proptest::prelude::*;
+
+    /// A session with so many samples from a pose on, each a step from the one before, under growing loads.
+    pub(super) fn some_samples(
+        robot: crate::kinematics::Robot,
+        q: &[f64],
+        load_kg: f64,
+        count: usize,
+    ) -> Session {
+        let mut session = session(robot, q, load_kg);
+        let steps = || (0..count).map(|k| k as f64);
+        let samples = &mut session.samples;
+        let moved = q.iter().map(|q| steps().map(|k| q + 0.37 * k).collect());
+        samples.q = moved.collect();
+        samples.load_kg = Some(steps().map(|k| load_kg + k).collect());
+        samples.x_mm = vec![0.0; count];
+        samples.y_mm = vec![0.0; count];
+        session
+    }
 
     /// A session with one sample.
     fn session(robot: crate::kinematics::Robot, q: &[f64], load_kg: f64) -> Session {
@@ -125,6 +144,24 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn all_lanes_at_once_have_the_bits_of_each(
+            (robot, q) in robot_and_pose(), load_kg in 0.0..20.0_f64
+        ) {
+            let session = some_samples(robot.clone(), &q, load_kg, 5);
+            let inputs = Inputs::new(&session, JointValues::Commanded);
+            let mut block = Block::new(&robot, 0, false);
+            block.load(&inputs, 0);
+            for joint in 0..q.len() {
+                let (moments, gravity) = (first_moments(&block, joint), seen_by_all(&block, joint));
+                for lane in 0..5 {
+                    let own = Torque::of(&block, joint, lane);
+                    prop_assert_eq!(moments.map(|of| of[lane]), own.moment);
+                    prop_assert_eq!(gravity.map(|of| of[lane]), own.gravity);
+                }
+            }
+        }
+
         /// The kinematics find the torque by virtual power, from twists; here it is a first
         /// moment that turns with the joint.
         #[test]

@@ -142,25 +142,34 @@ impl Rest {
 
     /// The correction in each direction, rad or mm.
     pub(crate) fn at(&self, at: &RestPoint) -> [f64; 3] {
+        // No memory of its own for each sample of a robot as they are.
+        const USUAL: usize = 16;
+        let count = at.q.len().min(self.ranges.len());
+        let (mut usual, mut more) = ([0.0; USUAL], Vec::new());
+        let q = if count <= USUAL {
+            &mut usual[..count]
+        } else {
+            more.resize(count, 0.0);
+            &mut more[..]
+        };
         let mut weight = 1.0;
-        let mut q = Vec::with_capacity(at.q.len());
         for (joint, (value, range)) in at.q.iter().zip(&self.ranges).enumerate() {
-            q.push(value.clamp(range[0], range[1]));
+            q[joint] = value.clamp(range[0], range[1]);
             if self.follows(at.joint, joint) {
                 weight *= fade(*value, *range);
             }
         }
-        let conditions = at.conditions();
+        let (q, conditions) = (&*q, at.conditions());
         self.along.each_ref().map(|along| {
             let mut sum = 0.0;
             if !along.moments.is_empty() {
-                sum += sag(at.robot, at.joint, &q, &along.moments);
+                sum += sag(at.robot, at.joint, q, &along.moments);
             }
             for (by, value) in along.conditions.iter().zip(conditions) {
                 sum += by * value;
             }
             for wave in &along.waves {
-                let phase: f64 = wave.orders.iter().zip(&q).map(|(o, q)| o * q).sum();
+                let phase: f64 = wave.orders.iter().zip(q).map(|(o, q)| o * q).sum();
                 let (sin, cos) = phase.sin_cos();
                 sum += wave.sine * sin + wave.cosine * cos;
             }

@@ -58,12 +58,6 @@ impl Torque {
         self.wave().at(theta)
     }
 
-    /// What a moment's product with is its torque at an angle, where gravity is that of this one.
-    pub(super) fn arm(&self, theta: f64) -> [f64; 3] {
-        let (sin, cos) = sin_cos(theta);
-        turned(cross(self.gravity, self.axis), self.axis, -sin, cos)
-    }
-
     /// The derivative of the torque by the command of another joint, N·m/rad or N·m/mm: a joint
     /// behind moves what hangs on it, one before turns gravity as this joint sees it.
     pub(super) fn by_other(
@@ -97,6 +91,8 @@ pub(super) struct Wave {
 
 impl Wave {
     /// Torque and its slope in N·m/rad.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of wide loops")]
     pub(super) fn at(self, theta: f64) -> (f64, f64) {
         let (sin, cos) = sin_cos(theta);
         let tau = self.sine * sin + self.cosine * cos;

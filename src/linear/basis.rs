@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::products::{along, products, subtract};
+use super::products::{Sums, along, norm, products, subtract, subtract_with_products};
 
 /// A column of which less than this share is left after projection is a copy of the others.
 const DEPENDENT: f64 = 1e-6;
@@ -25,74 +25,100 @@ pub(crate) struct Basis {
     pub(crate) extends: Option<Arc<Self>>,
 }
 
+/// A basis that still grows.
+struct Growing {
+    /// Orthonormal columns, one after the other.
+    q: Vec<f64>,
+    r: DMatrix<f64>,
+    kept: Vec<usize>,
+}
+
+impl Growing {
+    /// Takes some columns of a matrix more. The products of the next column come with the last step of the one
+    /// before it, while the orthonormal columns are near the processor.
+    fn orthogonalize(&mut self, a: &DMatrix<f64>, which: impl Iterator<Item = usize>) {
+        let (m, p) = a.shape();
+        let column = |k: usize| &a.as_slice()[k * m..(k + 1) * m];
+        let (mut parts, mut again) = (vec![0.0; p], vec![0.0; p]);
+        let mut sums = Sums::new(p);
+        let mut which = which.peekable();
+        if let (Some(first), false) = (which.peek(), self.kept.is_empty()) {
+            products(column(*first), &self.q, &mut parts[..self.kept.len()]);
+        }
+        while let Some(own) = which.next() {
+            let rank = self.kept.len();
+            if rank >= m {
+                return;
+            }
+            let next = which.peek().map(|next| column(*next));
+            let before = norm(column(own));
+            self.q.extend_from_slice(column(own));
+            let (q, v) = self.q.split_at_mut(rank * m);
+            subtract_with_products(q, &parts[..rank], v, None, &mut again, &mut sums);
+            for (k, (first, second)) in parts.iter().zip(&again).take(rank).enumerate() {
+                self.r[(k, rank)] = first + second;
+            }
+            if next.is_some() {
+                subtract_with_products(q, &again[..rank], v, next, &mut parts, &mut sums);
+            } else {
+                subtract(q, &again[..rank], v);
+            }
+            let norm = norm(v);
+            if norm > DEPENDENT * before && norm > 0.0 {
+                for value in v.iter_mut() {
+                    *value /= norm;
+                }
+                if let Some(next) = next {
+                    products(next, v, &mut parts[rank..=rank]);
+                }
+                self.r[(rank, rank)] = norm;
+                self.kept.push(own);
+            } else {
+                self.q.truncate(rank * m);
+            }
+        }
+    }
+
+    fn end(mut self, a: &DMatrix<f64>, extends: Option<Arc<Basis>>) -> Basis {
+        let (m, columns) = a.shape();
+        let rank = self.kept.len();
+        self.q.shrink_to_fit();
+        Basis {
+            q: DMatrix::from_vec(m, rank, self.q),
+            r: self.r.view((0, 0), (rank, rank)).into_owned(),
+            kept: self.kept,
+            columns,
+            extends,
+        }
+    }
+}
+
 impl Basis {
     /// Takes a matrix apart.
     pub(crate) fn new(a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
-        let mut basis = Self {
-            q: DMatrix::zeros(m, p),
+        let mut growing = Growing {
+            q: Vec::with_capacity(m * p),
             r: DMatrix::zeros(p, p),
             kept: Vec::new(),
-            columns: p,
-            extends: None,
         };
-        for column in 0..p {
-            basis.orthogonalize(column, a.column(column).into_owned());
-        }
-        basis.end()
+        growing.orthogonalize(a, 0..p);
+        growing.end(a, None)
     }
 
     /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
     pub(crate) fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let rank = known.rank();
-        let mut basis = Self {
-            q: DMatrix::zeros(m, p),
+        let mut growing = Growing {
+            q: Vec::with_capacity(m * p.max(rank)),
             r: DMatrix::zeros(p, p),
             kept: known.kept.iter().map(|k| own[*k]).collect(),
-            columns: p,
-            extends: Some(Arc::clone(known)),
         };
-        basis.q.columns_mut(0, rank).copy_from(&known.q);
-        basis.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
-        for column in (0..p).filter(|k| !own.contains(k)) {
-            basis.orthogonalize(column, a.column(column).into_owned());
-        }
-        basis.end()
-    }
-
-    /// Takes one column more.
-    fn orthogonalize(&mut self, column: usize, mut v: DVector<f64>) {
-        let m = self.q.nrows();
-        let rank = self.kept.len();
-        if rank >= m {
-            return;
-        }
-        let before = v.norm();
-        let own = &self.q.as_slice()[..rank * m];
-        let mut parts = vec![0.0; rank];
-        let mut r = vec![0.0; rank];
-        for _ in 0..2 {
-            products(v.as_slice(), own, &mut parts);
-            subtract(own, &parts, v.as_mut_slice());
-            for (r, part) in r.iter_mut().zip(&parts) {
-                *r += part;
-            }
-        }
-        let norm = v.norm();
-        if norm > DEPENDENT * before && norm > 0.0 {
-            self.r.view_mut((0, rank), (rank, 1)).copy_from_slice(&r);
-            self.r[(rank, rank)] = norm;
-            self.q.set_column(rank, &(v / norm));
-            self.kept.push(column);
-        }
-    }
-
-    fn end(mut self) -> Self {
-        let rank = self.kept.len();
-        self.q = self.q.resize_horizontally(rank, 0.0);
-        self.r = self.r.view((0, 0), (rank, rank)).into_owned();
-        self
+        growing.q.extend_from_slice(known.q.as_slice());
+        growing.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
+        growing.orthogonalize(a, (0..p).filter(|k| !own.contains(k)));
+        growing.end(a, Some(Arc::clone(known)))
     }
 
     /// Number of independent columns.
@@ -216,6 +242,40 @@ mod tests {
         let mut twice = a.clone();
         twice.set_column(0, &a.column(5));
         assert_eq!(Basis::extending(&known, &own, &twice).kept, [1, 2, 5, 3, 4]);
+    }
+
+    /// One column after the other, each by products with all before it and taking these from it, twice.
+    #[test]
+    fn it_has_the_bits_of_gram_schmidt_step_by_step() {
+        for (m, p) in [(203, 9), (32, 5), (70, 70), (5, 9), (0, 3)] {
+            let mut a = DMatrix::from_fn(m, p, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
+            if m > 40 {
+                let copy = a.column(1) * 2.0;
+                a.set_column(3, &copy);
+            }
+            let basis = Basis::new(&a);
+            let mut q: Vec<DVector<f64>> = Vec::new();
+            for (k, column) in a.column_iter().enumerate() {
+                let mut v = column.into_owned();
+                let mut r = vec![0.0; q.len()];
+                for _ in 0..2 {
+                    let parts: Vec<f64> = q.iter().map(|q| q.dot(&v)).collect();
+                    for ((q, part), r) in q.iter().zip(parts).zip(&mut r) {
+                        v.axpy(-part, q, 1.0);
+                        *r += part;
+                    }
+                }
+                if !basis.kept.contains(&k) {
+                    continue;
+                }
+                r.push(v.norm());
+                assert_eq!(r, basis.r.column(q.len()).as_slice()[..=q.len()]);
+                q.push(&v / v.norm());
+            }
+            assert_eq!(q.len(), basis.rank());
+            assert_eq!(basis.kept.contains(&3), m <= 40 && m > 0);
+            assert!(q.iter().zip(basis.q.column_iter()).all(|(a, b)| *a == b));
+        }
     }
 
     #[test]

@@ -7,5 +7,8 @@ mod triangle;
 
 pub(crate) use basis::Basis;
 pub(crate) use kept::Kept;
-pub(crate) use products::{along, cross, gram, own_products, products, reject_all, subtract};
-pub(crate) use triangle::{inverse_of_lower, small_cholesky, small_gain};
+pub(crate) use products::{
+    along, cross, gram, lower_cross, own_products, products, reject_all, some_columns,
+    square_apart, subtract,
+};
+pub(crate) use triangle::{cholesky, inverse_of_lower, small_cholesky, small_gain, solve_lower};

@@ -23,6 +23,53 @@ pub(crate) fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
     });
 }
 
+/// The length of a vector, with the bits that nalgebra's has.
+pub(crate) fn norm(v: &[f64]) -> f64 {
+    dot(v, v).sqrt()
+}
+
+/// The square of the distance between two vectors.
+pub(crate) fn square_apart(a: &[f64], b: &[f64]) -> f64 {
+    wide(Apart { a, b })
+}
+
+/// Some columns that lie side by side.
+pub(crate) fn some_columns(a: &DMatrix<f64>, first: usize, count: usize) -> DMatrix<f64> {
+    let height = a.nrows();
+    let own = &a.as_slice()[first * height..(first + count) * height];
+    DMatrix::from_vec(height, count, own.to_vec())
+}
+
+/// The running sums of [`subtract_with_products`].
+pub(crate) struct Sums(Vec<[f64; 8]>);
+
+impl Sums {
+    /// For so many columns at most.
+    pub(crate) fn new(columns: usize) -> Self {
+        Self(vec![[0.0; 8]; columns])
+    }
+}
+
+/// Takes from `v` columns times their coefficients, one after the other, and says what products they then have with
+/// it, or with another vector: the bits of [`subtract`] and [`products`], with each column read once.
+pub(crate) fn subtract_with_products(
+    columns: &[f64],
+    coefficients: &[f64],
+    v: &mut [f64],
+    other: Option<&[f64]>,
+    out: &mut [f64],
+    sums: &mut Sums,
+) {
+    wide(SubtractingWithProducts {
+        columns,
+        coefficients,
+        v,
+        other,
+        out,
+        sums: &mut sums.0,
+    });
+}
+
 /// Rows of a Gram matrix that are made at once.
 const GRAM_ROWS: usize = 48;
 
@@ -53,6 +100,19 @@ pub(crate) fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
         b: b.as_slice(),
         out: all.as_mut_slice(),
         lower: false,
+    });
+    all
+}
+
+/// The lower half of `Aᵀ B` where that is symmetric, as [`cross`] has it; what is above the diagonal is not asked for.
+pub(crate) fn lower_cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(a.ncols(), b.ncols());
+    wide(Cross {
+        height: a.nrows().min(b.nrows()),
+        a: a.as_slice(),
+        b: b.as_slice(),
+        out: all.as_mut_slice(),
+        lower: true,
     });
     all
 }
@@ -312,6 +372,127 @@ fn total(sums: &[f64; 8]) -> f64 {
     (0..4).fold(0.0, |sum, k| sum + (sums[k] + sums[k + 4]))
 }
 
+/// Rows that are worked on at once: four wide vectors, in which they stay while all columns go over them.
+const ROWS: usize = 32;
+
+struct SubtractingWithProducts<'a> {
+    columns: &'a [f64],
+    coefficients: &'a [f64],
+    v: &'a mut [f64],
+    other: Option<&'a [f64]>,
+    out: &'a mut [f64],
+    sums: &'a mut [[f64; 8]],
+}
+
+impl Loop for SubtractingWithProducts<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self {
+            columns,
+            coefficients,
+            v,
+            other,
+            out,
+            sums,
+        } = self;
+        let (height, count) = (v.len(), coefficients.len());
+        if height == 0 || count == 0 {
+            return;
+        }
+        let columns = &columns[..count * height];
+        let (sums, out) = (&mut sums[..count], &mut out[..count]);
+        sums.fill([0.0; 8]);
+        let mut at = 0;
+        while at + ROWS <= height {
+            let own = &mut v[at..at + ROWS];
+            let (mut v0, mut v1) = (eight(&own[..8]), eight(&own[8..16]));
+            let (mut v2, mut v3) = (eight(&own[16..24]), eight(&own[24..]));
+            for (column, by) in columns.chunks_exact(height).zip(coefficients) {
+                let q = &column[at..at + ROWS];
+                v0 = without_part(v0, &q[..8], *by);
+                v1 = without_part(v1, &q[8..16], *by);
+                v2 = without_part(v2, &q[16..24], *by);
+                v3 = without_part(v3, &q[24..], *by);
+            }
+            own[..8].copy_from_slice(&v0);
+            own[8..16].copy_from_slice(&v1);
+            own[16..24].copy_from_slice(&v2);
+            own[24..].copy_from_slice(&v3);
+            if let Some(other) = other {
+                let other = &other[at..at + ROWS];
+                (v0, v1) = (eight(&other[..8]), eight(&other[8..16]));
+                (v2, v3) = (eight(&other[16..24]), eight(&other[24..]));
+            }
+            for (column, sums) in columns.chunks_exact(height).zip(sums.iter_mut()) {
+                let q = &column[at..at + ROWS];
+                let mut own = *sums;
+                own = with_products(own, &q[..8], &v0);
+                own = with_products(own, &q[8..16], &v1);
+                own = with_products(own, &q[16..24], &v2);
+                own = with_products(own, &q[24..], &v3);
+                *sums = own;
+            }
+            at += ROWS;
+        }
+        for (column, by) in columns.chunks_exact(height).zip(coefficients) {
+            for (v, q) in v[at..].iter_mut().zip(&column[at..]) {
+                *v -= q * by;
+            }
+        }
+        let rest = match other {
+            Some(other) => &other[at..height],
+            None => &v[at..],
+        };
+        let columns = columns.chunks_exact(height);
+        for ((column, sums), out) in columns.zip(sums.iter_mut()).zip(out) {
+            let mut k = 0;
+            let column = &column[at..];
+            while k + 8 <= rest.len() {
+                *sums = with_products(*sums, &column[k..k + 8], &rest[k..k + 8]);
+                k += 8;
+            }
+            let pairs = column[k..].iter().zip(&rest[k..]);
+            *out = pairs.fold(total(sums), |sum, (a, b)| sum + a * b);
+        }
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn eight(v: &[f64]) -> [f64; 8] {
+    std::array::from_fn(|k| v[k])
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn without_part(v: [f64; 8], column: &[f64], by: f64) -> [f64; 8] {
+    std::array::from_fn(|k| v[k] - column[k] * by)
+}
+
+struct Apart<'a> {
+    a: &'a [f64],
+    b: &'a [f64],
+}
+
+impl Loop for Apart<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) -> f64 {
+        let mut sums = [0.0; 8];
+        let (a, b) = (self.a.chunks_exact(8), self.b.chunks_exact(8));
+        let rest = a.remainder().iter().zip(b.remainder());
+        for (a, b) in a.zip(b) {
+            sums = std::array::from_fn(|k| sums[k] + (a[k] - b[k]) * (a[k] - b[k]));
+        }
+        rest.fold(total(&sums), |sum, (a, b)| sum + (a - b) * (a - b))
+    }
+}
+
 struct Rejecting<'a> {
     columns: &'a [f64],
     v: &'a mut [f64],
@@ -414,11 +595,42 @@ mod tests {
         left.gemv(-1.0, &a, &DVector::from_column_slice(&five), 1.0);
         subtract(a.as_slice(), &five, own.as_mut_slice());
         assert_eq!(own, left);
+        // Both at once, of the vector itself and of another one.
+        for height in [0, 5, 32, 203] {
+            let own = a.rows(0, height).into_owned();
+            let (column, other) = (own.column(1).into_owned(), own.column(3).into_owned());
+            for other in [None, Some(other.as_slice())] {
+                let (mut expected, mut v) = (column.clone(), column.clone());
+                subtract(own.as_slice(), &five, expected.as_mut_slice());
+                let (mut parts, mut out) = ([0.0; 5], [0.0; 5]);
+                products(
+                    other.unwrap_or(expected.as_slice()),
+                    own.as_slice(),
+                    &mut parts,
+                );
+                let sums = &mut Sums::new(5);
+                subtract_with_products(
+                    own.as_slice(),
+                    &five,
+                    v.as_mut_slice(),
+                    other,
+                    &mut out,
+                    sums,
+                );
+                assert_eq!((v, out), (expected, parts));
+            }
+            assert_eq!(norm(column.as_slice()), column.norm());
+            let apart = square_apart(column.as_slice(), other.as_slice());
+            assert!((apart - (column - other).norm_squared()).abs() < 1e-12);
+        }
+        assert_eq!(some_columns(&a, 1, 3), a.columns(1, 3));
         // Of nine columns with six: squares, what is beside them, and what is below.
         let a = DMatrix::from_fn(203, 9, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
         let b = DMatrix::from_fn(203, 6, |i, j| ((i * 5 + j * i * 3) as f64 * 0.61).cos());
         assert_eq!(cross(&a, &b), a.tr_mul(&b));
         assert_eq!(own_products(&a), a.tr_mul(&a));
+        let lower = lower_cross(&a, &b).lower_triangle();
+        assert_eq!(lower, a.tr_mul(&b).lower_triangle());
         let v = b.column(2).into_owned();
         assert_eq!(along(&a, &v), a.tr_mul(&v));
         // Few columns and many.

@@ -143,34 +143,52 @@ impl Profile {
     /// measured of it,
     /// `angle` of the first joint.
     pub fn values(&self, v: f64, origin: f64, range: (f64, f64), angle: f64) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.count());
+        self.each(v, origin, range, angle, |_, value| values.push(value));
+        values
+    }
+
+    /// Hands on each of its [`values`](Self::values), in their order.
+    pub(crate) fn each(
+        &self,
+        v: f64,
+        origin: f64,
+        range: (f64, f64),
+        angle: f64,
+        mut put: impl FnMut(usize, f64),
+    ) {
         match *self {
             Self::Curve { pieces } => {
                 let step = ((range.1 - range.0) / pieces as f64).max(f64::MIN_POSITIVE);
                 let hat = |k: usize| 1.0 - ((v - range.0) / step - k as f64).abs();
-                (0..=pieces).map(|k| hat(k).max(0.0)).collect()
+                for k in 0..=pieces {
+                    put(k, hat(k).max(0.0));
+                }
             }
-            Self::Constant => vec![1.0],
-            Self::Ramp => vec![v - origin],
-            Self::Absolute => vec![(v - origin).abs()],
-            Self::Square => vec![(v - origin) * (v - origin)],
+            Self::Constant => put(0, 1.0),
+            Self::Ramp => put(0, v - origin),
+            Self::Absolute => put(0, (v - origin).abs()),
+            Self::Square => put(0, (v - origin) * (v - origin)),
             Self::Bump { centre, width } => {
                 let z = (v - centre) / width;
-                vec![(-0.5 * z * z).exp()]
+                put(0, (-0.5 * z * z).exp());
             }
             Self::Kink { at, below } => {
                 let beyond = if below { at - v } else { v - at };
-                vec![beyond.max(0.0)]
+                put(0, beyond.max(0.0));
             }
-            Self::Plateau { from, to } => vec![f64::from(u8::from(v >= from && v < to))],
-            Self::Periodic { cycles, harmonics } => (1..=harmonics)
-                .flat_map(|k| {
+            Self::Plateau { from, to } => put(0, f64::from(u8::from(v >= from && v < to))),
+            Self::Periodic { cycles, harmonics } => {
+                for k in 1..=harmonics {
                     let (s, c) = (cycles * k as f64 * v).sin_cos();
-                    [s, c]
-                })
-                .collect(),
+                    put(2 * k - 2, s);
+                    put(2 * k - 1, c);
+                }
+            }
             Self::TimesTurn => {
                 let (s, c) = angle.sin_cos();
-                vec![v * s, v * c]
+                put(0, v * s);
+                put(1, v * c);
             }
         }
     }

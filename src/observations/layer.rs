@@ -7,9 +7,10 @@
 //! mm to an estimator of points is one here too.
 
 use crate::effects::{FixedMask, Inputs, JointValues, Place, PlaceKind};
-use crate::lanes::{LANES, dot, minus, scaled};
+use crate::lanes::{LANES, Lanes3, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
+use crate::wide::{Loop, wide};
 
 use super::block::RowBlock;
 use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
@@ -79,6 +80,66 @@ impl Placing {
         let at = self.own.binary_search_by(|own| own.0.cmp(&place)).ok()?;
         let (_, values, first, held) = &self.own[at];
         Some((values, *first, *held))
+    }
+}
+
+/// How the rows of a block follow what their targets do: known for all lanes, a column of them is made at once.
+struct Follows {
+    /// Of each row by x, y and z.
+    by: [Lanes3; 3],
+    /// What belongs to places: lane, first coefficient, which of them are held.
+    places: Vec<(usize, usize, FixedMask, Residual)>,
+}
+
+impl Follows {
+    fn new() -> Self {
+        Self {
+            by: [[[0.0; LANES]; 3]; 3],
+            places: Vec::with_capacity(LANES),
+        }
+    }
+
+    /// A column of the rows where one coefficient moves, or turns, what they look at by so much.
+    fn put(&self, rows: &mut RowBlock, column: usize, moved: &Lanes3, unit: f64) {
+        wide(Following {
+            by: &self.by,
+            moved,
+            there: &rows.rows,
+            unit,
+            to: &mut rows.columns[column],
+        });
+    }
+
+    /// What the places' own coefficients do.
+    fn put_places(&self, rows: &mut RowBlock, unit: f64) {
+        for (lane, first, held, residual) in &self.places {
+            rows.add_place(*lane, *first, *held, residual, unit);
+        }
+    }
+}
+
+struct Following<'r> {
+    by: &'r [Lanes3; 3],
+    moved: &'r Lanes3,
+    there: &'r [[bool; LANES]; 3],
+    unit: f64,
+    to: &'r mut Lanes3,
+}
+
+impl Loop for Following<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let [x, y, z] = self.moved;
+        for ((to, [by_x, by_y, by_z]), there) in self.to.iter_mut().zip(self.by).zip(self.there) {
+            for lane in 0..LANES {
+                let by = [by_x[lane], by_y[lane], by_z[lane]];
+                let value = dot(by, [x[lane], y[lane], z[lane]]) * self.unit;
+                to[lane] = if there[lane] { value } else { 0.0 };
+            }
+        }
     }
 }
 
@@ -203,29 +264,51 @@ impl<'a> Layer<'a> {
             }
         }
         rows.live.retain(|column| !held[*column]);
+        let mut follows = Follows::new();
         model.visit(&self.points.inputs, differentiate, |start, block| {
             rows.clear();
+            follows.places.clear();
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
-                let seen = |axis: usize| block.point[axis][lane];
-                let point = [seen(0), seen(1), seen(2)];
-                let moves = |k: usize| {
-                    let column = &block.columns[k];
-                    [column[0][lane], column[1][lane], column[2][lane]]
-                };
-                self.put(&mut rows, item, &placing, (point, UPRIGHT), &moves);
+                let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
+                self.put(&mut rows, &mut follows, item, &placing, (point, UPRIGHT));
             }
+            for place in 0..rows.live.len() {
+                let column = rows.live[place];
+                follows.put(&mut rows, column, &block.columns[column], self.unit_mm);
+            }
+            follows.put_places(&mut rows, self.unit_mm);
             see(&mut rows);
         });
         model.visit(&self.attitudes.inputs, differentiate, |start, block| {
             rows.clear();
-            for own in 0..block.len / POINTS {
+            follows.places.clear();
+            let count = block.len / POINTS;
+            let mut edges = [[[0.0; 3]; 3]; LANES / POINTS];
+            for own in 0..count {
                 let item = self.attitudes.items[start / POINTS + own];
-                let first = own * POINTS;
-                let (attitude, edges) = attitude(block, first);
-                let moves = |k: usize| turn(&block.columns[k], first, &edges);
-                self.put(&mut rows, item, &placing, ([0.0; 3], attitude), &moves);
+                let (attitude, of_own) = attitude(block, own * POINTS);
+                edges[own] = of_own;
+                self.put(
+                    &mut rows,
+                    &mut follows,
+                    item,
+                    &placing,
+                    ([0.0; 3], attitude),
+                );
             }
+            let mut turns = [[0.0; LANES]; 3];
+            for place in 0..rows.live.len() {
+                let column = rows.live[place];
+                for (own, edges) in edges[..count].iter().enumerate() {
+                    let turn = turn(&block.columns[column], own * POINTS, edges);
+                    for (lanes, turn) in turns.iter_mut().zip(turn) {
+                        lanes[own] = turn;
+                    }
+                }
+                follows.put(&mut rows, column, &turns, self.unit_mm);
+            }
+            follows.put_places(&mut rows, self.unit_mm);
             see(&mut rows);
         });
         self.known_distances(&placing, &mut rows);
@@ -297,15 +380,14 @@ impl<'a> Layer<'a> {
         seen
     }
 
-    /// The rows of one item. `moves` says how the point, or the tool's orientation, moves with a
-    /// coefficient.
+    /// The rows of one item, and how they follow its point, or how the tool is turned.
     fn put(
         &self,
         rows: &mut RowBlock,
+        follows: &mut Follows,
         item: usize,
         placing: &Placing,
         (point, attitude): ([f64; 3], [[f64; 3]; 3]),
-        moves: &dyn Fn(usize) -> [f64; 3],
     ) {
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
@@ -326,17 +408,13 @@ impl<'a> Layer<'a> {
         for row in 0..weighed.rows {
             rows.rows[row][lane] = true;
             rows.left[row][lane] = weighed.left[row] * self.unit_mm;
-        }
-        for place in 0..rows.live.len() {
-            let k = rows.live[place];
-            let moved = moves(k);
-            for row in 0..weighed.rows {
-                rows.columns[k][row][lane] = dot(by_moves[row], moved) * self.unit_mm;
+            for axis in 0..3 {
+                follows.by[row][axis][lane] = by_moves[row][axis];
             }
         }
         let at = own.place(self.session, sample);
         if let Some((_, Some(first), held)) = at.and_then(|place| placing.get(place)) {
-            rows.add_place(lane, first, held, &weighed, self.unit_mm);
+            follows.places.push((lane, first, held, weighed));
         }
     }
 
@@ -460,4 +538,35 @@ fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
         place: &[1.0; MOST],
     };
     kind.residual(session, sample, &seen).rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_has_the_bits_of_its_lanes_one_by_one() {
+        let wild = |k: usize| -> Lanes3 {
+            std::array::from_fn(|axis| {
+                std::array::from_fn(|lane| ((lane * 7 + (3 * k + axis) * 13) as f64 * 0.37).sin())
+            })
+        };
+        let mut follows = Follows::new();
+        follows.by = [wild(0), wild(1), wild(2)];
+        let (moved, unit) = (wild(3), 1.7);
+        let mut rows = RowBlock::new(1);
+        rows.rows[0] = [true; LANES];
+        rows.rows[1] = std::array::from_fn(|lane| lane % 3 == 0);
+        // What was there is forgotten.
+        rows.columns[0] = wild(4);
+        follows.put(&mut rows, 0, &moved, unit);
+        for row in 0..3 {
+            for lane in 0..LANES {
+                let of = |v: &Lanes3| v.map(|axis| axis[lane]);
+                let value = dot(of(&follows.by[row]), of(&moved)) * unit;
+                let expected = if rows.rows[row][lane] { value } else { 0.0 };
+                assert_eq!(rows.columns[0][row][lane], expected);
+            }
+        }
+    }
 }

@@ -145,6 +145,7 @@ struct Mixture {
     ln_likelihood: f64,
     /// Logarithms of the gamma function at k/2, ν/2 and (ν + k)/2.
     ln_gammas: [f64; 3],
+    ln_nu: f64,
 }
 
 impl Mixture {
@@ -160,6 +161,7 @@ impl Mixture {
             share: 0.05,
             ln_likelihood: f64::NEG_INFINITY,
             ln_gammas: [0.5 * k, 0.5 * nu, 0.5 * (nu + k)].map(ln_gamma),
+            ln_nu: nu.ln(),
         };
         for _ in 0..40 {
             let (mut apart, mut weight, mut square, mut ln) = (0.0, 0.0, 0.0, 0.0);
@@ -197,7 +199,7 @@ impl Mixture {
             std::f64::consts::LN_2 + (k - 1.0) * z.ln() + of_both
                 - of_k
                 - of_nu
-                - 0.5 * k * nu.ln()
+                - 0.5 * k * self.ln_nu
                 - 0.5 * (nu + k) * (z * z / nu).ln_1p()
         };
         let bulk = (1.0 - self.share) * ln.exp() / self.scale;

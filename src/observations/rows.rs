@@ -7,6 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::lanes::Lanes;
 use crate::model::Model;
 
 use super::{KINDS, Kind, Layer, Residual};
@@ -116,15 +117,24 @@ impl<'a> ObservedRows<'a> {
     pub fn extract(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
         let n = self.layer.items.len();
         let mut residual = DVector::zeros(n * self.width);
-        let mut columns = DMatrix::zeros(n * self.width, model.coefficient_count());
+        let height = n * self.width;
+        let mut columns = DMatrix::zeros(height, model.coefficient_count());
         self.layer.visit(model, true, |block| {
-            for (lane, item) in block.items.iter().enumerate() {
-                let Some(item) = *item else { continue };
-                for row in (0..self.width).filter(|row| block.rows[*row][lane]) {
-                    residual[row * n + item] = block.left[row][lane];
-                    for k in &block.live {
-                        columns[(row * n + item, *k)] = block.columns[*k][row][lane];
+            for row in 0..self.width {
+                // A number for each lane goes to where its item is, column by column.
+                let (to, there) = (row * n..(row + 1) * n, &block.rows[row]);
+                let lanes = block.items.iter().enumerate();
+                let lanes = lanes.filter_map(|(lane, item)| Some((lane, (*item)?)));
+                let lanes: Vec<(usize, usize)> = lanes.filter(|own| there[own.0]).collect();
+                let put = |from: &Lanes, to: &mut [f64]| {
+                    for (lane, item) in &lanes {
+                        to[*item] = from[*lane];
                     }
+                };
+                put(&block.left[row], &mut residual.as_mut_slice()[to.clone()]);
+                for k in &block.live {
+                    let own = &mut columns.as_mut_slice()[k * height..(k + 1) * height];
+                    put(&block.columns[*k][row], &mut own[to.clone()]);
                 }
             }
         });

@@ -11,9 +11,10 @@
 //! Columns of another form are kept row by row.
 
 use crate::fit::noise::Filter;
+use crate::lanes::LANES;
 use crate::linear;
 use crate::side_by_side::Threads;
-use nalgebra::{DMatrix, DVector, DVectorView};
+use nalgebra::{DMatrix, DVector};
 
 /// How well a column is given by a number for each sample, beside its largest value: rounding.
 const ROUNDING: f64 = 1e-12;
@@ -68,6 +69,8 @@ pub(crate) struct ColumnBuilder {
 #[derive(Default)]
 struct GroupBuilder {
     direction: Option<DVector<f64>>,
+    /// Its square over the rows of each sample.
+    squares: Vec<f64>,
     values: Vec<f64>,
     /// Columns so far, and how many of them have names.
     count: usize,
@@ -78,10 +81,66 @@ struct GroupBuilder {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slot(usize, usize);
 
+/// Of the rows of each sample the sum of their products.
+fn sums_of_samples(samples: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
+    let mut sums = vec![-0.0; samples];
+    let axes = a.chunks_exact(samples.max(1));
+    for (a, b) in axes.zip(b.chunks_exact(samples.max(1))) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    sums
+}
+
+impl GroupBuilder {
+    /// Appends the number of each sample by which a column is this direction; whether it is, to so much.
+    fn along(&self, column: &[f64], least: f64, values: &mut Vec<f64>) -> bool {
+        let Some(direction) = &self.direction else {
+            return false;
+        };
+        let direction = direction.as_slice();
+        let n = self.squares.len();
+        // Some samples at a time: most columns are not, and the first show it.
+        for from in (0..n).step_by(LANES) {
+            let to = (from + LANES).min(n);
+            let mut own = [-0.0; LANES];
+            let own = &mut own[..to - from];
+            let axes = || {
+                (0..column.len())
+                    .step_by(n)
+                    .map(|axis| axis + from..axis + to)
+            };
+            for rows in axes() {
+                let pairs = direction[rows.clone()].iter().zip(&column[rows]);
+                for (value, (d, c)) in own.iter_mut().zip(pairs) {
+                    *value += d * c;
+                }
+            }
+            for (value, square) in own.iter_mut().zip(&self.squares[from..to]) {
+                *value = if *square > 0.0 { *value / square } else { 0.0 };
+            }
+            let is = axes().all(|rows| {
+                let pairs = direction[rows.clone()].iter().zip(&column[rows]);
+                let rows = own.iter().zip(pairs);
+                rows.fold(true, |is, (value, (d, c))| {
+                    is & ((c - value * d).abs() <= least)
+                })
+            });
+            if !is {
+                return false;
+            }
+            values.extend_from_slice(own);
+        }
+        true
+    }
+}
+
 impl ColumnBuilder {
     /// None yet, for rows of so many samples, axis by axis; `directions` are how the rows may move.
     pub(crate) fn new(rows: usize, samples: usize, directions: &[DVector<f64>]) -> Self {
         let along = directions.iter().map(|d| GroupBuilder {
+            squares: sums_of_samples(samples, d.as_slice(), d.as_slice()),
             direction: Some(d.clone()),
             ..GroupBuilder::default()
         });
@@ -103,11 +162,15 @@ impl ColumnBuilder {
 
     /// Takes the columns of one candidate.
     pub(crate) fn push(&mut self, columns: &DMatrix<f64>) -> Slot {
+        let height = columns.nrows().max(1);
+        let each = columns.as_slice().chunks_exact(height);
+        let largest = |column: &[f64]| column.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let each: Vec<(&[f64], f64)> = each.map(|c| (c, ROUNDING * largest(c))).collect();
         let found = self.groups.iter().enumerate().find_map(|(at, group)| {
-            let direction = group.direction.as_ref()?;
-            let along = |c| self.along(direction, c);
-            let values: Option<Vec<Vec<f64>>> = columns.column_iter().map(along).collect();
-            Some((at, values?.concat()))
+            let mut values = Vec::new();
+            let mut all = each.iter();
+            all.all(|(column, least)| group.along(column, *least, &mut values))
+                .then_some((at, values))
         });
         let (at, values) = found.unwrap_or_else(|| (0, columns.as_slice().to_vec()));
         let group = &mut self.groups[at];
@@ -117,26 +180,13 @@ impl ColumnBuilder {
         slot
     }
 
-    /// The number of each sample by which a column is this direction; `None` if it is not.
-    fn along(&self, direction: &DVector<f64>, column: DVectorView<f64>) -> Option<Vec<f64>> {
-        let n = self.samples;
-        let least = ROUNDING * column.amax();
-        let rows = |i: usize| (i..self.rows).step_by(n.max(1));
-        let one = |i: usize| {
-            let square: f64 = rows(i).map(|r| direction[r] * direction[r]).sum();
-            let pull: f64 = rows(i).map(|r| direction[r] * column[r]).sum();
-            let value = if square > 0.0 { pull / square } else { 0.0 };
-            let is = |r: usize| (column[r] - value * direction[r]).abs() <= least;
-            rows(i).all(is).then_some(value)
-        };
-        (0..n).map(one).collect()
-    }
-
     /// All of them, and where each slot begins among them.
     pub(crate) fn done(self) -> (Columns, impl Fn(Slot) -> usize) {
         let mut first = 0;
         let mut groups = Vec::new();
-        for group in self.groups {
+        for mut group in self.groups {
+            // The most numbers that a search keeps: what grew has room for up to as many again.
+            group.values.shrink_to_fit();
             let height = match group.direction {
                 Some(_) => self.samples,
                 None => self.rows,
@@ -365,8 +415,13 @@ pub(crate) fn pad_rows(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
     if more == 0 {
         return columns;
     }
-    let rows = columns.nrows();
-    columns.resize_vertically(rows + more, 0.0)
+    let (rows, count) = columns.shape();
+    let mut all = Vec::with_capacity((rows + more) * count);
+    for k in 0..count {
+        all.extend_from_slice(&columns.as_slice()[k * rows..(k + 1) * rows]);
+        all.resize((k + 1) * (rows + more), 0.0);
+    }
+    DMatrix::from_vec(rows + more, count, all)
 }
 
 #[cfg(test)]

@@ -87,16 +87,20 @@ impl ShapeSpace {
         let count = shape.profile.count();
         let rows = self.samples * self.axes.len();
         let mut columns = DMatrix::zeros(rows, count * directions.len());
-        for sample in 0..self.samples {
-            let of_sample = shape
-                .profile
-                .values(values[sample], origin, range, self.angle[sample]);
-            for (k, value) in of_sample.into_iter().enumerate() {
-                for (d, direction) in directions.iter().enumerate() {
-                    for axis in 0..self.axes.len() {
-                        let row = axis * self.samples + sample;
-                        columns[(row, k * directions.len() + d)] = value * direction[row];
-                    }
+        let n = self.samples;
+        let mut of_samples = vec![0.0; count * n];
+        for (sample, (value, angle)) in values.iter().zip(&self.angle).enumerate() {
+            let put = |k: usize, value| of_samples[k * n + sample] = value;
+            shape.profile.each(*value, origin, range, *angle, put);
+        }
+        let of_profile = of_samples.chunks_exact(n.max(1));
+        let each = of_profile.flat_map(|values| directions.iter().map(move |d| (values, d)));
+        let all = columns.as_mut_slice().chunks_exact_mut(rows.max(1));
+        for (column, (values, direction)) in all.zip(each) {
+            let axes = column.chunks_exact_mut(n.max(1));
+            for (column, direction) in axes.zip(direction.as_slice().chunks_exact(n.max(1))) {
+                for (to, (value, d)) in column.iter_mut().zip(values.iter().zip(direction)) {
+                    *to = value * d;
                 }
             }
         }

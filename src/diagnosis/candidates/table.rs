@@ -5,10 +5,11 @@ use nalgebra::{DMatrix, DVector};
 
 pub(crate) use crate::answers::diagnosis::NotTestable;
 use crate::effects::{
-    CATALOGUE, Setting, Survey, Term, find, form_in, rank, stated, stated_orders,
+    CATALOGUE, FixedMask, Setting, Survey, Term, find, form_in, rank, stated, stated_orders,
 };
 use crate::fit::problem::Problem;
 use crate::fit::scan;
+use crate::linear::some_columns;
 use crate::model::Model;
 
 use super::columns::{ColumnBuilder, Columns};
@@ -225,14 +226,19 @@ const AT_ONCE: usize = 48;
 /// The columns of some names beside the base, of each its own.
 fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64>> {
     let own = names.iter().filter_map(|c| c.what.term());
-    let terms = base.terms().iter().chain(own).cloned().collect();
+    // Of the base no column is asked for.
+    let of_base = base.terms().iter().map(|term| Term {
+        held: FixedMask::ALL,
+        ..term.clone()
+    });
+    let terms = of_base.chain(own.cloned()).collect();
     let all = Model::new(base.robot.clone(), terms);
     let (_, columns) = rows.extract(&all);
     let of = |candidate: &Candidate| {
         let is = |term: &&Term| candidate.what.term().is_some_and(|t| t.same_column(term));
         let before = all.terms().iter().take_while(|term| !is(term));
         let first: usize = before.map(|t| t.coefficients.len()).sum();
-        columns.columns(first, candidate.size).into_owned()
+        some_columns(&columns, first, candidate.size)
     };
     names.iter().map(of).collect()
 }

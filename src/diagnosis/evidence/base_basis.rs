@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 
 use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::fit::noise::Filter;
-use crate::linear::Basis;
+use crate::linear::{Basis, square_apart};
 use crate::model::Model;
 use crate::side_by_side::Threads;
 
@@ -25,6 +25,8 @@ const NEAR: f64 = 5e-3;
 pub(crate) struct BaseBasis {
     /// Whitened, at the base's coefficients.
     columns: DMatrix<f64>,
+    /// The square of each.
+    squares: Vec<f64>,
     basis: Arc<Basis>,
     /// Products of the candidates' columns with the basis, of names and of the others.
     along: [OnceCell<DMatrix<f64>>; 2],
@@ -34,6 +36,7 @@ impl BaseBasis {
     pub(crate) fn new(columns: DMatrix<f64>) -> Self {
         Self {
             basis: Arc::new(Basis::new(&columns)),
+            squares: columns.column_iter().map(|c| c.norm_squared()).collect(),
             columns,
             along: Default::default(),
         }
@@ -51,13 +54,12 @@ impl BaseBasis {
         all: &DMatrix<f64>,
     ) -> Option<Basis> {
         let own = places(base, model)?;
+        let height = self.columns.nrows();
+        let column = |k: usize| k * height..(k + 1) * height;
         let near = own.iter().enumerate().all(|(k, at)| {
-            let (now, before) = (all.column(*at), self.columns.column(k));
-            let pairs = now.iter().zip(&before);
-            let (apart, norm) = pairs.fold((0.0, 0.0), |(apart, norm), (a, b)| {
-                (apart + (a - b) * (a - b), norm + b * b)
-            });
-            apart <= NEAR * NEAR * norm
+            let now = &all.as_slice()[column(*at)];
+            let before = &self.columns.as_slice()[column(k)];
+            square_apart(now, before) <= NEAR * NEAR * self.squares[k]
         });
         near.then(|| Basis::extending(&self.basis, &own, all))
     }
@@ -142,7 +144,7 @@ mod tests {
 
         // One exact step from there moves by no part of the noise that anybody could see.
         let (raw, columns) = regression.raw(&fit.model);
-        let (residual, columns) = regression.whitened(&fit.model, &raw, &columns);
+        let (residual, columns) = regression.whitened(&fit.model, &raw, columns);
         let exact = Basis::new(&columns);
         let step = exact.solve(&residual);
         assert!(
@@ -156,7 +158,7 @@ mod tests {
         // Columns of a robot that stands elsewhere are others.
         let base_basis = BaseBasis::new(
             regression
-                .whitened(&base.model, &raw, &regression.raw(&base.model).1)
+                .whitened(&base.model, &raw, regression.raw(&base.model).1)
                 .1,
         );
         let mut elsewhere = base.model.coefficients();
@@ -165,7 +167,7 @@ mod tests {
         }
         let moved = base.model.stepped(&elsewhere);
         let (raw, columns) = regression.raw(&moved);
-        let (_, columns) = regression.whitened(&moved, &raw, &columns);
+        let (_, columns) = regression.whitened(&moved, &raw, columns);
         assert!(base_basis.extended(&base.model, &moved, &columns).is_none());
     }
 }

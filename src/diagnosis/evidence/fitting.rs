@@ -31,7 +31,7 @@ const SMALL: f64 = 1e-5;
 
 /// Where a step was taken from.
 struct Place {
-    /// The columns of the model.
+    /// The columns of the model, and those of the shapes.
     columns: DMatrix<f64>,
     basis: Arc<Basis>,
 }
@@ -90,7 +90,7 @@ impl Regression<'_> {
             let step = here.basis.solve(&residual);
             left = here.basis.reject(&residual);
             rss = left.norm_squared();
-            let moved = (&here.columns * step.rows(0, own)).norm_squared();
+            let moved = (here.columns.columns(0, own) * step.rows(0, own)).norm_squared();
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;
             for shape in &mut shapes {
@@ -129,22 +129,21 @@ impl Regression<'_> {
             with_the_bases_own,
         } = at;
         let (raw, columns) = self.raw(model);
-        let (residual, jacobian) = self.whitened(model, &raw, &columns);
-        drop(columns);
-        let own = jacobian.ncols();
-        let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-        let mut all = jacobian.resize_horizontally(width, 0.0);
-        let mut first = own;
-        for shape in shapes {
-            all.columns_mut(first, shape.white.ncols())
-                .copy_from(&shape.white);
-            first += shape.white.ncols();
+        let (residual, mut all) = self.whitened(model, &raw, columns);
+        if !shapes.is_empty() {
+            let own = all.ncols();
+            let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
+            let mut numbers = Vec::with_capacity(all.nrows() * width);
+            numbers.extend_from_slice(all.as_slice());
+            for shape in shapes {
+                numbers.extend_from_slice(shape.white.as_slice());
+            }
+            all = DMatrix::from_vec(all.nrows(), width, numbers);
         }
         let extended = with_the_bases_own
             .then(|| self.base_basis().extended(&self.base, model, &all))
             .flatten();
         let basis = Arc::new(extended.unwrap_or_else(|| Basis::new(&all)));
-        all.resize_horizontally_mut(own, 0.0);
         let here = Place {
             columns: all,
             basis,

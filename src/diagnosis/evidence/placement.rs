@@ -31,7 +31,7 @@ impl Regression<'_> {
     /// each other, by metres.
     fn take_out_the_geometry(&self, raw: &mut DMatrix<f64>, white: &mut DMatrix<f64>) {
         let (residual, own_raw) = self.raw(&self.base);
-        let (_, own_white) = self.whitened(&self.base, &residual, &own_raw);
+        let (_, own_white) = self.whitened(&self.base, &residual, own_raw.clone());
         let basis = Basis::new(&own_white);
         for k in 0..white.ncols() {
             let before = white.column(k).norm();

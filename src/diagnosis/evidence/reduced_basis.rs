@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linear::{Basis, along, gram};
+use crate::linear::{Basis, along, cholesky, gram, inverse_of_lower};
 
 /// A direction of which less than this share (of its square) is seen in the rows that stay is not told by them.
 /// A fit without some rows is taken from that of all while those that stay see each direction
@@ -34,7 +34,7 @@ impl<'b> ReducedBasis<'b> {
         let rank = basis.rank();
         let own = basis.q.select_rows(rows);
         let seen = DMatrix::identity(rank, rank) - gram(&own);
-        let root = seen.cholesky()?.unpack();
+        let root = cholesky(seen)?.unpack_dirty();
         if root.diagonal().iter().any(|l| l * l < LEAST_SEEN) {
             return None;
         }
@@ -42,7 +42,7 @@ impl<'b> ReducedBasis<'b> {
             basis,
             rows,
             own: own.transpose(),
-            inverse_root: root.solve_lower_triangular(&DMatrix::identity(rank, rank))?,
+            inverse_root: inverse_of_lower(&root),
         })
     }
 

@@ -118,7 +118,7 @@ impl Regression<'_> {
 
 /// A wave over a joint's command, `f sin(kq)` and `f cos(kq)`: known for one order `k`, it is known for all.
 struct Wave {
-    /// The command at each row.
+    /// The command at each sample.
     q: Vec<f64>,
     /// `f`.
     moves: DVector<f64>,
@@ -132,13 +132,13 @@ impl Wave {
     fn of(regression: &Regression, fit: &Fit, term: &Term) -> Option<Self> {
         let columns = regression.columns_of(fit, term);
         let q = regression.rows.inputs.q.get(term.joint)?;
-        let n = regression.rows.samples.len().max(1);
-        let q: Vec<f64> = (0..columns.nrows()).map(|row| q[row % n]).collect();
-        if columns.ncols() != 2 {
+        if columns.ncols() != 2 || q.is_empty() {
             return None;
         }
+        let q = q.to_vec();
+        let waves: Vec<(f64, f64)> = q.iter().map(|q| (term.setting * q).sin_cos()).collect();
         let moves = |row: usize| {
-            let (sin, cos) = (term.setting * q[row]).sin_cos();
+            let (sin, cos) = waves[row % waves.len()];
             sin * columns[(row, 0)] + cos * columns[(row, 1)]
         };
         let moves = DVector::from_fn(columns.nrows(), |row, _| moves(row));
@@ -149,11 +149,15 @@ impl Wave {
 
     /// Its columns at another order.
     fn at(&self, order: f64) -> DMatrix<f64> {
-        let mut columns = DMatrix::zeros(self.q.len(), 2);
-        for (row, q) in self.q.iter().enumerate() {
+        let (height, n) = (self.moves.len(), self.q.len());
+        let mut columns = DMatrix::zeros(height, 2);
+        let (sines, cosines) = columns.as_mut_slice().split_at_mut(height);
+        for (sample, q) in self.q.iter().enumerate() {
             let (sin, cos) = (order * q).sin_cos();
-            columns[(row, 0)] = sin * self.moves[row];
-            columns[(row, 1)] = cos * self.moves[row];
+            for row in (sample..height).step_by(n) {
+                sines[row] = sin * self.moves[row];
+                cosines[row] = cos * self.moves[row];
+            }
         }
         columns
     }

@@ -173,10 +173,11 @@ impl<'a> Regression<'a> {
         &self,
         model: &Model,
         raw: &DVector<f64>,
-        columns: &DMatrix<f64>,
+        mut columns: DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
         let m = self.rows.len();
-        let mut jacobian = pad_rows(self.noise.whitened(&self.rows, columns), self.beside);
+        self.filter.whiten(columns.as_mut_slice());
+        let mut jacobian = pad_rows(columns, self.beside);
         let mut first = 0;
         for term in model.terms() {
             for (row, prior) in self.priors.iter().enumerate() {
@@ -197,7 +198,8 @@ impl<'a> Regression<'a> {
     /// Whitened residuals, with the rows of the priors.
     pub(super) fn whitened_residual(&self, model: &Model, raw: &DVector<f64>) -> DVector<f64> {
         let (m, more) = (self.rows.len(), self.beside);
-        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = raw.clone();
+        self.filter.whiten(residual.as_mut_slice());
         let mut residual = residual.resize_vertically(m + more, 0.0);
         for term in model.terms() {
             for (row, prior) in self.priors.iter().enumerate() {
@@ -227,7 +229,7 @@ impl<'a> Regression<'a> {
     pub(crate) fn base_basis(&self) -> &BaseBasis {
         self.base_basis.get_or_init(|| {
             let (raw, columns) = self.raw(&self.base);
-            BaseBasis::new(self.whitened(&self.base, &raw, &columns).1)
+            BaseBasis::new(self.whitened(&self.base, &raw, columns).1)
         })
     }
 

@@ -104,7 +104,7 @@ struct Whole {
 impl Whole {
     fn of(regression: &Regression, fit: &Fit) -> Self {
         let (raw_residual, mut raw) = regression.raw(&fit.model);
-        let (residual, mut white) = regression.whitened(&fit.model, &raw_residual, &raw);
+        let (residual, mut white) = regression.whitened(&fit.model, &raw_residual, raw.clone());
         for shape in &fit.shapes {
             for (all, own) in [(&mut raw, &shape.raw), (&mut white, &shape.white)] {
                 let at = all.ncols();

@@ -163,7 +163,9 @@ impl Regression<'_> {
 
     /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
     pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
-        pad_rows(self.noise.whitened(&self.rows, raw), self.beside)
+        let mut white = raw.clone();
+        self.filter.whiten(white.as_mut_slice());
+        pad_rows(white, self.beside)
     }
 
     /// Whitened columns of some candidates, with the rows of the priors.

@@ -26,7 +26,7 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
         return None;
     }
     let (raw, columns) = regression.raw(&fit.model);
-    let (mut residual, mut all) = regression.whitened(&fit.model, &raw, &columns);
+    let (mut residual, mut all) = regression.whitened(&fit.model, &raw, columns);
     for row in priors {
         residual[row] *= LESS;
         all.row_mut(row).scale_mut(LESS);

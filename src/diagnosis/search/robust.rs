@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, along, cross};
+use crate::linear::{Basis, along, cholesky, lower_cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 
@@ -138,14 +138,14 @@ fn weighted(
             }
         }
     }
-    let mut gram = cross(&scaled, q);
+    let mut gram = lower_cross(&scaled, q);
     for k in 0..gram.nrows() {
         gram[(k, k)] += 1e-9;
     }
-    let factor = gram.cholesky()?;
+    let factor = cholesky(gram)?;
     let step = factor.solve(&along(&scaled, residual));
     let left = residual - q * step;
-    let spread = factor.l_dirty().solve_lower_triangular(&q.transpose())?;
+    let spread = solve_lower(factor.l_dirty(), q.transpose());
     let kept = (0..axes * n)
         .map(|row| {
             let leverage = spread.column(row).norm_squared();

@@ -43,7 +43,7 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
     };
     let mut steps = Vec::new();
     let (raw, columns) = regression.raw(&fit.model);
-    let (_, white) = regression.whitened(&fit.model, &raw, &columns);
+    let (_, white) = regression.whitened(&fit.model, &raw, columns);
     while !left.is_empty() {
         let with = |index: usize| {
             let term = &left[index];

@@ -16,17 +16,18 @@
 //! Source: Khalil & Dombre, ch. 9 (base parameters of gravity); Nubiola & Bonev 2013.
 
 use crate::effects::about::{About, Form, Quantity};
-use crate::effects::block::{Block, Turned};
-use crate::effects::gravity::seen_by_slope;
+use crate::effects::block::{Block, TurnedLanes};
+use crate::effects::gravity::{first_moments, seen_by_all, seen_by_slope};
 use crate::effects::inputs::Inputs;
 use crate::effects::joint_frame::JointFrame;
 use crate::effects::units::Unit;
 use crate::effects::{Effect, Figure, Placed};
 use crate::kinematics::{JointKind, Robot};
-use crate::lanes::{LANES, add_scaled, cross, dot, turned};
-use crate::sincos::sin_cos_small as sin_cos;
+use crate::lanes::{LANES, Lanes3, add_scaled, cross, dot, in_all_lanes, turn_lanes, turned};
+use crate::sincos::{sin_cos_lanes, sin_cos_small as sin_cos};
+use crate::wide::{Loop, wide};
 
-use crate::effects::torque::{NEWTON_STEPS, Torque};
+use crate::effects::torque::{NEWTON_STEPS, Torque, Wave};
 
 use super::about::ABOUT;
 
@@ -87,24 +88,16 @@ fn figures<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> Vec<F
 /// With `N` coefficients, C first where there is one more than the parts have.
 fn act<const N: usize>(me: &Placed, block: &mut Block) {
     let parts = Parts::of(block.robot, me.joint);
-    let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, &parts, lane));
-    block.turn(me, |start, at| {
-        let sag = &sags[at.lane];
-        let wave = sag.whole.wave();
-        let mut theta = start;
-        for _ in 0..NEWTON_STEPS {
-            let (angle, slope) = wave.at(theta);
-            theta -= (theta - start - angle) / (1.0 - slope);
-        }
-        let gain = 1.0 / (1.0 - wave.at(theta).1);
-        let arm = sag.whole.arm(theta);
-        Turned::<N> {
-            value: theta,
-            by_input: gain,
-            by_coefficient: std::array::from_fn(|k| dot(sag.by[k], arm) * gain),
-        }
+    let mut lanes = TurnedLanes::<N>::zero();
+    wide(Sagging {
+        me,
+        parts: &parts,
+        block,
+        lanes: &mut lanes,
     });
+    block.take_turn(me, &lanes);
     if block.by_command() {
+        let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, &parts, lane));
         let joints = block.robot.joints.len();
         for other in (0..joints).filter(|k| *k != me.joint) {
             let slopes = std::array::from_fn(|lane| {
@@ -127,13 +120,97 @@ fn act<const N: usize>(me: &Placed, block: &mut Block) {
     }
 }
 
+/// Where the joint ends in all lanes of a block, with the derivatives: what [`Sag`] says of one.
+struct Sagging<'s, 'b, const N: usize> {
+    me: &'s Placed,
+    parts: &'s Parts,
+    block: &'s Block<'b>,
+    lanes: &'s mut TurnedLanes<N>,
+}
+
+impl<const N: usize> Loop for Sagging<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self {
+            me,
+            parts,
+            block,
+            lanes,
+        } = self;
+        let axis: [f64; 3] = block.robot.joints[me.joint]
+            .axis
+            .direction
+            .into_inner()
+            .into();
+        let gravity = seen_by_all(block, me.joint);
+        let vector = |of: &Lanes3, i: usize| [of[0][i], of[1][i], of[2][i]];
+        let mut by = [[[0.0; LANES]; 3]; N];
+        let first = if with_load(N) {
+            by[0] = first_moments(block, me.joint);
+            1
+        } else {
+            0
+        };
+        parts.carried_in_all(block, &mut by[first..]);
+        let mut per_g = [0.0; LANES];
+        for i in 0..LANES {
+            per_g[i] = 1.0 / length(vector(&gravity, i)).max(f64::MIN_POSITIVE);
+        }
+        for lanes in by[first..].iter_mut().flatten() {
+            for i in 0..LANES {
+                lanes[i] *= per_g[i];
+            }
+        }
+        let mut moment = [[0.0; LANES]; 3];
+        for (coefficient, part) in me.coefficients.iter().zip(&by) {
+            for (moment, part) in moment.iter_mut().zip(part) {
+                for (moment, part) in moment.iter_mut().zip(part) {
+                    *moment += part * coefficient;
+                }
+            }
+        }
+        let starts = block.values(me.joint);
+        let mut arms = [[0.0; LANES]; 3];
+        let [arm_x, arm_y, arm_z] = &mut arms;
+        for i in 0..LANES {
+            let (gravity, moment) = (vector(&gravity, i), vector(&moment, i));
+            let torque = |moment| dot(axis, cross(moment, gravity));
+            let wave = Wave {
+                sine: torque(cross(axis, moment)),
+                cosine: torque(moment),
+            };
+            let start = starts[i];
+            let mut theta = start;
+            for _ in 0..NEWTON_STEPS {
+                let (angle, slope) = wave.at(theta);
+                theta -= (theta - start - angle) / (1.0 - slope);
+            }
+            lanes.value[i] = theta;
+            lanes.by_input[i] = 1.0 / (1.0 - wave.at(theta).1);
+            // What a moment's product with is its torque at this angle.
+            let (sin, cos) = sin_cos(theta);
+            [arm_x[i], arm_y[i], arm_z[i]] = turned(cross(gravity, axis), axis, -sin, cos);
+        }
+        for (to, by) in lanes.by_coefficient.iter_mut().zip(&by) {
+            for i in 0..LANES {
+                to[i] = dot(vector(by, i), vector(&arms, i)) * lanes.by_input[i];
+            }
+        }
+    }
+}
+
 /// What winds the joint up in one sample.
 struct Sag<const N: usize> {
     /// As an angle, rad.
     whole: Torque,
     /// The load's torque, N·m.
     load: Torque,
-    /// Moments by each coefficient: the load's where C is one, and one for each direction of a part.
+    /// Moments by each coefficient: the load's where C is one, and one for each direction of a part. What
+    /// all lanes at once are held against.
+    #[cfg(test)]
     by: [[f64; 3]; N],
 }
 
@@ -159,6 +236,7 @@ impl<const N: usize> Sag<N> {
         Self {
             whole: Torque { moment, ..load },
             load,
+            #[cfg(test)]
             by,
         }
     }
@@ -207,6 +285,29 @@ impl Parts {
             }
         }
         all
+    }
+}
+
+impl Parts {
+    /// The same in all lanes, with the same bits; a part of a wide loop.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn carried_in_all(&self, block: &Block, all: &mut [Lanes3]) {
+        for part in (0..PARTS).rev() {
+            let Some(own) = self.across[part] else {
+                continue;
+            };
+            all[2 * part] = in_all_lanes(own[0]);
+            all[2 * part + 1] = in_all_lanes(own[1]);
+            if part > 0 {
+                let k = self.joint + part;
+                let axis = block.robot.joints[k].axis.direction.into_inner().into();
+                let (sin, cos) = sin_cos_lanes(block.commands(k));
+                for v in &mut all[2 * part..] {
+                    turn_lanes(v, axis, &sin, &cos);
+                }
+            }
+        }
     }
 }
 
@@ -298,4 +399,89 @@ fn links_by_other<const N: usize>(
         whole.axis,
         cross(turned(moment, whole.axis, sin, cos), gravity),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::some_samples;
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::kinematics::testing::robot_and_pose;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// In narrow vectors and in wide ones, and sample by sample.
+        #[test]
+        fn all_lanes_at_once_have_the_bits_of_each(
+            (robot, q) in robot_and_pose(),
+            load_kg in 0.0..20.0_f64,
+            coefficients in prop::collection::vec(-1e-3..1e-3_f64, 1 + OF_PARTS),
+        ) {
+            are_the_same::<{ 1 + OF_PARTS }>(&robot, &q, load_kg, &coefficients)?;
+            are_the_same::<OF_PARTS>(&robot, &q, load_kg, &coefficients[1..])?;
+        }
+    }
+
+    fn are_the_same<const N: usize>(
+        robot: &Robot,
+        q: &[f64],
+        load_kg: f64,
+        coefficients: &[f64],
+    ) -> Result<(), TestCaseError> {
+        let session = some_samples(robot.clone(), q, load_kg, 5);
+        let inputs = Inputs::new(&session, JointValues::Commanded);
+        let mut block = Block::new(robot, 0, false);
+        block.load(&inputs, 0);
+        for joint in (0..q.len()).filter(|k| robot.joints[*k].kind == JointKind::Revolute) {
+            let me = &Placed {
+                joint,
+                setting: 0.0,
+                coefficients: coefficients.to_vec(),
+                curve: None,
+                rest: None,
+                first_column: 0,
+                frame: JointFrame::new(robot, joint),
+                down: None,
+                start_s: 0.0,
+            };
+            let (parts, block) = (&Parts::of(robot, joint), &block);
+            let (mut all, mut narrow) = (TurnedLanes::<N>::zero(), TurnedLanes::<N>::zero());
+            let lanes = &mut all;
+            wide(Sagging {
+                me,
+                parts,
+                block,
+                lanes,
+            });
+            let lanes = &mut narrow;
+            Sagging {
+                me,
+                parts,
+                block,
+                lanes,
+            }
+            .run();
+            for lane in 0..5 {
+                let sag = Sag::<N>::of(block, me, parts, lane);
+                let start = block.value(joint, lane);
+                let mut theta = start;
+                for _ in 0..NEWTON_STEPS {
+                    let (angle, slope) = sag.whole.at(theta);
+                    theta -= (theta - start - angle) / (1.0 - slope);
+                }
+                let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
+                let (sin, cos) = sin_cos(theta);
+                let axis = sag.whole.axis;
+                let arm = turned(cross(sag.whole.gravity, axis), axis, -sin, cos);
+                for own in [&all, &narrow] {
+                    prop_assert_eq!(own.value[lane], theta);
+                    prop_assert_eq!(own.by_input[lane], gain);
+                    for (by, own) in sag.by.iter().zip(&own.by_coefficient) {
+                        prop_assert_eq!(own[lane], dot(*by, arm) * gain);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
 }

@@ -1,7 +1,7 @@
 //! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
 
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, gram};
+use crate::linear::{Basis, cholesky, gram};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -118,7 +118,7 @@ impl<'r> Restricted<'r> {
         }
         let inner = total.view((0, 0), (p, p)).into_owned();
         let pull = total.view((0, p), (p, 1)).column(0).into_owned();
-        let factor = Cholesky::new(inner)?;
+        let factor = cholesky(inner)?;
         let step = factor.solve(&pull);
         let left = total[(p, p)] - step.dot(&pull);
         Some((factor, step, left.max(0.0)))

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::kinematics::{JointKind, Robot};
+use crate::wide::{Loop, wide};
 
 /// Orders that are looked at, cycles per turn.
 const FROM: f64 = 7.0;
@@ -100,23 +101,11 @@ impl Sums {
 
     /// By how much these sines and cosines lower the sum of squares.
     fn gain(&self, sin: &[f64], cos: &[f64]) -> f64 {
-        let mut sums = [[0.0; LANES]; 5];
-        let pad = |all: &[f64]| -> [f64; LANES] {
-            std::array::from_fn(|k| all.get(k).copied().unwrap_or(0.0))
-        };
-        let chunks = (self.with_left.chunks(LANES)).zip(self.with_itself.chunks(LANES));
-        let waves = sin.chunks(LANES).zip(cos.chunks(LANES));
-        for ((left, own), (sin, cos)) in chunks.zip(waves) {
-            let (left, own, sin, cos) = (pad(left), pad(own), pad(sin), pad(cos));
-            for k in 0..LANES {
-                let (s, c) = (sin[k], cos[k]);
-                sums[0][k] += left[k] * s;
-                sums[1][k] += left[k] * c;
-                sums[2][k] += own[k] * s * s;
-                sums[3][k] += own[k] * s * c;
-                sums[4][k] += own[k] * c * c;
-            }
-        }
+        let sums = wide(Summing {
+            sums: self,
+            sin,
+            cos,
+        });
         let [a, b, aa, ab, bb] = sums.map(|lanes| lanes.iter().sum::<f64>());
         let determinant = aa * bb - ab * ab;
         if determinant <= 1e-6 * aa * bb {
@@ -126,6 +115,56 @@ impl Sums {
     }
 }
 
+/// The products of a wave with what is left and with itself.
+struct Summing<'s> {
+    sums: &'s Sums,
+    sin: &'s [f64],
+    cos: &'s [f64],
+}
+
+impl Loop for Summing<'_> {
+    type Output = [[f64; LANES]; 5];
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) -> [[f64; LANES]; 5] {
+        let (left, own) = (&self.sums.with_left, &self.sums.with_itself);
+        let n = left.len().min(self.sin.len());
+        let mut sums = [[0.0; LANES]; 5];
+        let mut at = 0;
+        while at + LANES <= n {
+            let some = at..at + LANES;
+            let waves = [&self.sin[some.clone()], &self.cos[some.clone()]];
+            sums = with_waves(sums, [&left[some.clone()], &own[some]], waves);
+            at += LANES;
+        }
+        if at < n {
+            let pad = |all: &[f64]| -> [f64; LANES] {
+                std::array::from_fn(|k| all.get(at + k).copied().unwrap_or(0.0))
+            };
+            let waves = [&pad(self.sin)[..], &pad(self.cos)];
+            sums = with_waves(sums, [&pad(left), &pad(own)], waves);
+        }
+        sums
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn with_waves(
+    [a, b, aa, ab, bb]: [[f64; LANES]; 5],
+    [left, own]: [&[f64]; 2],
+    [s, c]: [&[f64]; 2],
+) -> [[f64; LANES]; 5] {
+    [
+        std::array::from_fn(|k| a[k] + left[k] * s[k]),
+        std::array::from_fn(|k| b[k] + left[k] * c[k]),
+        std::array::from_fn(|k| aa[k] + own[k] * s[k] * s[k]),
+        std::array::from_fn(|k| ab[k] + own[k] * s[k] * c[k]),
+        std::array::from_fn(|k| bb[k] + own[k] * c[k] * c[k]),
+    ]
+}
+
 /// Sums that run side by side.
 const LANES: usize = 8;
 
@@ -133,23 +172,79 @@ const LANES: usize = 8;
 struct Waves {
     sin: Vec<f64>,
     cos: Vec<f64>,
-    turn: Vec<(f64, f64)>,
+    by_sin: Vec<f64>,
+    by_cos: Vec<f64>,
 }
 
 impl Waves {
     fn new(q: &[f64], order: f64, step: f64) -> Self {
-        let at = |q: &f64| (order * q).sin_cos();
-        let (sin, cos) = q.iter().map(at).unzip();
-        let turn = q.iter().map(|q| (step * q).sin_cos()).collect();
-        Self { sin, cos, turn }
+        let of = |order: f64| q.iter().map(|q| (order * q).sin_cos()).unzip();
+        let (sin, cos) = of(order);
+        let (by_sin, by_cos) = of(step);
+        Self {
+            sin,
+            cos,
+            by_sin,
+            by_cos,
+        }
     }
 
     fn next(&mut self) {
-        let waves = self.sin.iter_mut().zip(&mut self.cos);
-        for ((sin, cos), (by_sin, by_cos)) in waves.zip(&self.turn) {
+        wide(Turning { waves: self });
+    }
+}
+
+struct Turning<'w> {
+    waves: &'w mut Waves,
+}
+
+impl Loop for Turning<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Waves {
+            sin,
+            cos,
+            by_sin,
+            by_cos,
+        } = self.waves;
+        let waves = sin.iter_mut().zip(cos);
+        for ((sin, cos), (by_sin, by_cos)) in waves.zip(by_sin.iter().zip(by_cos.iter())) {
             let (s, c) = (*sin, *cos);
             *sin = s * by_cos + c * by_sin;
             *cos = c * by_cos - s * by_sin;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn waves_and_their_sums_have_the_same_bits_in_wide_vectors() {
+        for n in [3, 8, 61] {
+            let wild = |k: usize| (0..n).map(move |i| ((i * 7 + k * 13) as f64 * 0.37).sin());
+            let q: Vec<f64> = wild(0).collect();
+            let sums = &Sums {
+                with_left: wild(1).collect(),
+                with_itself: wild(2).map(f64::abs).collect(),
+            };
+            let mut waves = Waves::new(&q, 7.0, 0.3);
+            let mut narrow = Waves::new(&q, 7.0, 0.3);
+            waves.next();
+            Turning { waves: &mut narrow }.run();
+            assert_eq!((&waves.sin, &waves.cos), (&narrow.sin, &narrow.cos));
+            let apart = waves.sin.iter().zip(&q);
+            let apart = apart.map(|(sin, q)| (sin - (7.3 * q).sin()).abs());
+            assert!(apart.fold(0.0, f64::max) < 1e-12);
+            let (sin, cos) = (&waves.sin[..], &waves.cos[..]);
+            let all = wide(Summing { sums, sin, cos });
+            assert_eq!(all, Summing { sums, sin, cos }.run());
+            let one: f64 = (0..n).map(|k| sums.with_left[k] * sin[k]).sum();
+            assert!((all[0].iter().sum::<f64>() - one).abs() < 1e-12);
         }
     }
 }

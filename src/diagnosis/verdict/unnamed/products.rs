@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::linear::{cross, own_products};
+use crate::linear::{cholesky, cross, own_products, solve_lower};
 
 /// What is added to a geometry's own products, in units of a column: directions that the rows do not
 /// show stay as they are.
@@ -81,7 +81,7 @@ impl Products {
         for k in 0..self.geometry {
             own[(k, k)] += RIDGE;
         }
-        own.cholesky()
+        cholesky(own)
     }
 
     /// The families' products, those with the residual, and its square, with the geometry taken out.
@@ -93,7 +93,7 @@ impl Products {
             inner.into_owned()
         } else {
             // L⁻¹ of the cross products, once: what the geometry takes is its square.
-            let taken = self.factor()?.l().solve_lower_triangular(&cross)?;
+            let taken = solve_lower(self.factor()?.l_dirty(), cross);
             inner - own_products(&taken)
         };
         Some((

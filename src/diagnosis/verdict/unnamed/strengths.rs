@@ -12,7 +12,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{inverse_of_lower, own_products};
+use crate::linear::{cholesky, inverse_of_lower, own_products, some_columns};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -55,8 +55,8 @@ impl Solved {
     /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
     /// of the whole less what these take (Schur).
     fn ln_evidence_without(&self, first: usize, count: usize) -> Option<f64> {
-        let own = self.inverse.columns(first, count).into_owned();
-        let factor = own_products(&own).cholesky()?;
+        let own = some_columns(&self.inverse, first, count);
+        let factor = cholesky(own_products(&own))?;
         let unit = self.unit.rows(first, count);
         let left = self.left + unit.dot(&factor.solve(&unit));
         let l = factor.l_dirty();
@@ -126,7 +126,7 @@ impl Remaining {
             root[a] * self.s[(a, b)] * root[b] + if a == b { 1.0 } else { 0.0 }
         });
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
-        Some((m.cholesky()?, scaled, root))
+        Some((cholesky(m)?, scaled, root))
     }
 
     fn solved(&self, family: &[usize], strengths: &[f64]) -> Option<Solved> {
