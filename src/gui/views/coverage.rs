@@ -80,7 +80,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
         widgets::hint(
             ui,
             say!(
-                "Not identified yet. The identified parameters will stand here, with the interval of every number"
+                "Not identified yet. The identified parameters will be listed here, each with its 95 % interval"
             ),
         );
     });
@@ -104,11 +104,13 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         title(ui, say!("What the samples cover"));
         strip(ui, known);
         if let Some([from, to]) = known.measured {
-            widgets::fact_of(
-                ui,
-                phrase!("measured range"),
-                format!("{} … {}", at(from), at(to)),
-            );
+            // Of an arm it is the first joint's, as the strip is.
+            let name = if subject.session.robot.joints.len() > 1 {
+                phrase!("measured range, joint 1")
+            } else {
+                phrase!("measured range")
+            };
+            widgets::fact_of(ui, name, format!("{} … {}", at(from), at(to)));
         }
         if let Some([from, to]) = known.hole {
             widgets::fact_of(

@@ -40,16 +40,23 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
     if workbench.view().step == Step::Gap && side == Side::Results {
         return super::findings::show(ui, workbench, commands);
     }
+    let sides = [
+        (Side::Results, say!("Summary")),
+        (Side::Samples, say!("Samples")),
+    ];
     widgets::row(ui, |ui| {
-        widgets::heading(ui, say!("Results"));
+        // Where there is no room for both, what is chosen says where one is.
+        let title = say!("Results");
+        let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
+        let titled =
+            !alone || of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width();
+        if titled {
+            widgets::heading(ui, title);
+        }
         if !alone {
             return;
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let sides = [
-                (Side::Results, say!("Summary")),
-                (Side::Samples, say!("Samples")),
-            ];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
                 commands.push(Command::Side(side));
             }
