@@ -15,7 +15,7 @@ use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
-use crate::present::numbers::trimmed;
+use crate::present::numbers::{grouped, trimmed};
 use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.
@@ -289,9 +289,9 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
 fn sides(joint: &JointSurvey) -> String {
     match joint.from_sides {
         [0, 0] => say!("not recorded").to_owned(),
-        [0, up] => say!("{up} +", up = up),
-        [down, 0] => say!("{down} −", down = down),
-        [down, up] => say!("{up} +, {down} −", up = up, down = down),
+        [0, up] => say!("{up} +", up = grouped(up)),
+        [down, 0] => say!("{down} −", down = grouped(down)),
+        [down, up] => say!("{up} +, {down} −", up = grouped(up), down = grouped(down)),
     }
 }
 
