@@ -8,7 +8,7 @@ use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
 
-const ABOUT: About = About {
+pub(super) const ABOUT: About = About {
     id: "backlash",
     title: phrase!("Backlash"),
     form: Form::Plain(&[Quantity::new("width_deg", Unit::DEGREE).sliding("width_mm", Unit::MM)]),

@@ -113,6 +113,13 @@ pub fn tool_radius() -> &'static Effect {
     &super::link_length::LINK_LENGTH
 }
 
+/// What a first simulation hides, until others are chosen: an error that the identification finds, and one
+/// for the diagnosis.
+pub const OF_A_FIRST_SIMULATION: [&str; 2] = [
+    super::joint_zero_offset::ABOUT.id,
+    super::backlash::ABOUT.id,
+];
+
 /// The effects that every calibration of a single axis identifies.
 pub const OF_A_SINGLE_AXIS: [&str; 2] = [
     super::joint_zero_offset::ABOUT.id,

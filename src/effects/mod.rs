@@ -76,8 +76,8 @@ pub use about::{
 };
 pub use block::{Block, Lane, Turned};
 pub use catalogue::{
-    BESIDE_THE_CATALOGUE, CATALOGUE, OF_A_SINGLE_AXIS, called, find, form_in, form_with,
-    joint_zero, rank, role, tool_radius,
+    BESIDE_THE_CATALOGUE, CATALOGUE, OF_A_FIRST_SIMULATION, OF_A_SINGLE_AXIS, called, find,
+    form_in, form_with, joint_zero, rank, role, tool_radius,
 };
 pub use curve::{Curve, CurveError, Knots};
 pub use from_parameters::TermError;

@@ -249,12 +249,13 @@ pub(crate) fn names_on(effect: &Effect, kind: JointKind) -> Vec<&'static str> {
     names
 }
 
-/// An effect's parameters at values that can be seen in a simulation.
-pub(crate) fn parameters_to_see(effect: &Effect) -> Vec<(&'static str, f64)> {
+/// An effect's parameters on a joint of this kind, at values that can be seen in a simulation.
+pub(crate) fn parameters_to_see(effect: &Effect, kind: JointKind) -> Vec<(&'static str, f64)> {
     let about = effect.about();
     let quantities = setting_quantity(about.setting).into_iter();
     let quantities = quantities.chain(about.form.quantities().iter().copied());
-    let shown = quantities.map(|q| (q.name, q.unit.example));
+    let quantities = quantities.filter(|q| q.matters_on(kind));
+    let shown = quantities.map(|q| (q.on(kind).name, q.on(kind).unit.example));
     let phase = matches!(about.form, Form::Harmonic(_)).then_some(("phase_deg", 30.0));
     shown.chain(phase).collect()
 }
@@ -357,7 +358,7 @@ mod tests {
             let forms = std::iter::once(*effect).chain(effect.other_forms.iter().copied());
             for form in forms {
                 let names = parameter_names(form);
-                let mut given = parameters_to_see(form);
+                let mut given = parameters_to_see(form, JointKind::Revolute);
                 if let Some(other) = given.iter_mut().find(|(name, _)| *name == "from_joint") {
                     other.1 = 1.0;
                 }

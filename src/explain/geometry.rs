@@ -5,7 +5,7 @@ use super::{Block, Detail, Fact};
 use crate::effects::{Role, role};
 use crate::fit::Estimate;
 use crate::present::names::{parameter, word};
-use crate::present::numbers::{decimals_of, with_minus_signs};
+use crate::present::numbers::{decimals_of, rounded, with_minus_signs};
 use crate::present::table::{Column, Table};
 use crate::units::rad_from_deg;
 
@@ -166,6 +166,7 @@ fn cell(estimate: &Estimate, detail: Detail) -> (String, String) {
             } else {
                 MOST_DECIMALS
             };
+            let value = rounded(value, decimals);
             (
                 shown(format!("{value:.decimals$} ± {half:.decimals$}")),
                 unit,

@@ -6,8 +6,9 @@ use crate::fit::Estimate;
 use crate::kinematics::Robot;
 use crate::language::spoken;
 use crate::present::names::{parameter, title_on, usual_size};
-use crate::present::numbers::{short, with_interval};
+use crate::present::numbers::{short, with_interval, with_minus_signs};
 use crate::present::table::{Column, Table};
+use crate::present::units::Units;
 
 /// All of them: of an arm the geometry as a table of its joints, then the others, then sizes that no machine has.
 pub(crate) fn values(estimates: &[Estimate], robot: &Robot, detail: Detail) -> Vec<Block> {
@@ -19,7 +20,10 @@ pub(crate) fn values(estimates: &[Estimate], robot: &Robot, detail: Detail) -> V
     };
     let rest = estimates.iter().filter(|one| !(arm && is_in_table(one)));
     if rest.clone().next().is_some() {
-        blocks.push(parameters(rest, robot));
+        match detail.units {
+            Some(units) => blocks.extend(by_effect(rest, robot, units)),
+            None => blocks.push(parameters(rest, robot)),
+        }
     }
     blocks.extend(implausible(estimates.iter(), robot));
     blocks
@@ -36,11 +40,7 @@ fn parameters<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) 
     ]);
     let mut last = String::new();
     for estimate in estimates {
-        let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
-        let (mut parameter, unit) = parameter(estimate.name);
-        if let Some(setup) = &estimate.setup {
-            parameter += &say!(", setup {setup}", setup = clean(setup));
-        }
+        let (name, parameter, unit) = named(estimate, robot);
         let (value, interval) = if estimate.is_whole_number() {
             (short(estimate.value), String::new())
         } else {
@@ -56,6 +56,41 @@ fn parameters<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) 
         table.row([shown, parameter, value, unit.to_owned(), interval]);
     }
     Block::Table(table)
+}
+
+/// The same for a narrow panel and in its units: each effect with its parameters below it.
+fn by_effect<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    robot: &Robot,
+    units: Units,
+) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut last = String::new();
+    for estimate in estimates {
+        let (name, words, unit) = named(estimate, robot);
+        if name != last {
+            blocks.push(Block::Heading(name.clone()));
+            last = name;
+        }
+        let (value, half, unit) = units.estimate(estimate, unit);
+        let gap = if ["", "°"].contains(&unit) { "" } else { " " };
+        let says = match half.as_str() {
+            "" => format!("{value}{gap}{unit}"),
+            half => format!("{value} {half}{gap}{unit}"),
+        };
+        blocks.push(Block::Facts(vec![(words, with_minus_signs(&says))]));
+    }
+    blocks
+}
+
+/// The effect that a parameter belongs to, its own name, and its unit.
+fn named(estimate: &Estimate, robot: &Robot) -> (String, String, &'static str) {
+    let effect = title_on(estimate.effect, estimate.joint, robot.joints.len());
+    let (mut words, unit) = parameter(estimate.name);
+    if let Some(setup) = &estimate.setup {
+        words += &say!(", setup {setup}", setup = clean(setup));
+    }
+    (effect, words, unit)
 }
 
 /// Sizes that no machine has, where there are any.

@@ -82,7 +82,7 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
             }
         }
         if describes {
-            say!("RMS error to this robot")
+            say!("RMS error with this robot")
         } else {
             say!("RMS error left by the table")
         }

@@ -79,7 +79,7 @@ impl Exporter for FramesExport {
                 "the zero offsets in this file are the controller's to take: it has to show as much more as each joint stands beyond its command"
             )),
             cannot_say: vec![text!(
-                "the geometry of the links is not in these numbers; dh, urdf or mjcf carry it"
+                "the geometry of the links is not in these numbers: Denavit–Hartenberg rows, URDF and MJCF carry it"
             )],
             ..Written::of(FORMAT.id, text, robot)
         };

@@ -163,6 +163,7 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
+        views::copies::chart(ui, &mut self.workbench);
         self.keep_arranged(ui.ctx());
     }
 

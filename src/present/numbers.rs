@@ -84,6 +84,16 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     with_minus(&format!("{value:.decimals$}"))
 }
 
+/// What is left of rounding to so many decimals is 0, without a sign.
+pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
+    let places = i32::try_from(decimals).unwrap_or(i32::MAX);
+    if value.abs() < 0.5 * 0.1_f64.powi(places) {
+        0.0
+    } else {
+        value
+    }
+}
+
 /// A length in mm as a report states it: four decimals, or three digits where those would show
 /// nothing or more than can be read. What is left of rounding is 0.
 pub(crate) fn plain(value: f64) -> String {

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::window::{Window, press, says, window_of};
+use crate::window::{Window, press, says, type_into, window_of};
 use egui_kittest::kittest::Queryable;
 use truepose::gui::Runner;
 
@@ -59,6 +59,26 @@ fn a_program_is_corrected_shown_side_by_side_and_saved() {
     let beside = folder.path().join("cell-corrected.mod.meta.json");
     let beside = std::fs::read_to_string(beside).expect("it says what was changed");
     assert!(beside.contains("truepose-compensation/1"), "{beside}");
+}
+
+/// As it is where the system has no dialog for files: the program's path is typed, or it is dropped.
+#[test]
+fn a_program_that_is_opened_is_corrected() {
+    let mut window = at_export();
+    press(&mut window, "1 Session");
+    let path = data("cell.mod").display().to_string();
+    type_into(&mut window, "Path of a session or model", &path);
+    assert!(says(&window, "Compensate cell.mod"));
+    assert!(says(&window, "RAPID"));
+}
+
+/// Six joints that lack the same are told so once.
+#[test]
+fn what_every_joint_lacks_for_a_standard_is_said_once() {
+    let window = at_export();
+    assert!(says(&window, "… Joint 6 (A6), ISO 230-2"));
+    let lacks = window.query_all_by_label_contains("no two positions of the joint were measured");
+    assert_eq!(lacks.count(), 1);
 }
 
 /// Never over the program that it was made of, not even where replacing is allowed.

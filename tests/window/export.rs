@@ -43,7 +43,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
                     .is_none()
             );
             window.get_by_label("Copy text");
-            window.get_by_label("RMS error to this robot");
+            window.get_by_label("RMS error with this robot");
         }
         let path = folder.path().join(format!("pan.{}", format.extension));
         export_to(&mut window, &path);

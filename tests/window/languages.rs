@@ -300,6 +300,30 @@ fn every_step_fits_in_german_in_chinese_and_in_what_is_longer_still() {
     }
 }
 
+/// What stands over the results is not wider than their panel: the cards would be with it, and cut.
+#[test]
+fn results_are_as_wide_as_their_panel_where_words_are_long() {
+    let mut window = window(Language::German, [1024.0, 700.0], None);
+    keys(&mut window, Modifiers::COMMAND, Key::Comma);
+    press(&mut window, "Zoll");
+    press(&mut window, "Fertig");
+    keys(&mut window, Modifiers::COMMAND, Key::I);
+    keys(&mut window, Modifiers::COMMAND, Key::Num3);
+    let sides = window.get_by_role_and_label(Role::RadioButton, "Messpunkte");
+    // Of what stands in cards, the largest deviation.
+    let facts = window.query_all_by_label_contains(" → ");
+    let largest = facts.filter(|fact| fact.rect().left() > 736.0);
+    let right: Vec<f32> = largest
+        .chain([sides])
+        .map(|node| node.rect().right())
+        .collect();
+    assert!(right.len() > 1);
+    assert!(
+        right.iter().all(|right| *right <= 1024.0 - 16.0),
+        "{right:?}"
+    );
+}
+
 #[test]
 fn the_language_is_chosen_in_the_preferences_and_the_next_frame_speaks_it() {
     let mut window = window(Language::English, [1280.0, 800.0], None);

@@ -11,7 +11,7 @@ use crate::present::chart::{Chart, Item};
 use crate::present::table::Table;
 use crate::text::{Template, spoken};
 
-pub(crate) use scene::Scene;
+pub(crate) use scene::{HeldScene, Scene};
 
 macro_rules! register {
     ($($file:ident: $($chart:ident),*;)*) => {

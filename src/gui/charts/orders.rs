@@ -7,6 +7,7 @@ use crate::gui::cache::work::{ChartInputs, Work};
 use crate::gui::core::over::{Over, Variable};
 use crate::gui::core::search::terms;
 use crate::gui::help;
+use crate::language;
 use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, ChartText, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol, Ticks,
@@ -15,7 +16,6 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
-use crate::language;
 use crate::text::{angle, spoken};
 
 /// Part of the height that is left for names.

@@ -5,7 +5,9 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
+use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::cache::preview::ExportPreview;
+use crate::gui::cache::work::ChartResult;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
@@ -73,6 +75,39 @@ impl<'a> Scene<'a> {
             unit: self.units.length_name(),
             per_mm: self.units.length_value(1.0),
             number,
+        }
+    }
+}
+
+/// The same by itself: the window goes on while something is made of it.
+pub(crate) struct HeldScene {
+    pub(crate) document: Document,
+    pub(crate) view: ViewState,
+    pub(crate) component: Component,
+    pub(crate) joint: usize,
+    pub(crate) axes: Option<[Quantity; 2]>,
+    pub(crate) units: Units,
+    pub(crate) outcome: Option<Arc<IdentifiedAnswer>>,
+    pub(crate) search: Option<Arc<Search>>,
+    pub(crate) made: Option<ExportPreview>,
+    pub(crate) worked_out: Option<ChartResult>,
+}
+
+impl HeldScene {
+    pub(crate) fn scene(&self) -> Scene<'_> {
+        let outcome = self.outcome.as_deref();
+        Scene {
+            document: &self.document,
+            subject: &self.document.subject,
+            view: &self.view,
+            component: self.component,
+            joint: self.joint,
+            axes: self.axes,
+            units: self.units,
+            answer: outcome.and_then(|outcome| outcome.answer.as_ref().ok()),
+            search: self.search.as_ref(),
+            made: self.made.as_ref(),
+            worked_out: self.worked_out.as_deref(),
         }
     }
 }

@@ -47,15 +47,30 @@ pub(crate) struct Chosen {
 }
 
 impl Chosen {
-    /// An effect at values that can be seen.
+    /// An effect of the first joint, which turns, at values that can be seen.
+    #[cfg(test)]
     pub(crate) fn new(id: &'static str) -> Option<Self> {
-        let effect = crate::effects::find(id)?;
-        let parameters = parameters_to_see(effect);
+        Self::on(id, (1, JointKind::Revolute))
+    }
+
+    /// An effect of a joint of this number and kind, at values that can be seen.
+    pub(super) fn on(id: &'static str, (joint, kind): (usize, JointKind)) -> Option<Self> {
+        let parameters = parameters_to_see(crate::effects::find(id)?, kind);
         Some(Self {
             id,
-            joint: 1,
+            joint,
             parameters,
         })
+    }
+
+    /// The same where its joint was exchanged for one of this kind: millimetres in place of degrees.
+    pub(crate) fn suits(&mut self, kind: JointKind) {
+        let there = self.parameters.iter().map(|(name, _)| *name);
+        if let Some(fresh) = Self::on(self.id, (self.joint, kind))
+            && !there.eq(fresh.parameters.iter().map(|(name, _)| *name))
+        {
+            *self = fresh;
+        }
     }
 
     /// Whether it belongs to one joint.
@@ -136,15 +151,47 @@ impl Default for Form {
 }
 
 impl Form {
+    /// Joints of what is simulated.
+    pub(crate) fn joints(&self) -> usize {
+        let robot = self.robot.as_ref();
+        robot.map_or(1, |robot| robot.robot.joint_count())
+    }
+
     /// Effects that can be chosen: all that a single turning joint can have but the two that have
-    /// fields of their own.
-    pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
+    /// fields of their own; of a robot the errors of its geometry as well, which have none there.
+    pub(crate) fn offered(&self) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
+        let several = self.joints() > 1;
+        let robot = self.robot.is_some();
         let turning = CATALOGUE
             .iter()
             .filter(|effect| (effect.exists_on)(0, JointKind::Revolute));
         let all = turning.map(|effect| effect.about());
-        all.filter(|about| about.role == Role::Candidate)
-            .map(|about| (about.id, crate::present::names::title(about.id)))
+        all.filter(move |about| match about.role {
+            Role::Candidate => true,
+            Role::JointZero => robot,
+            Role::JointAxis | Role::ToolPlace => several,
+            Role::ToolRadius => robot && !several,
+            _ => false,
+        })
+        .map(|about| (about.id, crate::present::names::title(about.id)))
+    }
+
+    /// How a joint moves, counted from 1.
+    pub(crate) fn joint_kind(&self, joint: usize) -> JointKind {
+        let robot = self.robot.as_ref();
+        let joint = robot.and_then(|robot| robot.robot.joints.get(joint.checked_sub(1)?));
+        joint.map_or(JointKind::Revolute, |joint| joint.kind)
+    }
+
+    /// One more effect of this name, on the first joint that has none; `None` where all have it.
+    pub(crate) fn another(&self, id: &'static str) -> Option<Chosen> {
+        let per_joint = find(id)?.about().per_joint;
+        let joints = if per_joint { self.joints() } else { 1 };
+        let taken = |joint: usize| {
+            (self.effects.iter()).any(|other| (other.id, other.joint) == (id, joint))
+        };
+        let joint = (1..=joints).find(|joint| !taken(*joint))?;
+        Chosen::on(id, (joint, self.joint_kind(joint)))
     }
 
     /// What is wrong with the numbers; `None` where they can be simulated.
@@ -363,7 +410,7 @@ mod tests {
 
     #[test]
     fn every_effect_on_offer_can_be_simulated_as_it_is_proposed() {
-        for (id, _) in Form::offered() {
+        for (id, _) in Form::default().offered() {
             let form = Form {
                 effects: vec![Chosen::new(id).expect("it is in the catalogue")],
                 ..Form::default()

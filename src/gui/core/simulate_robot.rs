@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::effects::Term;
+use crate::effects::{OF_A_FIRST_SIMULATION, Term};
 use crate::sessions::Session;
 use crate::simulation::{
     HiddenEffect, LoadedScenario, SimulateError, SimulationRequest, parse_scenario,
@@ -11,7 +11,7 @@ use crate::simulation::{
 
 use crate::text::Text;
 
-use super::simulate::{Form, SimulatedRobot, field};
+use super::simulate::{Chosen, Form, SimulatedRobot, field};
 
 /// Poses where nothing else is filled in.
 const POSES: usize = 120;
@@ -20,13 +20,19 @@ const POSES: usize = 120;
 const MOST_POSES: usize = 100_000;
 
 impl Form {
-    /// The form for a robot.
+    /// The form for a robot, with something hidden in it to begin with: in a joint that
+    /// carries much: a simulation of a robot without errors would show nothing.
     pub(crate) fn of(robot: Arc<SimulatedRobot>) -> Self {
-        Self {
+        let mut form = Self {
             robot: Some(robot),
             poses: POSES,
             ..Self::default()
-        }
+        };
+        let joint = form.joints().min(2);
+        let kind = form.joint_kind(joint);
+        let hidden = OF_A_FIRST_SIMULATION.map(|id| Chosen::on(id, (joint, kind)));
+        form.effects.extend(hidden.into_iter().flatten());
+        form
     }
 
     fn request(&self, robot: &SimulatedRobot) -> SimulationRequest {
@@ -105,7 +111,7 @@ impl Form {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::simulate::Chosen;
+    use crate::kinematics::JointKind;
     use crate::robots::library;
     use crate::simulation::unwatched;
 
@@ -114,16 +120,45 @@ mod tests {
         for robot in library() {
             let mut form = Form::of(SimulatedRobot::of(robot));
             form.poses = 4;
-            form.effects = vec![Chosen::new("backlash").expect("it is in the catalogue")];
             assert_eq!(form.problem(), None, "{}", robot.id);
             let (session, hidden) = form.session(unwatched).expect("it can be simulated");
             assert_eq!(
                 (session.samples.len(), hidden.len()),
-                (12, 1),
+                (12, 2),
                 "{}",
                 robot.id
             );
         }
+    }
+
+    /// Also of joints that slide, whose sizes are millimetres.
+    #[test]
+    fn every_effect_can_be_hidden_in_every_joint_of_a_scara() {
+        let mut scara = library().iter().filter(|robot| {
+            let joints = &robot.robot.joints;
+            joints
+                .iter()
+                .any(|joint| joint.kind == JointKind::Prismatic)
+        });
+        let mut form = Form::of(SimulatedRobot::of(scara.next().expect("there is one")));
+        form.effects.clear();
+        let offered: Vec<&str> = form.offered().map(|(id, _)| id).collect();
+        for wanted in ["joint-zero-offset", "link-geometry", "tool-position"] {
+            assert!(offered.contains(&wanted), "{wanted}");
+        }
+        for id in offered {
+            while let Some(one) = form.another(id) {
+                form.effects.push(one);
+            }
+        }
+        assert_eq!(form.problem(), None);
+        let on = |joint: usize, name: &str| {
+            let mut all = form.effects.iter();
+            all.any(|e| e.joint == joint && e.id == "backlash" && e.parameters[0].0 == name)
+        };
+        assert!(on(1, "width_deg"));
+        let slides = (1..=form.joints()).find(|j| form.joint_kind(*j) == JointKind::Prismatic);
+        assert!(on(slides.expect("one slides"), "width_mm"));
     }
 
     #[test]

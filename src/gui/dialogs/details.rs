@@ -13,7 +13,7 @@ use crate::report::Details;
 use crate::text::spoken;
 
 /// Widest, points.
-const WIDE: f32 = 560.0;
+const WIDE: f32 = 640.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     widgets::hint(
         ui,
         say!(
-            "Stated at the head of the report, and remembered for this machine; what is empty is a line to fill in by hand"
+            "Stated at the head of the report and remembered for this machine; an empty field becomes a line to fill in by hand"
         ),
     );
     let before = workbench.stated();

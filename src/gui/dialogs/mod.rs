@@ -8,7 +8,7 @@ mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
 
-use egui::{Id, Margin, Modal, ScrollArea, Ui};
+use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::Sheet;
@@ -84,10 +84,24 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
             },
         });
     });
+    lists_above(ui.ctx(), shown.response.layer_id);
     let beside = shown.backdrop_response.clicked();
     let left = shown.should_close() && !(beside && holds_entries(sheet));
     if left {
         commands.push(Command::Sheet(None));
+    }
+}
+
+/// A list that is opened in a sheet is above it. The click that opens it brings the sheet to the top, and a list
+/// that was there before, when the sheet was last open, would stay below it.
+fn lists_above(ctx: &Context, sheet: LayerId) {
+    if !Popup::is_any_open(ctx) {
+        return;
+    }
+    let layers = ctx.memory(|memory| memory.areas().visible_layer_ids());
+    let lists = (layers.into_iter()).filter(|layer| layer.order == sheet.order && *layer != sheet);
+    for list in lists {
+        ctx.set_sublayer(sheet, list);
     }
 }
 

@@ -114,7 +114,7 @@ pub(super) fn export(
         What::Report(_) => (
             say!("Save report"),
             say!(
-                "A name that ends in .html or .pdf; a session that was not searched yet is searched first"
+                "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
             ),
         ),
         What::Picture(_) => (

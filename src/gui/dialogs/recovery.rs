@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 };
                 ui.label(RichText::new(title).font(strong(size::BODY)));
                 if let Some(ago) = left.when.and_then(ago) {
-                    widgets::fact_of(ui, phrase!("kept"), ago);
+                    widgets::fact_of(ui, phrase!("last saved"), ago);
                 }
                 match &left.kept {
                     Ok(kept) => {
@@ -36,8 +36,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                             kept.session.samples.len().to_string(),
                         );
                         let file = kept.file.as_ref().and_then(|f| f.file_name());
-                        let file = file.map_or(say!("none").into(), |f| f.to_string_lossy());
-                        widgets::fact_of(ui, phrase!("its file"), file);
+                        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
+                        widgets::fact_of(ui, phrase!("file"), file);
                     }
                     Err(because) => {
                         widgets::wrong(ui, because);
@@ -55,7 +55,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     } else {
                         say!("Put it aside")
                     };
-                    if widgets::primary(&mut columns[1], restore).clicked() {
+                    // The newest is first, and what is meant by most.
+                    let button = if index == 0 {
+                        widgets::primary(&mut columns[1], restore)
+                    } else {
+                        widgets::other(&mut columns[1], restore)
+                    };
+                    if button.clicked() {
                         commands.push(Command::Restore(index));
                     }
                 });

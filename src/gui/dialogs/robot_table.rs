@@ -4,7 +4,7 @@ use egui::{Button, DragValue, Grid, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::simulate;
-use crate::gui::style::tokens::{Palette, space};
+use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
@@ -124,7 +124,8 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable) {
                 } else {
                     format!("{name}, {unit}")
                 };
-                head(ui, &text);
+                // No wider than the numbers below it.
+                ui.label(egui::RichText::new(text).size(size::TINY).color(muted));
             }
             head(ui, say!("from"));
             head(ui, say!("to"));
@@ -133,7 +134,8 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable) {
             for (index, row) in typed.rows.iter_mut().enumerate() {
                 head(ui, &(index + 1).to_string());
                 joint(ui, index + 1, row, heads);
-                let remove = ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, 24.0)));
+                let remove =
+                    ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, NAME[1])));
                 widgets::label(&remove, say!("Remove joint {joint}", joint = index + 1));
                 if remove.clicked() {
                     gone = Some(index);
@@ -193,13 +195,18 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let mut travel = row.travel.is_some();
     let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
     let ends = [(say!("from"), &mut from), (say!("to"), &mut to)];
+    // Each a row of its own height: what is switched off or unknown would else hang below the others.
     for (end, value) in ends {
-        ui.add_enabled_ui(travel, |ui| {
+        ui.horizontal(|ui| {
+            if !travel {
+                ui.disable();
+            }
             let label = say!("{number} of joint {joint}", number = end, joint = number);
             cell(ui, &label, unit, value);
         });
     }
     let known = ui.checkbox(&mut travel, "");
+    let known = known.on_hover_text(say!("The travel of the joint is known"));
     widgets::label(
         &known,
         say!("The travel of joint {joint} is known", joint = number),

@@ -1,5 +1,7 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved, typed anew.
 
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{
     Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
@@ -26,6 +28,8 @@ struct RobotsInput {
     text: String,
     chosen: String,
     camera: Camera,
+    /// When it was last shown, in passes of the window: a gap means that it was closed since.
+    shown: u64,
 }
 
 /// One of the list.
@@ -106,8 +110,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     );
     let id = ui.scope_id().with("typed robot");
     let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
-    let first = before.is_none();
     let mut typed = before.unwrap_or_default();
+    let pass = ui.ctx().cumulative_pass_nr();
+    let first = pass > typed.shown + 1;
+    typed.shown = pass;
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
     let field =
         TextEdit::singleline(&mut typed.text).hint_text(say!("such as ur5e, kuka kr 6, scara"));
@@ -116,6 +122,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     widgets::label(&field, say!("Find a robot"));
     if first {
         field.request_focus();
+        select_all(ui, field.id, typed.text.chars().count());
     }
     let found = Robot::found(workbench.typed_robots(), &typed.text);
     let mut at = found.iter().position(|robot| robot.key() == typed.chosen);
@@ -150,6 +157,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         typed = RobotsInput::default();
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
+}
+
+/// What was searched for last is replaced by typing.
+fn select_all(ui: &Ui, field: egui::Id, letters: usize) {
+    let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
+    let all = CCursorRange::two(CCursor::new(0), CCursor::new(letters));
+    state.cursor.set_char_range(Some(all));
+    state.store(ui.ctx(), field);
 }
 
 /// The robots that were found; which was clicked.

@@ -9,18 +9,21 @@ use crate::gui::workbench::Command;
 
 use super::simulation::{effects, ends, number};
 
+/// Wide enough for an effect with a joint and three numbers in one row, points.
+const WIDTH: f32 = 640.0;
+
 pub(super) fn show(ui: &mut Ui, robot: &SimulatedRobot, form: &Form, commands: &mut Vec<Command>) {
-    ui.set_width(520.0);
+    ui.set_width(WIDTH);
     widgets::heading(ui, &robot.title);
     widgets::hint(
         ui,
         say!(
-            "Poses anywhere in the ranges of the joints, three reflectors at the tool, speeds, loads and a warm-up mixed over them. What is filled in here is what the diagnosis should find"
+            "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
         ),
     );
     let mut filled = form.clone();
     let wrong = form.problems();
-    widgets::section(ui, say!("Instrument"));
+    widgets::section(ui, say!("Measurement"));
     let poses = DragValue::new(&mut filled.poses).speed(1.0);
     number(ui, &wrong, (field::POSES, ""), poses);
     let noise = DragValue::new(&mut filled.noise_mm)
@@ -28,8 +31,8 @@ pub(super) fn show(ui: &mut Ui, robot: &SimulatedRobot, form: &Form, commands: &
         .max_decimals(4);
     number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
     let seed = DragValue::new(&mut filled.seed);
-    widgets::number(ui, say!("seed"), "", seed);
-    widgets::section(ui, say!("Effects"));
+    widgets::number(ui, say!("random seed"), "", seed);
+    widgets::section(ui, say!("Hidden effects"));
     effects(ui, &mut filled, &wrong);
     ends(ui, filled, form, commands);
 }

@@ -1,13 +1,17 @@
 //! The form of a new simulation.
 
 use crate::text::{Template, spoken};
-use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Checkbox, ComboBox, DragValue, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::gui::core::simulate::{Chosen, Form, field};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
+use crate::kinematics::JointKind;
+
+/// Width of the names of effects, points.
+const NAMES: f32 = 168.0;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
@@ -37,10 +41,7 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
 pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Command>) {
     if !form.problems().is_empty() {
-        widgets::hint(
-            ui,
-            say!("What stands in colour above has to be another number first"),
-        );
+        widgets::hint(ui, say!("Correct the fields marked above first"));
     }
     let ready = filled.problem().is_none();
     if super::ends::buttons_without_enter(ui, say!("Simulate"), ready, commands) {
@@ -114,34 +115,18 @@ fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
         .speed(0.002)
         .max_decimals(4);
     number(ui, wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
-    widgets::number(ui, say!("seed"), "", DragValue::new(&mut form.seed));
+    let seed = DragValue::new(&mut form.seed);
+    widgets::number(ui, say!("random seed"), "", seed);
 }
 
 pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     let mut gone = None;
-    ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
+    let kinds: Vec<JointKind> = (1..=form.joints()).map(|j| form.joint_kind(j)).collect();
+    ScrollArea::vertical().max_height(190.0).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {
-            ui.horizontal_wrapped(|ui| {
-                let title = crate::present::names::title(chosen.id);
-                ui.label(title);
-                if let (true, Some(robot)) = (chosen.per_joint(), &form.robot) {
-                    let joints = robot.robot.joint_count();
-                    let field = DragValue::new(&mut chosen.joint).range(1..=joints);
-                    ui.label(say!("joint"));
-                    let label = format!("{} {}", chosen.id, say!("joint"));
-                    widgets::cell_number(ui, &label, "", 40.0, field);
-                }
-                for (name, value) in &mut chosen.parameters {
-                    let muted = Palette::of(ui).muted;
-                    ui.label(RichText::new(*name).size(size::SMALL).color(muted));
-                    let field = DragValue::new(value).speed(0.01).max_decimals(5);
-                    let label = format!("{} {name}", chosen.id);
-                    widgets::cell_number(ui, &label, "", 64.0, field);
-                }
-                if ui.small_button(say!("Remove")).clicked() {
-                    gone = Some(index);
-                }
-            });
+            if effect(ui, chosen, &kinds) {
+                gone = Some(index);
+            }
             fault(ui, wrong, chosen.id);
         }
     });
@@ -151,16 +136,65 @@ pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     let list = ComboBox::from_id_salt("add effect")
         .selected_text(say!("Add an effect…"))
         .width(240.0)
+        .height(360.0)
         .show_ui(ui, |ui| {
-            for (id, title) in Form::offered() {
-                let there = form.effects.iter().any(|c| c.id == id);
-                let button = ui.add_enabled(!there, egui::Button::new(title));
-                if button.clicked()
-                    && let Some(chosen) = Chosen::new(id)
+            for (id, title) in form.offered() {
+                let another = form.another(id);
+                let row = egui::Button::selectable(false, title);
+                if ui.add_enabled(another.is_some(), row).clicked()
+                    && let Some(chosen) = another
                 {
                     form.effects.push(chosen);
                 }
             }
         });
     widgets::label(&list.response, say!("Add an effect"));
+}
+
+/// One effect: its joint where the robot has several, and its numbers; whether it is to be removed.
+fn effect(ui: &mut Ui, chosen: &mut Chosen, kinds: &[JointKind]) -> bool {
+    let title = crate::present::names::title(chosen.id);
+    let muted = Palette::of(ui).muted;
+    let small = |ui: &mut Ui, text: &str| {
+        ui.label(RichText::new(text).size(size::SMALL).color(muted));
+    };
+    widgets::row(ui, |ui| {
+        let remove = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let button = ui.add(Button::new("×").min_size(vec2(24.0, 24.0)));
+            let says = say!("Remove {effect}", effect = title);
+            widgets::label(&button, says.as_str());
+            let clicked = button.on_hover_text(says).clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                // What stands below one another begins in one line.
+                let name = vec2(NAMES, space::CONTROL);
+                ui.allocate_ui_with_layout(name, Layout::left_to_right(Align::Center), |ui| {
+                    ui.set_width(NAMES);
+                    ui.add(egui::Label::new(title).truncate());
+                });
+                if chosen.per_joint() && kinds.len() > 1 {
+                    let field = DragValue::new(&mut chosen.joint).range(1..=kinds.len());
+                    small(ui, say!("joint"));
+                    let label = format!("{title} {}", say!("joint"));
+                    if widgets::cell_number(ui, &label, "", 32.0, field).changed() {
+                        chosen.suits(kinds[chosen.joint - 1]);
+                    }
+                }
+                for (name, value) in &mut chosen.parameters {
+                    let (words, unit) = crate::present::names::parameter(name);
+                    small(ui, &words);
+                    let gap = if unit.is_empty() || unit == "°" {
+                        ""
+                    } else {
+                        " "
+                    };
+                    let field = DragValue::new(value).speed(0.01).max_decimals(5);
+                    let field = field.suffix(format!("{gap}{unit}"));
+                    let label = format!("{title} {words}");
+                    widgets::cell_number(ui, &label, unit, 72.0, field);
+                }
+            });
+            clicked
+        });
+        remove.inner
+    })
 }

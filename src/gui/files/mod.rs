@@ -26,9 +26,22 @@ pub(crate) use saving::{NotSaved, Replace, Saved, save};
 
 pub(crate) use crate::pipeline::is_model;
 
+use std::path::Path;
+
+use crate::programs::LANGUAGES;
 use crate::sessions::Session;
 
 use crate::gui::core::document::plain;
+use crate::gui::import_draft::TABLES;
+
+/// Whether a file is a robot program by its name: one whose ending a table of measurements does not have as well.
+pub(crate) fn is_program(path: &Path) -> bool {
+    let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    ending.is_some_and(|ending| {
+        let program = LANGUAGES.iter().any(|l| l.extensions.contains(&&*ending));
+        program && !TABLES.contains(&&*ending)
+    })
+}
 
 /// What a session's file is called unless the user says otherwise.
 pub(crate) fn file_name_for(session: &Session) -> String {

@@ -23,7 +23,6 @@ pub(crate) enum ColourToken {
     /// A line of the ground through the origin.
     Axis,
     Surface,
-    Inset,
     /// One of the two greys of sectors.
     Sector(usize),
     /// What colour says, from 0 to 1.
@@ -52,7 +51,6 @@ impl ColourToken {
             Self::Line => palette.line,
             Self::Axis => palette.line.lerp_to_gamma(palette.nominal, 0.4),
             Self::Surface => palette.surface,
-            Self::Inset => palette.inset,
             Self::Sector(k) => palette.sectors[k % 2],
             Self::Scale(colouring, part) => scale_at(colouring, palette, part),
             Self::Lit(turned) => {

@@ -8,9 +8,10 @@ use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 use crate::diagnosis::{Detectability, Diagnosis, NextPose};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
+use crate::gui::charts::About;
 use crate::gui::style::tokens::{size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::Workbench;
+use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::Robot;
 use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
@@ -63,21 +64,31 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 }
 
 /// The mark in a chart's bar that copies its numbers.
-pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
-    let says = say!("Copy numbers: {of}", of = of.to_lowercase());
-    let id = ui.scope_id().with(("copied", of));
+pub(super) fn chart_button(ui: &mut Ui, about: &About, commands: &mut Vec<Command>) {
+    let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
     let button = widgets::copy_button(ui, &says);
     if button.clicked() {
-        ui.copy_text(text());
-        remember(ui, id);
+        commands.push(Command::CopyNumbers(about.id));
     }
-    if is_recent(ui, id) {
+    if is_recent(ui, id_of(about.id)) {
         // What lies beneath it can be clicked all the same.
         Popup::from_response(&button)
             .kind(PopupKind::Tooltip)
             .interactable(false)
             .show(|ui| ui.label(say!("Copied")));
     }
+}
+
+/// Copies a chart's numbers, which were made in the background.
+pub(crate) fn chart(ui: &Ui, workbench: &mut Workbench) {
+    if let Some((chart, text)) = workbench.take_copied() {
+        ui.copy_text(text);
+        remember(ui, id_of(chart));
+    }
+}
+
+fn id_of(chart: &str) -> Id {
+    Id::unique("copied").with(chart)
 }
 
 /// The title of an effect: what is copied is English, as files are.

@@ -15,7 +15,7 @@ use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
-use crate::present::numbers::trimmed;
+use crate::present::numbers::{grouped, trimmed};
 use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.
@@ -80,7 +80,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
         widgets::hint(
             ui,
             say!(
-                "Not identified yet. The identified parameters will stand here, with the interval of every number"
+                "Not identified yet. The identified parameters will be listed here, each with its 95 % interval"
             ),
         );
     });
@@ -104,11 +104,13 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         title(ui, say!("What the samples cover"));
         coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
-            widgets::fact_of(
-                ui,
-                phrase!("measured range"),
-                format!("{} … {}", at(from), at(to)),
-            );
+            // Of an arm it is the first joint's, as the strip is.
+            let name = if subject.session.robot.joints.len() > 1 {
+                phrase!("measured range, joint 1")
+            } else {
+                phrase!("measured range")
+            };
+            widgets::fact_of(ui, name, format!("{} … {}", at(from), at(to)));
         }
         if let Some([from, to]) = known.hole {
             widgets::fact_of(
@@ -287,9 +289,9 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
 fn sides(joint: &JointSurvey) -> String {
     match joint.from_sides {
         [0, 0] => say!("not recorded").to_owned(),
-        [0, up] => say!("{up} +", up = up),
-        [down, 0] => say!("{down} −", down = down),
-        [down, up] => say!("{up} +, {down} −", up = up, down = down),
+        [0, up] => say!("{up} +", up = grouped(up)),
+        [down, 0] => say!("{down} −", down = grouped(down)),
+        [down, up] => say!("{up} +, {down} −", up = grouped(up), down = grouped(down)),
     }
 }
 

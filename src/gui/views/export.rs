@@ -1,7 +1,6 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
 use crate::language::spoken;
-use crate::present::names;
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
@@ -13,7 +12,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
-use crate::gui::views::names::title;
+use crate::gui::views::names::{in_words, title};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
@@ -59,10 +58,12 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if missing.is_empty() {
         return;
     }
-    let names = missing
-        .iter()
-        .map(|term| names::title(term.effect.about().id));
-    let names = names.collect::<Vec<_>>().join(", ");
+    let names = missing.iter().map(|term| {
+        let about = term.effect.about();
+        let joint = about.per_joint.then_some(term.joint + 1);
+        in_words(about.id, joint, workbench)
+    });
+    let names = names.collect::<Vec<_>>().join("; ");
     let says = say!(
         "Found, but not in the model, so not corrected: {names}",
         names = names
@@ -103,9 +104,9 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         );
         offer(ui, say!("Report…"), report(About::Session));
         let says = if workbench.diagnosis().is_some() {
-            say!("HTML or PDF: what was measured, what the search found, what stays open")
+            say!("HTML or PDF: what was measured, the effects found, the open points")
         } else {
-            say!("HTML or PDF: the session is searched for it first, which takes a while")
+            say!("HTML or PDF: the session is diagnosed first, which takes a while")
         };
         widgets::hint(ui, says);
     }

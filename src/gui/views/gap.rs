@@ -1,6 +1,5 @@
 //! Step 4: search for what is missing.
 
-use crate::present::names;
 use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
@@ -10,6 +9,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::{SEARCHING, STAGES};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
+use crate::gui::views::names::in_words;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
@@ -32,7 +32,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::hint(
         ui,
         say!(
-            "Looks for the physical effect that the model lacks, and proves each name on samples that the search has not seen"
+            "Finds the physical effects that the model lacks. Each is checked on samples that its fit has not used (cross-validation)"
         ),
     );
     if workbench.searching().is_some() {
@@ -89,9 +89,12 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
                 "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
             )
         }
-        (Some(_), _) => {
+        (Some(_), Some(_)) => {
+            say!("More error is left than noise explains: something is missing in the model")
+        }
+        (Some(_), None) => {
             say!(
-                "More error is left than noise explains, or no noise is stated: the diagnosis will tell which"
+                "The noise of the instrument is not stated: the diagnosis estimates it from the samples"
             )
         }
     };
@@ -169,11 +172,12 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("In the model"));
     for (index, one) in added.iter().enumerate() {
         let mut on = one.on;
-        let name = say!(
-            "use {effect}",
-            effect = within(names::title(one.term.effect.about().id))
-        );
-        if ui.checkbox(&mut on, name).changed() {
+        let about = one.term.effect.about();
+        let joint = about.per_joint.then_some(one.term.joint + 1);
+        let name = in_words(about.id, joint, workbench);
+        let switch = ui.checkbox(&mut on, &name);
+        widgets::label(&switch, say!("use {effect}", effect = within(&name)));
+        if switch.changed() {
             commands.push(Command::Edit(Edit::Switch(index, on)));
         }
     }

@@ -6,7 +6,7 @@ use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 use crate::effects::find;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
@@ -59,17 +59,14 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     widgets::section(ui, say!("Method"));
-    let methods = [
-        (Method::Exact, say!("Full model")),
-        (Method::Regional, say!("By region")),
-    ];
-    let offered = if workbench.loaded_session().single_revolute() {
-        &methods[..]
-    } else {
-        &methods[..1]
-    };
-    if let Some(method) = widgets::segmented(ui, offered, document.method) {
-        commands.push(Command::Edit(Edit::Method(method)));
+    if workbench.loaded_session().single_revolute() {
+        let methods = [
+            (Method::Exact, say!("Full model")),
+            (Method::Regional, say!("By region")),
+        ];
+        if let Some(method) = widgets::segmented(ui, &methods, document.method) {
+            commands.push(Command::Edit(Edit::Method(method)));
+        }
     }
     match document.method {
         Method::Exact => {
@@ -113,7 +110,8 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ));
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
-            ui.label(RichText::new(about.id).monospace());
+            let title = crate::present::names::title(about.id);
+            ui.label(RichText::new(title).font(strong(size::BODY)));
             ui.label(spoken(about.cause));
             widgets::hint(ui, about.equation);
         });

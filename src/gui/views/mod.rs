@@ -2,7 +2,7 @@
 
 pub(crate) mod blocks;
 mod compensate;
-mod copies;
+pub(crate) mod copies;
 mod coverage;
 mod disk;
 pub(super) mod dropped;

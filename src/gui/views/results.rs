@@ -40,16 +40,23 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &
     if workbench.view().step == Step::Gap && side == Side::Results {
         return super::findings::show(ui, workbench, commands);
     }
+    let sides = [
+        (Side::Results, say!("Summary")),
+        (Side::Samples, say!("Samples")),
+    ];
     widgets::row(ui, |ui| {
-        widgets::heading(ui, say!("Results"));
+        // Where there is no room for both, what is chosen says where one is.
+        let title = say!("Results");
+        let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
+        let titled =
+            !alone || of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width();
+        if titled {
+            widgets::heading(ui, title);
+        }
         if !alone {
             return;
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let sides = [
-                (Side::Results, say!("Summary")),
-                (Side::Samples, say!("Samples")),
-            ];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
                 commands.push(Command::Side(side));
             }
@@ -136,13 +143,16 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             _ => say!("RMS error, full model"),
         };
         ui.label(RichText::new(method).color(palette.muted));
+        let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
+        let unit = units.length_name();
+        let large = as_large_as_fits(ui, &[&before, &after], &["→", unit]);
         ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 8.0;
-            let big = |text: String| RichText::new(text).font(strong(size::DISPLAY));
-            ui.label(big(number(found.gap.before.rms_mm)).color(palette.before));
+            ui.spacing_mut().item_spacing.x = space::ROW;
+            let big = |text: String| RichText::new(text).font(strong(large));
+            ui.label(big(before).color(palette.before));
             ui.label(RichText::new("→").size(size::HEADING).color(palette.muted));
-            ui.label(big(number(found.gap.after.rms_mm)).color(palette.after));
-            ui.label(RichText::new(units.length_name()).color(palette.muted));
+            ui.label(big(after).color(palette.after));
+            ui.label(RichText::new(unit).color(palette.muted));
         });
         let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
             let [before, after] = pick(gap);
@@ -177,6 +187,21 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         }
         decision(ui, workbench);
     });
+}
+
+/// The size at which large texts and others fit in one row: inches have more digits than a narrow panel has room,
+/// and a row that is wider would widen every card with it.
+fn as_large_as_fits(ui: &Ui, large: &[&str], others: &[&str]) -> f32 {
+    const BETWEEN: f32 = 20.0;
+    let room = ui.available_width() - space::ROW * (large.len() + others.len()) as f32;
+    let width = |texts: &[&str], size: f32| -> f32 {
+        let each = texts.iter();
+        each.map(|text| widgets::width_of(ui, text, strong(size)))
+            .sum()
+    };
+    let fits = |size: &f32| width(large, *size) + width(others, size::HEADING) <= room;
+    let sizes = [size::DISPLAY, BETWEEN, size::HEADING];
+    sizes.into_iter().find(fits).unwrap_or(size::HEADING)
 }
 
 /// Whether the robot is within its tolerance, where a rule decides it.

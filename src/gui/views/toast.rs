@@ -33,8 +33,8 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         since: now,
     });
     let palette = Palette::of(ui);
-    // Above the status bar, in the middle.
-    let area = Area::new(id).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0));
+    // Above the status bar, over the results: axes of charts are not covered by it.
+    let area = Area::new(id).anchor(Align2::RIGHT_BOTTOM, vec2(-12.0, -44.0));
     let area = area.show(ctx, |ui| {
         let frame = Frame::popup(ui.style())
             .corner_radius(CornerRadius::same(space::ROUND + 2))

@@ -88,6 +88,16 @@ pub(crate) fn segmented<T: Copy + PartialEq>(
     segmented_named(ui, &named.collect::<Vec<_>>(), current)
 }
 
+/// How much room they take side by side, points.
+pub(crate) fn width_of_segments<T>(ui: &Ui, options: &[(T, &str)]) -> f32 {
+    let padding = 2.0 * ui.spacing().button_padding.x;
+    let each = options
+        .iter()
+        .map(|(_, name)| super::width_of(ui, name, strong(size::SMALL)) + padding);
+    // The frame around them and the gaps between them.
+    each.sum::<f32>() + 6.0 + 2.0 * options.len() as f32
+}
+
 /// The same where a short name is shown and a longer one says what it means.
 pub(crate) fn segmented_named<T: Copy + PartialEq>(
     ui: &mut Ui,

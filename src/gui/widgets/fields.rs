@@ -119,7 +119,9 @@ pub(crate) fn cell_number(
     width: f32,
     field: DragValue<'_>,
 ) -> Response {
-    let response = typing(ui, [width, 24.0], unit, field);
+    // As high as such a field is at least: in less it would hang out of its row.
+    let high = ui.spacing().interact_size.y;
+    let response = typing(ui, [width, high], unit, field);
     let name = name.to_owned();
     super::label(&response, name);
     response

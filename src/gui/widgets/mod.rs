@@ -7,7 +7,9 @@ mod icons;
 mod steps;
 mod text;
 
-pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
+pub(crate) use buttons::{
+    other, primary, secondary, segmented, segmented_named, width_of_segments,
+};
 pub(crate) use fields::{cell_number, form_row, number, or_none, row};
 pub(crate) use grip::{Gripped, grip, grip_between};
 pub(crate) use icons::{
@@ -16,7 +18,7 @@ pub(crate) use icons::{
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
     caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
-    folded, heading, hint, label, question, section, title, wrong,
+    folded, heading, hint, label, question, section, title, width_of, wrong,
 };
 
 use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};

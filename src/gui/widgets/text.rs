@@ -30,6 +30,14 @@ pub(crate) fn heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::HEADING)));
 }
 
+/// How wide a text is in one line, points.
+pub(crate) fn width_of(ui: &Ui, text: &str, font: egui::FontId) -> f32 {
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER);
+    galley.size().x
+}
+
 /// What the next group is about.
 pub(crate) fn section(ui: &mut Ui, text: &str) {
     ui.add_space(space::ROW);

@@ -336,7 +336,8 @@ impl Workbench {
     }
 }
 
-fn no_file_was_chosen() -> Message {
+/// Cancelled, or there is no dialog on this system.
+pub(super) fn no_file_was_chosen() -> Message {
     Message::done(
         say!("No file was chosen").to_owned(),
         vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],

@@ -4,11 +4,14 @@ use std::sync::Arc;
 
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::plot_cache::PlotCache;
-use crate::gui::cache::work::Work;
-use crate::gui::charts::{CHARTS, ChartKind, Scene, effect, find};
+use crate::gui::cache::work::{ChartResult, Work};
+use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::settings;
+use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{ChartPane, Edge, Key, Panes, Step};
+use crate::present::numbers::{notation, write_numbers};
+use crate::present::table::Table;
 
 use super::Workbench;
 
@@ -80,13 +83,16 @@ impl Workbench {
     /// it is that of the answer before; nothing until it is there.
     pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene<'_> {
         let mut scene = self.scene_at(pane);
-        let seen = |b: &&PlotCache| b.scenery.outcome.is_some() == self.identified().is_some();
-        let work = self.kind(pane).work(&scene);
-        let wanted = work.map(|work| (scene.component, work));
-        let backdrop = self.plot_cache().filter(seen);
-        let found = wanted.and_then(|wanted| backdrop?.charted_for(&wanted));
-        scene.worked_out = found.map(|found| &**found);
+        scene.worked_out = self.worked_out(pane, &scene).map(|found| &**found);
         scene
+    }
+
+    /// What was worked out for the chart in a pane.
+    fn worked_out(&self, pane: &ChartPane, scene: &Scene<'_>) -> Option<&ChartResult> {
+        let seen = |b: &&PlotCache| b.scenery.outcome.is_some() == self.identified().is_some();
+        let work = self.kind(pane).work(scene)?;
+        let backdrop = self.plot_cache().filter(seen)?;
+        backdrop.charted_for(&(scene.component, work))
     }
 
     /// What a chart is made of, in the pane where it is shown.
@@ -94,6 +100,56 @@ impl Workbench {
         let pane = self.pane_of(chart.about().id);
         let unseen = ChartPane::default();
         self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
+    }
+
+    /// The same by itself.
+    fn held_scene_of(&self, chart: &dyn ChartKind) -> HeldScene {
+        let pane = self.pane_of(chart.about().id);
+        let unseen = ChartPane::default();
+        let pane = pane.map_or(&unseen, |(_, pane)| pane);
+        let scene = self.scene_at(pane);
+        HeldScene {
+            document: scene.document.clone(),
+            view: scene.view.clone(),
+            component: scene.component,
+            joint: scene.joint,
+            axes: scene.axes,
+            units: scene.units,
+            outcome: self.outcome.clone().filter(|_| scene.answer.is_some()),
+            search: scene.search.cloned(),
+            made: scene.made.cloned(),
+            worked_out: self.worked_out(pane, &scene).cloned(),
+        }
+    }
+
+    /// Makes the table of what a chart shows, in the background: of a million samples it takes seconds.
+    pub(super) fn numbers_of(&self, chart: &str) -> Option<impl FnOnce() -> Table + Send + use<>> {
+        let kind = find(chart)?;
+        let (held, notation) = (self.held_scene_of(kind), notation());
+        Some(move || {
+            // As the window writes them.
+            write_numbers(notation);
+            kind.numbers(&held.scene())
+        })
+    }
+
+    /// Copies what a chart shows as a table, as soon as that is made.
+    pub(super) fn copy_numbers(&mut self, chart: &'static str) {
+        let Some(numbers) = self.numbers_of(chart) else {
+            return;
+        };
+        let work = move |_: &Watch| numbers().tabbed();
+        self.jobs.start(
+            JobKind::Once,
+            say!("copying the numbers of a chart"),
+            work,
+            move |bench: &mut Self, text| bench.copied = Some((chart, text)),
+        );
+    }
+
+    /// The chart and its numbers that are ready to be copied, once.
+    pub(crate) fn take_copied(&mut self) -> Option<(&'static str, String)> {
+        self.copied.take()
     }
 
     /// What all charts have worked out in the background.

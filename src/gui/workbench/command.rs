@@ -199,6 +199,8 @@ pub(crate) enum Command {
     ShowEffect(usize),
     /// Open the right-hand side, or shut it.
     Results(bool),
+    /// Copy what this chart shows as a table.
+    CopyNumbers(&'static str),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

@@ -8,6 +8,7 @@ use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Sheet, What};
 
+use super::background::no_file_was_chosen;
 use super::{Command, Workbench};
 
 impl Workbench {
@@ -23,12 +24,16 @@ impl Workbench {
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,
-            |bench, path| {
-                if let Some(path) = path {
-                    bench.execute(Command::Compensate(CompensationRequest::new(path)));
-                }
+            |bench, path| match path {
+                Some(path) => bench.execute(Command::Compensate(CompensationRequest::new(path))),
+                None => bench.view.message = Some(no_file_was_chosen()),
             },
         );
+    }
+
+    /// Corrects the targets of a file that was opened.
+    pub(super) fn compensate_file(&mut self, path: PathBuf) {
+        self.compensate(CompensationRequest::new(path));
     }
 
     /// Corrects the targets of a file by the model that is shown.

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use crate::export::find;
 use crate::gui::cache::preview::PreviewRequest;
-use crate::gui::charts;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;
@@ -107,11 +106,10 @@ impl Workbench {
 
     /// Writes what a chart shows as a table.
     fn write_numbers(&mut self, chart: &str, path: PathBuf, replace: bool) {
-        let Some(kind) = charts::find(chart) else {
+        let Some(numbers) = self.numbers_of(chart) else {
             return;
         };
-        let table = kind.numbers(&self.scene_of(kind)).csv();
-        let work = move |path: &Path, _: &Watch| files::write_list(table, path, replace);
+        let work = move |path: &Path, _: &Watch| files::write_list(numbers().csv(), path, replace);
         self.write(path, work, Self::take_written);
     }
 

@@ -85,6 +85,8 @@ pub(crate) struct Workbench {
     view: ViewState,
     outcome: Option<Arc<IdentifiedAnswer>>,
     searched: Option<Arc<Search>>,
+    /// A chart and its numbers, ready to be copied.
+    copied: Option<(&'static str, String)>,
     said: SpokenSections,
     /// What a search that was stopped had found until then, and in which session.
     stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
@@ -118,6 +120,7 @@ impl Workbench {
             view: ViewState::default(),
             outcome: None,
             searched: None,
+            copied: None,
             said: SpokenSections::default(),
             stopped: None,
             preview: None,
@@ -178,6 +181,8 @@ impl Workbench {
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
             Command::ChooseFile => self.choose_file(files::choose_to_open),
+            // A robot program has nothing to be opened: its targets are corrected.
+            Command::OpenFile(path) if files::is_program(&path) => self.compensate_file(path),
             Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
             Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
             Command::Leave => self.ask_then(NextAction::Leave),
@@ -228,6 +233,7 @@ impl Workbench {
                 self.view.sheet = None;
                 self.export_to(what, self.placed(&path), replace);
             }
+            Command::CopyNumbers(chart) => self.copy_numbers(chart),
             Command::State(stated) => self.state(*stated),
             Command::KeepRobot { table, save } => self.keep_robot(*table, save),
             Command::ForgetRobot(name) => self.forget_robot(&name),

@@ -91,7 +91,7 @@ pub(crate) fn show(
                 which(ui, workbench, commands);
             }
             if drawn && fold == Fold::Tight {
-                folded(ui, say!("drawn"), say!("How it is drawn"), |ui| {
+                folded(ui, say!("display"), say!("How it is drawn"), |ui| {
                     everything(ui, workbench, commands);
                 });
             }

@@ -161,7 +161,10 @@ fn row(what: &str) -> String {
         "regional identification" => say!("regional identification").to_owned(),
         first => match first.split_once(' ').filter(|(id, _)| find(id).is_some()) {
             // The number of the joint is not what is cut.
-            Some((id, joint)) => format!("{} {joint}", shortened(&step(id), 21)),
+            Some((id, joint)) => {
+                let effect = shortened(&step(id), 21);
+                return say!("{effect}, joint {joint}", effect = effect, joint = joint);
+            }
             None => step(first),
         },
     };

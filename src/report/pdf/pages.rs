@@ -30,6 +30,10 @@ const FEWEST_ROWS: usize = 2;
 /// Room that a page keeps for what comes before a block: its section's heading, points.
 const MOST_BEFORE: f64 = 90.0;
 
+/// What a section's heading takes with the gap before it, and that gap, points.
+const SECTION: f64 = BEFORE_SECTION + 17.0 + 7.0;
+const BEFORE_SECTION: f64 = 16.0;
+
 /// A tolerance that is not kept.
 const FAIL: Colour = Colour(0xb4, 0x23, 0x18);
 
@@ -52,9 +56,9 @@ pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>)
     flow.head(report);
     for section in &report.sections {
         // A heading does not stand alone at the foot of a page.
-        flow.room_for(38.0 + flow.opening_height(&section.blocks));
+        flow.room_for(SECTION + flow.opening_height(&section.blocks));
         if flow.y > TOP {
-            flow.y += 16.0;
+            flow.y += BEFORE_SECTION;
         }
         marks.push(Mark {
             title: section.title.clone(),
@@ -215,6 +219,12 @@ impl Flow<'_> {
             [heading @ Block::Heading(_), rest @ ..] => {
                 self.least_height(heading) + self.opening_height(rest)
             }
+            // What is said before a signature or the first heading belongs to it.
+            [says @ (Block::Text(_) | Block::Warning(_)), rest @ ..]
+                if matches!(rest, [Block::Sign(_) | Block::Heading(_), ..]) =>
+            {
+                self.block_height(says) + self.opening_height(rest)
+            }
             [first, ..] => self.least_height(first),
         };
         height.min(BOTTOM - TOP - MOST_BEFORE)
@@ -231,8 +241,20 @@ impl Flow<'_> {
                 let first = rows.iter().take(FEWEST_ROWS);
                 row_height(&head) + first.map(|row| row_height(row)).sum::<f64>()
             }
-            Block::Plot(drawing, _) => drawing.height + 24.0,
+            Block::Plot(..) => self.block_height(block),
             Block::Sign(lines) => 46.0 * lines.len().div_ceil(2) as f64 + 16.0,
+        }
+    }
+
+    /// What a text or a plot with its caption takes.
+    fn block_height(&self, block: &Block) -> f64 {
+        let lines = |text: &str, size: f64| self.fonts.wrapped(text, size, false, FULL_WIDTH).len();
+        match block {
+            Block::Text(text) | Block::Warning(text) => lines(text, TEXT) as f64 * LINE + 3.0,
+            Block::Plot(drawing, caption) => {
+                drawing.height + 16.0 + 11.0 * lines(caption, 7.8) as f64
+            }
+            other => self.least_height(other),
         }
     }
 
@@ -273,7 +295,7 @@ impl Flow<'_> {
             Block::Facts(facts) => self.facts(facts),
             Block::Table(table) => self.table(table),
             Block::Plot(drawing, caption) => {
-                self.room_for(drawing.height + 26.0);
+                self.room_for(self.block_height(block));
                 let at = [LEFT, self.y + 4.0];
                 self.page().place(drawing, at);
                 self.y += drawing.height + 8.0;
@@ -513,6 +535,45 @@ fn row_height(cells: &[Vec<String>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::explain::{Section, Topic};
+
+    /// However much is before them: a picture is below its heading, and a signature below what is signed.
+    #[test]
+    fn what_belongs_together_is_on_one_page() {
+        let plot = || Block::Plot(Drawing::new(FULL_WIDTH, 130.0), "What it shows".to_owned());
+        let says = || Block::Text("The figures above were made by the program".to_owned());
+        let sign = || Block::Sign(vec![(String::new(), "Name".to_owned()); 2]);
+        let section = |title: &str, blocks| Section::of(Topic::Answer, title, blocks);
+        let fonts = Fonts::new(&[]).expect("the bundled fonts");
+        for before in 0..60 {
+            let points = vec!["a point".to_owned(); before];
+            let report = Report {
+                title: "Report".to_owned(),
+                subject: "A machine".to_owned(),
+                answer: String::new(),
+                logo: None,
+                decision: None,
+                headline: Vec::new(),
+                sections: vec![
+                    section("Points", vec![Block::List(points)]),
+                    section("Deviations", vec![plot()]),
+                    section("Signatures", vec![says(), sign()]),
+                ],
+                foot: String::new(),
+                language: crate::text::Language::English,
+            };
+            let (_, marks) = pages(&report, &fonts);
+            let below = [130.0 + 16.0 + 11.0, LINE + 3.0 + 46.0 + 16.0];
+            for (mark, below) in marks[1..].iter().zip(below) {
+                let ends = mark.y + SECTION - BEFORE_SECTION + below;
+                assert!(
+                    ends <= BOTTOM + 0.5,
+                    "{} after {before}: {ends}",
+                    mark.title
+                );
+            }
+        }
+    }
 
     #[test]
     fn a_table_breaks_where_rows_no_longer_fit_and_leaves_no_row_alone() {

@@ -354,7 +354,7 @@ fn bar(
         if marks {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = space::TIGHT;
-                signs(ui, (place, kind, scene), commands);
+                signs(ui, (place, kind), commands);
             });
         }
     });
@@ -368,11 +368,7 @@ fn bar(
 }
 
 /// What is done with a chart: what it means, its numbers, its picture.
-fn signs(
-    ui: &mut Ui,
-    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene<'_>),
-    commands: &mut Vec<Command>,
-) {
+fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut Vec<Command>) {
     let about = kind.about();
     let before = commands.len();
     picture(ui, Plot::Chart(about.id), commands);
@@ -383,10 +379,10 @@ fn signs(
     }
     let fit = place.own(say!("Fit chart to view"));
     gestures::fit(ui, &fit, Command::FitChart(place.key), commands);
+    copies::chart_button(ui, &about, commands);
     if commands.len() > before {
         // Of two that show the same it is this one.
         commands.insert(before, Command::Activate(place.key));
     }
-    copies::chart_button(ui, about.name(), || kind.numbers(scene).tabbed());
     widgets::question(ui, about.word);
 }

@@ -41,6 +41,10 @@ pub(super) fn show(
                     commands.push(Command::ChooseWhereToExport(what));
                 }
             }
+            if item(ui, say!("Copy numbers"), None, true) {
+                commands.push(Command::Activate(key));
+                commands.push(Command::CopyNumbers(id));
+            }
             if item(ui, say!("Fit chart to view"), None, true) {
                 commands.push(Command::FitChart(key));
             }

@@ -575,6 +575,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         149 => own_robot(random, workbench),
         150 => characters(random),
         151 => look(random),
+        158 => Command::CopyNumbers(chart(random)),
         _ => {
             // A session beside which models and regions make sense again.
             let files = [Arc::clone(workbench.loaded_session())];

@@ -27,7 +27,7 @@ kinds!(
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..), StopRecording(), ChooseLogo(), CompareSessions(..), ChooseFolder(), ChooseTargets(), Compensate(..), Adapt(), Type {..},
     Search(), FindLetters(..), FindNamesOfLanguages(), DismissLetters(), Simulate(..), Cancel(), StopSearch(), OpenOutside {..}, StopLooking(), GoTo(..), Look(..), Magnify(..), PlotSize(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
-    Results(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Resize(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
+    Results(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), CopyNumbers(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Resize(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
 );
 
 kinds!(

@@ -1,6 +1,6 @@
 //! The robot in a scene: its surface where meshes are known, or else links as rods and joints as drums
-//! about their axes, what is near over what is far. Rods and drums are as thick at any zoom: they are
-//! signs, not the machine. The real robot is a line with a filled tool: form says what colour says.
+//! about their axes, lit, what is near over what is far. Rods and drums are as thick at any zoom: they are
+//! signs, not the machine; a robot that is drawn large has them thicker, as far as a hand's breadth. The real robot is a line with a filled tool: form says what colour says.
 
 use std::f64::consts::TAU;
 
@@ -25,8 +25,15 @@ const END_ON: f32 = 0.35;
 const PLATE: f64 = 17.0;
 /// Width of the real robot's line, points.
 const LINE: f32 = 2.5;
-/// Opacity of a robot whose pose was not asked for.
-const FAINT: f32 = 0.6;
+/// How thick rods and drums become at most, and the part of the robot's length at which they begin to.
+const THICKER: f64 = 2.2;
+const SLENDER: f64 = 0.04;
+/// A rod from its wall to its crest: how wide, as a part of the rod, and how much turned to the light.
+const ROUND: [(f32, f32); 4] = [(1.0, 0.35), (0.72, 0.55), (0.46, 0.72), (0.2, 0.86)];
+/// How much the ends of drums and their bodies are turned to the light.
+const DRUM_LIT: [f32; 2] = [0.95, 0.4];
+/// How much of the robot is seen that was not asked for.
+const FAINT: f32 = 0.8;
 /// The light: from above and from the left, over the shoulder.
 const LIGHT: [f64; 3] = [-0.35, 0.55, 0.76];
 
@@ -39,9 +46,12 @@ pub(crate) fn body(
     camera: &Camera,
     surface: Option<Vec<(Triangle, Tint)>>,
 ) {
+    let points_per_mm = camera.points_per_mm();
     let pen = Pen {
         camera,
-        mm: 1.0 / camera.points_per_mm(),
+        mm: 1.0 / points_per_mm,
+        thick: thick(drawn, points_per_mm),
+        part: if drawn.asked_for { 1.0 } else { FAINT },
     };
     if let Some(stands) = drawn.corners_mm.first() {
         let sides = [Vector3::x(), Vector3::y()].map(|side| base.rotation * side * PLATE);
@@ -58,7 +68,20 @@ pub(crate) fn body(
     real(scene, drawn);
 }
 
-/// In full where the pose was asked for, or else paler.
+/// How many times as thick as their least rods and drums are.
+fn thick(drawn: &Drawn, points_per_mm: f64) -> f64 {
+    let corners = drawn.corners_mm.windows(2);
+    let length_mm: f64 = corners.map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let times = SLENDER * length_mm * points_per_mm / f64::from(ROD[0]);
+    // A robot without a size has them as they are.
+    if times.is_finite() {
+        times.clamp(1.0, THICKER)
+    } else {
+        1.0
+    }
+}
+
+/// As it is seen where somebody asked for it, or else paler.
 fn seen(drawn: &Drawn, token: ColourToken) -> Tint {
     token.pale(if drawn.asked_for { 1.0 } else { FAINT })
 }
@@ -108,7 +131,7 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
     for pair in drawn.corners_mm.windows(2) {
         if (pair[1] - pair[0]).norm() > 1e-6 {
             let middle = nalgebra::center(&pair[0], &pair[1]);
-            pieces.push((nearness(middle), rod(&pair[0], &pair[1], edge)));
+            pieces.push((nearness(middle), pen.rod(&pair[0], &pair[1], edge)));
         }
     }
     for sign in &drawn.signs {
@@ -117,7 +140,7 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
         let above = if along.length() < END_ON {
             f64::INFINITY
         } else {
-            nearness(sign.at_mm) + DRUM[0] * pen.mm
+            nearness(sign.at_mm) + pen.thick * DRUM[0] * pen.mm
         };
         pieces.push((above, pen.joint(sign, Stroke::new(1.5, ink))));
     }
@@ -126,24 +149,15 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
     scene.items.extend(pieces);
 }
 
-/// A link from one corner to the next.
-fn rod(from: &Point3<f64>, to: &Point3<f64>, wall: Tint) -> Vec<Item> {
-    let ends = [from, to].map(place);
-    let inner = ROD[0] - 2.0 * ROD[1];
-    let mut items = Vec::new();
-    for (width, ink) in [(ROD[0], wall), (inner, ColourToken::Surface.into())] {
-        items.push(Item::Line(ends.to_vec(), Stroke::new(width, ink)));
-        let round = |end| Item::Mark(Mark::filled(end, Form::Disc, 0.5 * width, ink));
-        items.extend(ends.map(round));
-    }
-    items
-}
-
 /// What signs are drawn with.
 struct Pen<'a> {
     camera: &'a Camera,
     /// A point of the picture, mm.
     mm: f64,
+    /// How many times as thick as their least rods and drums are.
+    thick: f64,
+    /// How much of the robot is seen.
+    part: f32,
 }
 
 impl Pen<'_> {
@@ -158,10 +172,27 @@ impl Pen<'_> {
         (0..corners).map(corner).collect()
     }
 
+    /// A link from one corner to the next: round, lit from the front.
+    fn rod(&self, from: &Point3<f64>, to: &Point3<f64>, wall: Tint) -> Vec<Item> {
+        let ends = [from, to].map(place);
+        let width = ROD[0] * crate::numeric::single(self.thick);
+        let inner = width - 2.0 * ROD[1];
+        let lit =
+            ROUND.map(|(part, turned)| (part * inner, ColourToken::Lit(turned).pale(self.part)));
+        let mut items = Vec::new();
+        for (width, ink) in std::iter::once((width, wall)).chain(lit) {
+            items.push(Item::Line(ends.to_vec(), Stroke::new(width, ink)));
+            let round = |end| Item::Mark(Mark::filled(end, Form::Disc, 0.5 * width, ink));
+            items.extend(ends.map(round));
+        }
+        items
+    }
+
     /// A drum about an axis, or a block along it.
     fn joint(&self, sign: &JointSymbol, edge: Stroke) -> Vec<Item> {
         let axis = Vector3::from(sign.axis);
         let [radius, half] = if sign.turns { DRUM } else { [BLOCK; 2] };
+        let [radius, half] = [radius, half].map(|points| self.thick * points);
         let aside = if axis.x.abs() < 0.9 {
             Vector3::x()
         } else {
@@ -178,10 +209,13 @@ impl Pen<'_> {
         let off = way * (half * self.mm);
         let near = sign.at_mm + off;
         let ends = [sign.at_mm - off, near].map(|end| self.face(end, sides, sign.turns));
-        let area = |corners, fill: ColourToken| Item::Area(corners, Some(fill.into()), Some(edge));
+        let area = |corners, turned: f32| {
+            let fill = ColourToken::Lit(turned).pale(self.part);
+            Item::Area(corners, Some(fill), Some(edge))
+        };
         vec![
-            area(ends.concat(), ColourToken::Inset),
-            area(ends[1].clone(), ColourToken::Surface),
+            area(ends.concat(), DRUM_LIT[1]),
+            area(ends[1].clone(), DRUM_LIT[0]),
             Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.ink)),
         ]
     }
