@@ -25,6 +25,7 @@
 use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, called};
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
+use crate::kinematics::JointKind;
 use crate::lanes::{add_scaled, minus};
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
@@ -138,9 +139,9 @@ pub enum VerifyError {
     /// Another number or kind of joints.
     DifferentRobots {
         /// Joints of the session's robot.
-        session: String,
+        session: Text,
         /// Joints of the model's robot.
-        model: String,
+        model: Text,
     },
     /// No sample is complete.
     NothingToVerify,
@@ -339,10 +340,14 @@ pub(super) fn same_robot(
     session: &Session,
 ) -> Result<Vec<Text>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
-        let kinds = robot.joints.iter().map(|j| j.kind.name());
-        kinds.collect::<Vec<_>>().join(", ")
+        let said = |kind: JointKind| match kind {
+            JointKind::Revolute => Text::named(kind.name(), phrase!("revolute")),
+            JointKind::Prismatic => Text::named(kind.name(), phrase!("prismatic")),
+        };
+        Text::listed(robot.joints.iter().map(|j| said(j.kind)), ", ")
     };
-    let (a, b) = (kinds(&session.robot), kinds(&calibration.model.robot));
+    let (a, b) = (&session.robot, &calibration.model.robot);
+    let (a, b) = (kinds(a), kinds(b));
     if a != b {
         return Err(VerifyError::DifferentRobots {
             session: a,
