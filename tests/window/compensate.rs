@@ -72,15 +72,6 @@ fn a_program_that_is_opened_is_corrected() {
     assert!(says(&window, "RAPID"));
 }
 
-/// Six joints that lack the same are told so once.
-#[test]
-fn what_every_joint_lacks_for_a_standard_is_said_once() {
-    let window = at_export();
-    assert!(says(&window, "… Joint 6 (A6), ISO 230-2"));
-    let lacks = window.query_all_by_label_contains("no two positions of the joint were measured");
-    assert_eq!(lacks.count(), 1);
-}
-
 /// Never over the program that it was made of, not even where replacing is allowed.
 #[test]
 fn the_program_itself_is_not_replaced() {
