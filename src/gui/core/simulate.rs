@@ -162,10 +162,12 @@ impl Form {
     pub(crate) fn offered(&self) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
         let several = self.joints() > 1;
         let robot = self.robot.is_some();
-        let turning = CATALOGUE
-            .iter()
-            .filter(|effect| (effect.exists_on)(0, JointKind::Revolute));
-        let all = turning.map(|effect| effect.about());
+        let kinds: Vec<JointKind> = (1..=self.joints()).map(|j| self.joint_kind(j)).collect();
+        let exists = CATALOGUE.iter().filter(move |effect| {
+            let mut joints = kinds.iter().enumerate();
+            joints.any(|(joint, kind)| (effect.exists_on)(joint, *kind))
+        });
+        let all = exists.map(|effect| effect.about());
         all.filter(move |about| match about.role {
             Role::Candidate => true,
             Role::JointZero => robot,
