@@ -32,7 +32,7 @@ const ABOUT: About = About {
     setting: Setting::Setup,
     equation: "p = R(ω) p + t",
     source: "a rigid motion of the instrument",
-    cause: phrase!("the instrument stands where it was put"),
+    cause: phrase!("the instrument's position differs from setup to setup"),
     usual_size: phrase!("any"),
     confused_with: phrase!("the base frame: only reference points on the base tell"),
     check: phrase!("measure reference points on the base in every setup"),

@@ -48,7 +48,9 @@ pub static TOOL_POSITION: Effect = Effect {
 
 fn remedy(_: &Robot, term: &Term) -> Text {
     if term.setting > 0.0 {
-        return text!("is the target's, not the robot's: measure the targets on the tool");
+        return text!(
+            "comes from the reflector's position, not from the robot: measure the targets on the tool"
+        );
     }
     let by = &term.coefficients;
     text!(

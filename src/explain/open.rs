@@ -44,7 +44,7 @@ pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
     });
     let rivals: Vec<String> = rivals.collect();
     (!rivals.is_empty()).then(|| {
-        let title = say!("Names that the samples cannot tell apart");
+        let title = say!("Effects that the samples cannot tell apart");
         Section::of(
             Topic::Rivals,
             title,
@@ -106,10 +106,10 @@ pub(super) fn unnamed(d: &Diagnosis, detail: Detail) -> Option<Section> {
         fact(say!("Follows"), over.join(", ")),
     ];
     let says = say!(
-        "No name is proven for it; it predicts unseen poses all the same, so it is in the model. Outside the measured range it fades to nothing"
+        "It is attributed to no effect, but predicts unseen poses, so it is in the model. Outside the measured range it fades to nothing"
     );
     let blocks = vec![Block::Facts(facts), Block::Text(says.to_owned())];
-    let title = say!("Predicts without a name");
+    let title = say!("Predictive, not attributed to an effect");
     Some(Section::of(Topic::Unnamed, title, blocks))
 }
 

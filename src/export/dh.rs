@@ -70,7 +70,7 @@ impl Exporter for Dh {
             let far = length(far_mm, 4);
             cannot_say.push(if parallels.is_empty() {
                 text!(
-                    "no rows were found that say all of this robot: {far} remain at most over the measured range",
+                    "no DH rows describe this robot completely: {far} remain at most over the measured range",
                     far = far
                 )
             } else {

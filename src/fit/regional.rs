@@ -207,7 +207,7 @@ fn beside_uniform(
 ) -> Result<Text, IdentifyError> {
     let uniform = identify_regional(session, &RegionChoice::Uniform(number), values)?;
     Ok(text!(
-        "{number} adaptive regions leave {adaptive}, {number} uniform ones {uniform}; an effect that explains the whole range is the better answer: try the exact method first",
+        "{number} adaptive regions leave {adaptive}, {number} uniform ones {uniform}; an effect that explains the whole range is the better answer: try the full model first",
         number = number,
         adaptive = length(adaptive_mm, 4),
         uniform = length(uniform.gap.after.rms_mm, 4)
@@ -221,7 +221,7 @@ fn notes(session: &Session, regions: &[Region], sums: &[RegionSums], outside: us
             "z is not used: the method works in the plane in which the axis moves the tool"
         ));
     }
-    notes.push(text!("corrections are constant in the base frame within a region: one constant error of the joint looks different in every region, and a part of it stays; the exact method has neither limit"));
+    notes.push(text!("corrections are constant in the base frame within a region: one constant error of the joint looks different in every region, and a part of it stays; the full model has neither limit"));
     let empty: Vec<&str> = regions
         .iter()
         .zip(sums)

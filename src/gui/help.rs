@@ -69,7 +69,7 @@ words! {
     EFFECT_CURVE, phrase!("Effect's own curve"), phrase!("What is left when the model knows everything but this one effect, and what the effect does according to its fitted size. Where the curve runs through the points the name is right");
     SETUP, phrase!("Setup"), phrase!("One position of the instrument. Each has a measuring frame of its own, which is fitted");
     TOOL, phrase!("Tool pose"), phrase!("Position and orientation of the tool frame in the base frame when every joint is at zero");
-    ROBOT, phrase!("Robot"), phrase!("The description that the session was measured on: axes, reflectors and links as the drawing has them. Everything is measured against it");
+    ROBOT, phrase!("Robot"), phrase!("The description that the session was measured on: axes, reflectors and links of the nominal model. Everything is measured against it");
     SAMPLES, phrase!("Samples"), phrase!("Poses that were measured. More of them, and poses that differ more, make every number surer");
     REFLECTORS, phrase!("Reflectors"), phrase!("Points on the tool that the instrument sees. A second one at another radius tells causes apart that one alone cannot");
     INSTRUMENT, phrase!("Instrument"), phrase!("What the positions were measured with. Its noise is the smallest RMS error that any model can reach");

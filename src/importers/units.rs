@@ -161,7 +161,7 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
         Some(reach) if reach > 0.0 => (
             1.4 * reach,
             text!(
-                "beside a robot that reaches {reach} mm",
+                "compared with a robot of {reach} mm reach",
                 reach = format!("{reach:.0}")
             ),
         ),

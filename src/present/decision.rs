@@ -18,7 +18,7 @@ pub fn rests_on(measured: &MeasuredDeviation, rule: Rule, tolerance_mm: f64) -> 
     let of = if measured.predicted {
         say!("predicted with corrected commands")
     } else {
-        say!("as measured with the table active")
+        say!("as measured with the correction table active")
     };
     let rule = match rule {
         Rule::Iso14253 => "ISO 14253-1",

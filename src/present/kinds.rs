@@ -59,7 +59,7 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
         Column::words(say!("Unit")),
         Column::numbers(say!("Nominal")),
         Column::numbers(say!("Model")),
-        Column::numbers(say!("Unseen")),
+        Column::numbers(say!("Cross-validated")),
         Column::numbers(say!("Largest")),
         Column::numbers(say!("σ stated")),
         Column::numbers(say!("σ found")),

@@ -113,7 +113,7 @@ fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
     };
     Group {
         says: text!(
-            "{conditions}; {positions} positions, each approached {up} from below and {down} from above",
+            "{conditions}; {positions} positions, each approached {up} in positive and {down} in negative direction",
             conditions = series.fixed.in_words(axis),
             positions = series.before.positions.len(),
             up = at_least(up),

@@ -159,7 +159,7 @@ fn motion(
         match by {
             Some(&"INC") => {
                 let says = text!(
-                    "P[{number}] is a way from where the robot is (INC)",
+                    "P[{number}] is relative to the robot's position (INC)",
                     number = number
                 );
                 program.targets[*index].left =

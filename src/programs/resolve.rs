@@ -158,11 +158,11 @@ impl<'a> Resolver<'a> {
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
             let says =
-                text!("endlessly many joint values reach it, and no target before it says which");
+                text!("infinitely many joint values reach it, and no target before it says which");
             return Err(SkippedTarget::new(Reason::Ambiguous, says));
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
-            let says = text!("no joint values near those of the target before reach it");
+            let says = text!("no solution near the previous target reaches it");
             return Err(SkippedTarget::new(Reason::Unreachable, says));
         };
         self.check_limits(&q)?;

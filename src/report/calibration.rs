@@ -85,7 +85,7 @@ fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
     facts.push(tolerance(tolerance_mm));
     if let Some(by) = &c.compensated_by {
         facts.push(fact(
-            say!("Measured with a table active"),
+            say!("Measured with a correction table active"),
             say!("of model {model}", model = clean(by)),
         ));
     }
@@ -141,7 +141,7 @@ pub(super) fn values(c: &Calibration) -> Section {
     if !all.is_empty() {
         blocks.push(Block::Text(
             say!(
-                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. Intervals are from the model's covariance, for many samples"
+                "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Intervals are from the model's covariance, for many samples"
             )
             .to_owned(),
         ));

@@ -282,7 +282,7 @@ impl ReportContext<'_> {
         facts.push(tolerance(s.tolerance_mm));
         if let Some(by) = &s.compensated_by {
             facts.push(fact(
-                say!("Measured with a table active"),
+                say!("Measured with a correction table active"),
                 say!("of model {model}", model = clean(by)),
             ));
         }
@@ -480,7 +480,7 @@ impl ReportContext<'_> {
         vec![
             Block::Text(
                 say!(
-                    "By kind of measurement, root mean square; an angle counts in the gap as the length across which it is seen"
+                    "By kind of measurement, root mean square; an angle counts in the RMS error as the length across which it is seen"
                 )
                 .to_owned(),
             ),
@@ -498,7 +498,7 @@ impl ReportContext<'_> {
         let all: Vec<Estimate> = all.cloned().collect();
         let mut blocks = vec![Block::Text(
             say!(
-                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. What was commanded has to be corrected by the opposite"
+                "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Commands are corrected by the opposite"
             )
             .to_owned(),
         )];

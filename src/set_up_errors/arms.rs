@@ -185,12 +185,12 @@ fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> Data
     let as_it_stands = if before.is_finite() {
         length(before, 3)
     } else {
-        text!("far beyond what adjusting could mend")
+        text!("far beyond what a fit could explain")
     };
     DataProblem {
         what,
         evidence: text!(
-            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} without the mistake",
+            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
             before = as_it_stands,
             after = length(after, 3)
         ),

@@ -163,7 +163,7 @@ fn gross_error(session: &Session, joint_values: JointValues) -> Option<(Session,
     hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
         evidence: text!(
-            "with zero offset and link length fitted the RMS error is {before} as it stands and {after} without the mistake",
+            "with zero offset and link length fitted the RMS error is {before} as it stands and {after} with the set-up error corrected",
             before = length(gap, 3),
             after = length(after, 3)
         ),

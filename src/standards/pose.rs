@@ -133,7 +133,7 @@ impl PoseTest {
         }
         if test.poses.is_empty() && !test.paths.is_empty() {
             test.missing
-                .push(text!("no pose beside the paths was reached twice"));
+                .push(text!("no pose apart from the paths was reached twice"));
         } else if test.poses.is_empty() {
             test.missing.push(text!(
                 "no pose was reached twice from the same direction, after another pose"

@@ -140,8 +140,8 @@ impl Positioning {
         let [a_up, a_down] = self.accuracy;
         [
             ("A", phrase!("accuracy"), self.accuracy_of_both),
-            ("A↑", phrase!("accuracy from below"), a_up),
-            ("A↓", phrase!("accuracy from above"), a_down),
+            ("A↑", phrase!("accuracy, positive approach"), a_up),
+            ("A↓", phrase!("accuracy, negative approach"), a_down),
             (
                 "E",
                 phrase!("systematic deviation"),
@@ -151,12 +151,12 @@ impl Positioning {
             ("E↓", phrase!("systematic deviation, above"), e_down),
             (
                 "M",
-                phrase!("mean bidirectional deviation"),
+                phrase!("range of the mean bidirectional deviation"),
                 self.mean_range,
             ),
             ("R", phrase!("repeatability"), self.repeatability_of_both),
-            ("R↑", phrase!("repeatability from below"), r_up),
-            ("R↓", phrase!("repeatability from above"), r_down),
+            ("R↑", phrase!("repeatability, positive approach"), r_up),
+            ("R↓", phrase!("repeatability, negative approach"), r_down),
             ("B", phrase!("reversal value"), self.reversal),
             ("B mean", phrase!("mean reversal value"), self.mean_reversal),
         ]

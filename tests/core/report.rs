@@ -385,7 +385,7 @@ fn ambiguous_unexplained_and_noisy_sessions_say_so() {
         ("nothing-outliers", "Excluded outliers: "),
         (
             "alias-one-speed",
-            "Names that the samples cannot tell apart",
+            "Effects that the samples cannot tell apart",
         ),
         ("alias-one-speed", "Poses that would decide"),
         ("unknown-local-bump", "Left without a name"),

@@ -67,7 +67,10 @@ fn the_decision_follows_its_rule_and_states_what_it_rests_on() {
     session.compensated_by = Some("0".repeat(64));
     let says = of(&session, 2.1, "iso-14253-1");
     assert!(says.starts_with("Fail: largest deviation 3.28"), "{says}");
-    assert!(says.contains("as measured with the table active"), "{says}");
+    assert!(
+        says.contains("as measured with the correction table active"),
+        "{says}"
+    );
     // Without a rule nothing is decided, and without a tolerance nothing can be.
     assert!(
         report(&session, &found, Details::default())

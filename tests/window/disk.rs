@@ -330,7 +330,7 @@ fn what_is_kept_for_tomorrow_says_where_it_cannot_be_kept_and_the_work_goes_on()
     ));
     press(&mut window, "Dismiss");
     keys(&mut window, Modifiers::COMMAND, Key::U);
-    assert!(says(&window, "Not everything could be kept for tomorrow"));
+    assert!(says(&window, "Not everything could be saved for recovery"));
     assert!(says(&window, "save it under a name of your own"));
     press(&mut window, "Dismiss");
     press(&mut window, "2 Regions");
@@ -360,7 +360,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     let kept_before = fs::read(&kept).expect("it can be read");
     small.fill();
     keys(&mut window, Modifiers::COMMAND, Key::U);
-    assert!(says(&window, "Not everything could be kept for tomorrow"));
+    assert!(says(&window, "Not everything could be saved for recovery"));
     press(&mut window, "Dismiss");
     press(&mut window, "3 Identify");
     press(&mut window, "Full model");
@@ -368,7 +368,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     press(&mut window, "Change region 1");
     window.get_by_label_contains("Split in half").click();
     seconds(&mut window, 4);
-    assert!(says(&window, "Not everything could be kept for tomorrow"));
+    assert!(says(&window, "Not everything could be saved for recovery"));
     assert_eq!(fs::read(&settings).expect("there"), before, "preferences");
     assert_eq!(fs::read(&kept).expect("there"), kept_before, "recovery");
     assert!(says(&window, "208 samples"), "and the work goes on");

@@ -143,7 +143,7 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
         "what was read is here still"
     );
 
-    press(&mut window, "Keep this");
+    press(&mut window, "Keep this version");
     divide(&mut window);
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(says(&window, "Replace what another program wrote?"));
@@ -192,7 +192,7 @@ fn samples_that_vanished_are_said_even_after_they_were_changed_and_can_be_saved_
     seconds(&mut window, 2);
     assert!(says(&window, "paper-30.csv is not there any more"));
     // Reading again what is not there says so, not where a document names it.
-    press(&mut window, "Keep this");
+    press(&mut window, "Keep this version");
     keys(&mut window, Modifiers::COMMAND, Key::R);
     seconds(&mut window, 1);
     assert!(says(&window, "paper-30.csv is not there any more"));

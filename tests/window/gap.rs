@@ -158,7 +158,7 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
     // At one speed a lag looks like a backlash.
-    window.get_by_label("Names that the samples cannot tell apart");
+    window.get_by_label("Effects that the samples cannot tell apart");
     assert!(
         says(&window, "Tracking lag instead of backlash")
             || says(&window, "Backlash instead of tracking lag")

@@ -94,9 +94,9 @@ pub(crate) fn held_out(
         .count();
     if count > 0 {
         let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
-            text!("cells of the workspace that were locked away from everything")
+            text!("cells of the workspace that were held out of every step")
         } else if prepared.locked.contains(&true) {
-            text!("sectors of joint 1 that were locked away from everything")
+            text!("sectors of joint 1 that were held out of every step")
         } else {
             text!("the samples that the session marks as held out; no fit touched them")
         };

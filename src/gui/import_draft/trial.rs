@@ -128,31 +128,23 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
     lines
 }
 
-/// What an option of the command line is called on the sheet.
-const OPTIONS: [(&str, Template); 19] = [
+/// What an option of the command line, with a value that is the same in every language, is called on the sheet.
+const OPTIONS: [(&str, Template); 17] = [
     ("--clock-offset", phrase!("“Clocks apart by”")),
-    (
-        "--match order or name",
-        phrase!("“Matched” by order or by name"),
-    ),
-    (
-        "--match name or time",
-        phrase!("“Matched” by name or by time"),
-    ),
     ("--match order", phrase!("“Matched” by order")),
+    ("--match name", phrase!("“Matched” by name")),
     ("--match", phrase!("“Matched”")),
     ("--motion all", phrase!("“Samples are” all")),
     ("--motion", phrase!("“Samples are”")),
-    ("--commands with", phrase!("a file of commands with")),
     ("--commands", phrase!("a file of commands")),
-    ("--targets with", phrase!("a file of reflectors with")),
+    ("--targets", phrase!("a file of reflectors")),
     ("--reference", phrase!("a file of known points")),
     ("--angle-unit", phrase!("“Angles in”")),
     ("--separator", phrase!("“Separated by”")),
     ("--decimal", phrase!("“Decimal sign”")),
     ("--columns", phrase!("the columns above as")),
     ("--z-up", phrase!("“y points up”")),
-    ("--scale", phrase!("“fit a scale”")),
+    ("--scale", phrase!("“fit a scale too”")),
     ("--joint", phrase!("“Joint measured”")),
     ("--unit", phrase!("“Lengths in”")),
 ];

@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button(say!("Keep this")).clicked() {
+                if ui.button(say!("Keep this version")).clicked() {
                     commands.push(Command::KeepMine);
                 }
                 match on_disk.fate {

@@ -79,7 +79,7 @@ fn legend(group: &Group) -> String {
         .map(|row| format!("{} {}", row.symbol, spoken(row.name)))
         .collect();
     if group.rows.iter().any(|row| sides(row.symbol)) {
-        names.push(say!("↑ from below, ↓ from above").to_owned());
+        names.push(say!("↑ positive approach, ↓ negative approach").to_owned());
     }
     names.join(" · ")
 }

@@ -78,8 +78,10 @@ impl Workbench {
                 let lines = rejected.diagnostics.iter().take(5).map(finding);
                 let mut details: Vec<String> = lines.collect();
                 details.push(
-                    say!("What was read before is here still; mend the file, then follow it again")
-                        .to_owned(),
+                    say!(
+                        "What was read before is still here; correct the file, then follow it again"
+                    )
+                    .to_owned(),
                 );
                 self.complain(say!("The file cannot be followed any further"), details);
             }

@@ -326,7 +326,7 @@ impl Workbench {
     pub(super) fn take_kept(&mut self, kept: Result<(), String>) {
         if let Err(because) = kept {
             self.complain(
-                say!("Not everything could be kept for tomorrow"),
+                say!("Not everything could be saved for recovery"),
                 vec![
                     because,
                     say!("The session is as it was; save it under a name of your own").to_owned(),

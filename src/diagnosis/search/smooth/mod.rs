@@ -378,7 +378,7 @@ fn describe(
         );
     }
     let says = text!(
-        "{curve}: {sizes}; held-out gap {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
+        "{curve}: {sizes}; cross-validated RMS error {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
         curve = curve,
         sizes = Text::listed(parts, ", "),
         change = lengths([held_out[0], held_out[1]], 4)

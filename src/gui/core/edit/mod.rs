@@ -96,7 +96,7 @@ impl Edit {
             Self::Setup(_) => phrase!("edit robot and instrument"),
             Self::Exclude(_, true) => phrase!("exclude samples"),
             Self::Exclude(_, false) => phrase!("include samples"),
-            Self::Mend(_) => phrase!("mend data"),
+            Self::Mend(_) => phrase!("correct data"),
             Self::Recover(..) => phrase!("restore"),
             Self::Identify | Self::IdentifyBy(_) => phrase!("identify"),
         }

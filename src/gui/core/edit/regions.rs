@@ -69,7 +69,9 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
         ),
         Edit::Join(region) => by_hand(
             boundary_entry::joined(all, *region),
-            say!("no region begins where this one ends; type its end at the next one first"),
+            say!(
+                "no region begins where this one ends; enter the end of this region as the start of the next one first"
+            ),
         ),
         Edit::Delete(region) => by_hand(
             boundary_entry::without(all, *region),

@@ -69,7 +69,7 @@ pub(super) fn mend_all(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) 
     let problems = d.data_problems.iter();
     let mends: Vec<_> = problems.filter_map(|p| p.mend.clone()).collect();
     if mends.len() > 1 {
-        let text = say!("Mend all {mends}", mends = mends.len());
+        let text = say!("Correct all {mends}", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Mend(in_order(mends))));
         }
