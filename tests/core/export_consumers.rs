@@ -357,7 +357,15 @@ fn linuxcnc_adds_what_the_controller_on_paper_adds() {
     }
 }
 
-/// Decimal points stay points where the locale writes commas.
+/// The lines that a controller or a compiler reads.
+fn without_comments(bytes: &[u8]) -> Vec<String> {
+    let text = String::from_utf8_lossy(bytes);
+    let is_comment = |line: &str| ["//", "/*", "*"].iter().any(|sign| line.starts_with(sign));
+    let lines = text.lines().filter(|line| !is_comment(line.trim_start()));
+    lines.map(str::to_owned).collect()
+}
+
+/// Decimal points stay points where the locale writes commas; comments alone follow the language.
 #[test]
 fn the_locale_does_not_reach_the_files() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -383,7 +391,8 @@ fn the_locale_does_not_reach_the_files() {
             );
             done.stdout
         });
-        assert_eq!(outputs[0], outputs[1], "{}", format.id);
+        let [english, german] = outputs.each_ref().map(|bytes| without_comments(bytes));
+        assert_eq!(english, german, "{}", format.id);
         assert!(!outputs[0].is_empty() && !outputs[0].contains(&b'\r'));
     }
 }

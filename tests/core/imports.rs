@@ -307,7 +307,7 @@ fn a_unit_is_asked_for_with_what_the_numbers_suggest() {
     let message = refusal(text, &Settings::new(reading("csv"), &robot));
     for part in [
         "spread over 0.5",
-        "metres would suit, beside a robot that reaches 391 mm",
+        "metres would suit, compared with a robot of 391 mm reach",
         "--unit mm or m or in",
     ] {
         assert!(message.contains(part), "{message}");

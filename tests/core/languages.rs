@@ -252,7 +252,8 @@ fn documents_and_files_are_the_same_in_every_language() {
 
 #[test]
 fn comments_in_a_controller_s_file_follow_the_language_and_its_numbers_do_not() {
-    let bench = Bench::with_models();
+    let bench = Bench::new();
+    bench.done(&["identify", "paper-30.json", "--out", "column.json"]);
     for (format, file) in [("c-header", "e.h"), ("twincat-nc", "e.txt")] {
         let of = |language: &str| {
             let command = format!("export column.json --to {format} --out {file} --force");

@@ -18,18 +18,11 @@ pub(crate) fn stride(count: usize, most: usize) -> usize {
 
 /// What a plot says when it does not show everything; `what` is the name of one.
 pub(crate) fn thinned(stride: usize, what: Template) -> Option<String> {
-    let ordinal = match (stride % 10, stride % 100) {
-        (1, n) if n != 11 => "st",
-        (2, n) if n != 12 => "nd",
-        (3, n) if n != 13 => "rd",
-        _ => "th",
-    };
     (stride > 1).then(|| {
         say!(
-            "every {stride}{ordinal} {what} shown",
-            stride = stride,
-            ordinal = ordinal,
-            what = spoken(what)
+            "one {what} in {stride} shown",
+            what = spoken(what),
+            stride = stride
         )
     })
 }
@@ -67,9 +60,7 @@ mod tests {
     fn a_thinned_plot_says_so() {
         assert_eq!(thinned(1, phrase!("point")), None);
         let says = |n| thinned(n, phrase!("point")).expect("thinned");
-        assert_eq!(says(100), "every 100th point shown");
-        assert_eq!(says(22), "every 22nd point shown");
-        assert_eq!(says(13), "every 13th point shown");
+        assert_eq!(says(100), "one point in 100 shown");
     }
 
     #[test]

@@ -17,8 +17,12 @@ use super::ends;
 
 /// Widest, points.
 const WIDE: f32 = 860.0;
-/// The share of the window's height that the lines have at most.
+/// The share of the window's height that the targets, and the lines, have at most.
 const HIGH: f32 = 0.3;
+/// Height of everything else in the sheet, points: in a low window its buttons are in sight all the same.
+const OTHER: f32 = 370.0;
+/// Least height of the targets, and of the lines, points.
+const LEAST: f32 = 90.0;
 const ROW: f32 = 20.0;
 /// Width of the line's number, points.
 const NUMBER: f32 = 44.0;
@@ -133,7 +137,8 @@ fn describe(ui: &mut Ui, sections: &[Section]) {
 }
 
 fn high(ui: &Ui) -> f32 {
-    HIGH * ui.ctx().content_rect().height()
+    let window = ui.ctx().content_rect().height();
+    (0.5 * (window - OTHER)).min(HIGH * window).max(LEAST)
 }
 
 /// What changes, side by side.

@@ -12,10 +12,8 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::region_sums::RegionContents;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
-use crate::language;
 use crate::present::numbers::grouped;
 use crate::present::units::Units;
-use crate::text::angle;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::free_space;
@@ -52,7 +50,7 @@ pub(crate) fn show(
         response.widget_info(|| {
             let label = say!(
                 "boundary at {at}",
-                at = language::spoken(angle(boundary.at_rad, 2))
+                at = workbench.units().angle(boundary.at_rad)
             );
             let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
             info.role = Role::Slider;
