@@ -45,9 +45,9 @@ impl Torque {
     }
 
     /// The torque as a wave of the joint's angle: what of the moment is along the axis has no part in it.
-    pub(super) fn wave(&self) -> Wave {
+    pub(super) fn wave(&self) -> TorqueWave {
         let of = |moment| dot(self.axis, cross(moment, self.gravity));
-        Wave {
+        TorqueWave {
             sine: of(cross(self.axis, self.moment)),
             cosine: of(self.moment),
         }
@@ -84,12 +84,12 @@ impl Torque {
 
 /// A torque over the angle of its joint, N·m.
 #[derive(Clone, Copy)]
-pub(super) struct Wave {
+pub(super) struct TorqueWave {
     pub(super) sine: f64,
     pub(super) cosine: f64,
 }
 
-impl Wave {
+impl TorqueWave {
     /// Torque and its slope in N·m/rad.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "a part of wide loops")]

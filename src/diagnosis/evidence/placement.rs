@@ -1,5 +1,7 @@
 //! How a shape is made ready to be fitted beside a model.
 
+use std::sync::Arc;
+
 use crate::linear::Basis;
 use crate::model::shapes::{Profile, Shape};
 use nalgebra::{DMatrix, DVector};
@@ -21,8 +23,8 @@ impl Regression<'_> {
             coefficients: DVector::zeros(raw.ncols()),
             credit: 0.0,
             shape,
-            white,
-            raw,
+            white: Arc::new(white),
+            raw: Arc::new(raw),
         }
     }
 

@@ -192,7 +192,7 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
 
 /// By how much a shape would lower the sum of squares of a fit.
 fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
-    let mut own = placed.white.clone();
+    let mut own = DMatrix::clone(&placed.white);
     reject_all(&fit.basis.q, &mut own);
     along(&Basis::new(&own).q, &fit.residual).norm_squared()
 }

@@ -106,7 +106,7 @@ impl Whole {
         let (raw_residual, mut raw) = regression.raw(&fit.model);
         let (residual, mut white) = regression.whitened(&fit.model, &raw_residual, raw.clone());
         for shape in &fit.shapes {
-            for (all, own) in [(&mut raw, &shape.raw), (&mut white, &shape.white)] {
+            for (all, own) in [(&mut raw, &*shape.raw), (&mut white, &*shape.white)] {
                 let at = all.ncols();
                 let wider = std::mem::take(all).resize_horizontally(at + own.ncols(), 0.0);
                 *all = wider;

@@ -37,8 +37,8 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
     let mut at = own;
     for shape in &fit.shapes {
         let size = shape.white.ncols();
-        all.columns_mut(at, size).copy_from(&shape.white);
-        residual -= &shape.white * &shape.coefficients;
+        all.columns_mut(at, size).copy_from(&*shape.white);
+        residual -= &*shape.white * &shape.coefficients;
         at += size;
     }
     let whole = Basis::new(&all);

@@ -358,13 +358,13 @@ fn bare_regression<'a>(
 fn noise_beside_many(regression: &Regression, found: Option<&Fit>) -> Noise {
     let model = found.map_or(&regression.base, |f| &f.model);
     let rich = regression.table.columns.raw_of(&regression.table.rich);
-    let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &s.raw);
+    let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &*s.raw);
     estimated(regression, model, shapes.chain([&rich]))
 }
 
 /// Noise beside a fit as it is.
 fn noise_of(regression: &Regression, fit: &Fit) -> Noise {
-    estimated(regression, &fit.model, fit.shapes.iter().map(|s| &s.raw))
+    estimated(regression, &fit.model, fit.shapes.iter().map(|s| &*s.raw))
 }
 
 fn estimated<'m>(

@@ -15,6 +15,8 @@
 //! Where the curve is clearly likelier it takes the place of the names; where the samples cannot rule out
 //! either, the names stay and the curve is said beside them.
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
 use crate::decompose::eigen;
@@ -177,7 +179,7 @@ fn likeliest(regression: &Regression, rest: &Fit, joint: usize) -> Option<f64> {
         profile: Profile::Curve { pieces: PIECES },
         tried: 1.0,
     });
-    let mut free = placed.white;
+    let mut free = Arc::unwrap_or_clone(placed.white);
     // One unit of the curve moves a sample by one unit of its noise, in the mean.
     let samples = regression.rows.samples.len().max(1) as f64;
     let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;

@@ -37,7 +37,7 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
         let (raw, _) = regression.rows.extract(&fit.model);
         let mut e = raw;
         for shape in &fit.shapes {
-            e -= &shape.raw * &shape.coefficients;
+            e -= &*shape.raw * &shape.coefficients;
         }
         regression.rows.rms_mm(&e)
     };

@@ -99,7 +99,7 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     }
     // Whitened by a noise that wanders, a sum of squares is in units of one sample's surprise, not of mm.
     let shapes = fit.shapes.iter();
-    let moved = shapes.map(|s| &s.raw * &s.coefficients);
+    let moved = shapes.map(|s| &*s.raw * &s.coefficients);
     let Some(mut moved) = moved.reduce(|sum, one| sum + one) else {
         return 0.0;
     };

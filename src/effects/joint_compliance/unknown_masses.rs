@@ -27,7 +27,7 @@ use crate::lanes::{LANES, Lanes3, add_scaled, cross, dot, in_all_lanes, turn_lan
 use crate::sincos::{sin_cos_lanes, sin_cos_small as sin_cos};
 use crate::wide::{Loop, wide};
 
-use crate::effects::torque::{NEWTON_STEPS, Torque, Wave};
+use crate::effects::torque::{NEWTON_STEPS, Torque, TorqueWave};
 
 use super::about::ABOUT;
 
@@ -178,7 +178,7 @@ impl<const N: usize> Loop for Sagging<'_, '_, N> {
         for i in 0..LANES {
             let (gravity, moment) = (vector(&gravity, i), vector(&moment, i));
             let torque = |moment| dot(axis, cross(moment, gravity));
-            let wave = Wave {
+            let wave = TorqueWave {
                 sine: torque(cross(axis, moment)),
                 cosine: torque(moment),
             };
