@@ -239,9 +239,8 @@ mod tests {
             if recording.is_finished() {
                 break;
             }
-            for line in ["x_mm,y_mm", "1,2", "3,4"] {
-                let _ = sender.send_to(line.as_bytes(), port);
-            }
+            // One message, as those before the port is listened on are lost.
+            let _ = sender.send_to(b"x_mm,y_mm\n1,2", port);
             sleep(Duration::from_millis(20));
         }
         let (text, standing, _) = recording.join().unwrap();

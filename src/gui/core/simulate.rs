@@ -6,7 +6,9 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector3};
 
 use crate::effects::term::{parameter_names, parameters_to_see};
-use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
+use crate::effects::{
+    BESIDE_THE_CATALOGUE, CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius,
+};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::robots::LibraryRobot;
 use crate::sessions::{Instrument, Session, Sigma};
@@ -163,7 +165,8 @@ impl Form {
         let several = self.joints() > 1;
         let robot = self.robot.is_some();
         let kinds: Vec<JointKind> = (1..=self.joints()).map(|j| self.joint_kind(j)).collect();
-        let exists = CATALOGUE.iter().filter(move |effect| {
+        let all = CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE);
+        let exists = all.filter(move |effect| {
             let mut joints = kinds.iter().enumerate();
             joints.any(|(joint, kind)| (effect.exists_on)(joint, *kind))
         });
