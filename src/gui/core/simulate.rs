@@ -7,7 +7,7 @@ use nalgebra::{Point3, Vector3};
 
 use crate::effects::term::{parameter_names, parameters_to_see};
 use crate::effects::{
-    BESIDE_THE_CATALOGUE, CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius,
+    BESIDE_THE_CATALOGUE, CATALOGUE, Over, Role, Setting, Term, find, joint_zero, role, tool_radius,
 };
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::robots::LibraryRobot;
@@ -55,9 +55,22 @@ impl Chosen {
         Self::on(id, (1, JointKind::Revolute))
     }
 
-    /// An effect of a joint of this number and kind, at values that can be seen.
+    /// An effect of a joint of this number and kind, at values that can be seen; `None` where the joint cannot
+    /// have it.
     pub(super) fn on(id: &'static str, (joint, kind): (usize, JointKind)) -> Option<Self> {
-        let parameters = parameters_to_see(crate::effects::find(id)?, kind);
+        let effect = crate::effects::find(id)?;
+        let index = joint.checked_sub(1)?;
+        if !(effect.exists_on)(index, kind) {
+            return None;
+        }
+        let mut parameters = parameters_to_see(effect, kind);
+        if let Setting::Listed(listed) = effect.about().setting {
+            let usual = (listed.usual)(index)?;
+            let mut all = parameters.iter_mut();
+            if let Some((_, value)) = all.find(|(name, _)| *name == listed.quantity.name) {
+                *value = usual;
+            }
+        }
         Some(Self {
             id,
             joint,
@@ -195,8 +208,8 @@ impl Form {
         let taken = |joint: usize| {
             (self.effects.iter()).any(|other| (other.id, other.joint) == (id, joint))
         };
-        let joint = (1..=joints).find(|joint| !taken(*joint))?;
-        Chosen::on(id, (joint, self.joint_kind(joint)))
+        let mut free = (1..=joints).filter(|joint| !taken(*joint));
+        free.find_map(|joint| Chosen::on(id, (joint, self.joint_kind(joint))))
     }
 
     /// What is wrong with the numbers; `None` where they can be simulated.
