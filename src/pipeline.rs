@@ -42,7 +42,7 @@ use crate::model::{Calibration, ResidualStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Session, SessionCorrection};
-use crate::set_up_errors::{CorrectedSession, DataProblem, mend, noticed};
+use crate::set_up_errors::{CorrectedSession, DataProblem, corrected_session, noticed};
 use crate::standards::Standards;
 use crate::text::Text;
 
@@ -352,7 +352,7 @@ pub fn report_of_diagnosis(
     }
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
-    let mended = mend(session, options.joint_values).session;
+    let mended = corrected_session(session, options.joint_values).session;
     let all_found = hand_out(&found.calibration(session), session)?;
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {

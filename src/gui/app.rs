@@ -102,7 +102,7 @@ impl App {
     /// The same work for the window without showing it: to measure it without
     /// anything that draws.
     #[must_use]
-    pub fn drawn_by_nobody(mut self) -> Self {
+    pub fn not_drawn(mut self) -> Self {
         let canvas = Canvas::Layers(usize::MAX);
         self.workbench.execute(Command::Canvas(canvas));
         self

@@ -55,7 +55,7 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 /// Checks the rows, tries the set-up errors and corrects what it finds.
 ///
 /// A session that cannot be computed with ([`Session::checked`] says why) stays as it is.
-pub fn mend(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+pub fn corrected_session(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     match raw.whole() {
         Ok(Cow::Borrowed(raw)) => mended(raw, joint_values),
         Ok(Cow::Owned(completed)) => {

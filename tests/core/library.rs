@@ -36,7 +36,7 @@ fn answers(session: &Session, good: &Calibration) {
         let _ = Compensation::new(good).joint_corrections(&inputs);
         let _ = Remainder::new(good, &inputs).describe();
         let _ = truepose::row_checks::check(session, values);
-        let _ = truepose::set_up_errors::mend(session, values);
+        let _ = truepose::set_up_errors::corrected_session(session, values);
         let _ = Layer::new(session, values).is_empty();
     }
     let _ = as_measured(session, Some(0.1));

@@ -853,7 +853,7 @@ fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
         (anchor, Group::Anchor, 1, None),
         (station, Group::Station, 0, Some(first)),
     ] {
-        let mended = truepose::set_up_errors::mend(&session, JointValues::Commanded);
+        let mended = truepose::set_up_errors::corrected_session(&session, JointValues::Commanded);
         let said = mended.problems.iter().map(|p| p.what.to_string());
         let said: Vec<String> = said.collect();
         let name = format!(

@@ -14,7 +14,7 @@ use crate::present::table::{Cell, Table};
 #[derive(Debug, Clone)]
 pub(crate) struct Figures {
     /// The identification behind the corrected commands.
-    pub(crate) outcome: Arc<IdentifiedAnswer>,
+    pub(crate) identified: Arc<IdentifiedAnswer>,
     /// What noise alone leaves, where a diagnosis has shown it.
     pub(crate) floor_mm: Option<f64>,
     /// The figures, or why there are none; `None` while they are worked out.
@@ -37,7 +37,7 @@ impl Figures {
     pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, floor_mm: Option<f64>) -> Self {
         let made = made(&outcome, floor_mm);
         Self {
-            outcome,
+            identified: outcome,
             floor_mm,
             made: Some(made),
         }

@@ -26,7 +26,7 @@ use crate::gui::view::Plane;
 )]
 pub(crate) struct PlotInputs {
     pub(crate) subject: Arc<LoadedSession>,
-    pub(crate) outcome: Option<Arc<IdentifiedAnswer>>,
+    pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
     /// The plane of the workspace.
     pub(crate) plane: Plane,
     /// Whether the heat map is shown.
@@ -45,7 +45,7 @@ pub(crate) struct PlotInputs {
 
 impl PlotInputs {
     fn answer(&self) -> Option<&Answer> {
-        self.outcome.as_ref()?.answer.as_ref().ok()
+        self.identified.as_ref()?.answer.as_ref().ok()
     }
 
     fn chart_inputs(&self, component: Component) -> ChartInputs<'_> {
@@ -69,7 +69,7 @@ impl PlotInputs {
 #[derive(Debug, Clone)]
 pub(crate) struct PlotCache {
     /// What it was made of.
-    pub(crate) scenery: PlotInputs,
+    pub(crate) inputs: PlotInputs,
     /// Which sample is where in the plane, mm.
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
@@ -87,15 +87,15 @@ pub(crate) struct PlotCache {
 impl PlotCache {
     /// What was worked out for a chart.
     pub(crate) fn charted_for(&self, wanted: &(Component, Work)) -> Option<&ChartResult> {
-        let here = self.scenery.charts.iter().position(|one| one == wanted)?;
+        let here = self.inputs.charts.iter().position(|one| one == wanted)?;
         self.charted.get(here)
     }
 
     /// Works it out; what the last one has already is taken from there.
     pub(crate) fn of(scenery: PlotInputs, last: Option<&Self>) -> Self {
-        let last = last.filter(|l| l.scenery.subject == scenery.subject);
-        let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
-        let same_answer = last.filter(|l| l.scenery.outcome == scenery.outcome);
+        let last = last.filter(|l| l.inputs.subject == scenery.subject);
+        let same_plane = last.filter(|l| l.inputs.plane == scenery.plane);
+        let same_answer = last.filter(|l| l.inputs.identified == scenery.identified);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
         let subject = &*scenery.subject;
         let nearest = || {
@@ -135,7 +135,7 @@ impl PlotCache {
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
         let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
-        let known = heat_of.filter(|l| l.scenery.component == scenery.component);
+        let known = heat_of.filter(|l| l.inputs.component == scenery.component);
         let known = known.and_then(|l| l.around.clone());
         let around = || {
             let angle = Over {
@@ -147,7 +147,7 @@ impl PlotCache {
         let polar = many && scenery.polar;
         let around = polar.then(|| known.unwrap_or_else(around));
         Self {
-            scenery,
+            inputs: scenery,
             nearest,
             heat,
             uncertain,

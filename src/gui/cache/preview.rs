@@ -17,7 +17,7 @@ use crate::gui::core::document::ExportChoice;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PreviewRequest {
     /// The identification that it comes from.
-    pub(crate) outcome: Arc<IdentifiedAnswer>,
+    pub(crate) identified: Arc<IdentifiedAnswer>,
     pub(crate) choice: ExportChoice,
     /// What the file is called, where it was saved already: what is to be entered in the controller
     /// names it.
@@ -53,7 +53,7 @@ impl Preview {
 
 fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     let PreviewRequest {
-        outcome,
+        identified: outcome,
         choice,
         name,
     } = wanted;

@@ -30,7 +30,7 @@ pub(crate) enum Order {
 #[derive(Debug)]
 pub(crate) enum Seen {
     /// A file is not what it was when the order of this number was given; `None`: it is again.
-    Fate(u64, PathBuf, Option<FileChange>),
+    FileChanged(u64, PathBuf, Option<FileChange>),
     /// The followed file has grown, was rewritten, or cannot be followed any more.
     Grew(Box<Result<Growth, Rejected>>),
     /// A file that was followed, as it is now that it was read to its end.
@@ -91,7 +91,7 @@ impl Watched {
             };
             if fate != *said {
                 *said = fate;
-                seen.push(Seen::Fate(self.number, print.path.clone(), fate));
+                seen.push(Seen::FileChanged(self.number, print.path.clone(), fate));
             }
         }
         if let Some(growing) = &mut self.followed {

@@ -33,10 +33,10 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     };
     let (document, samples) = example.files();
     let loaded = pipeline::parse_with_csv(document, samples);
-    let nobody = Progress::new(&unwatched);
+    let progress = Progress::new(&unwatched);
     let subject = loaded.map_err(ReadError::from);
     let subject =
-        subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, None, nobody.whole())?));
+        subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
     subject
         .map(Opened::Session)
         .map_err(|error| not_read(example.name(), say!("opened"), &error))

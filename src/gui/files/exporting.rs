@@ -37,7 +37,7 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
     let choice = wanted.choice;
-    let verified = wanted.outcome.handed_out()?;
+    let verified = wanted.identified.handed_out()?;
     if what == What::Model {
         return Ok(vec![Document {
             name: name.to_owned(),
@@ -50,7 +50,7 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
         step: choice.step,
         ..Job::new(&verified, name)
     };
-    let session = &wanted.outcome.question.subject.session;
+    let session = &wanted.identified.question.subject.session;
     let export =
         pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
     Ok(export.export.documents)

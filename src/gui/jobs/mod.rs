@@ -1,7 +1,7 @@
 //! Work in the background: the window never waits.
 //!
 //! A job runs on a thread of its own. What it makes goes, with what is to become of it, through a
-//! channel to the one who polls, and the window is woken. A cancelled job is told so by its [`Watch`],
+//! channel to the poller, and the window is woken. A cancelled job is told so by its [`Watch`],
 //! by which it says how far it is; whatever it still makes is dropped. Only of a file that is being
 //! written it is told how that went all the same: it may have been too late to cancel it. What is
 //! asked faster than it is answered goes through [`Latest`]: one at a time, and the latest after it.
@@ -67,7 +67,7 @@ impl<B: 'static> Jobs<B> {
         self.runner
     }
 
-    /// Starts a job: `work` is done in the background, `then` with its result by the one who polls.
+    /// Starts a job: `work` is done in the background, `then` with its result by the poller.
     /// One that brings another session takes the place of one that is under way already: what was
     /// asked for last counts, not what takes longest.
     pub(crate) fn start<T: Send + 'static>(

@@ -49,7 +49,7 @@ impl Workbench {
     /// being answered it is the answer to the one before.
     pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
         let document = self.document();
-        self.outcome.as_deref().filter(|outcome| {
+        self.identified.as_deref().filter(|outcome| {
             let question = &outcome.question;
             document.identified
                 && Arc::ptr_eq(&question.subject, &document.subject)
@@ -61,7 +61,7 @@ impl Workbench {
 
     /// The newest answer to any question of the present session.
     pub(crate) fn last_outcome(&self) -> Option<&Arc<IdentifiedAnswer>> {
-        self.outcome.as_ref()
+        self.identified.as_ref()
     }
 
     /// The newest answer.
@@ -80,14 +80,14 @@ impl Workbench {
     }
 
     pub(super) fn plot_cache(&self) -> Option<&PlotCache> {
-        let backdrop = self.backdrop.as_deref()?;
-        Arc::ptr_eq(&backdrop.scenery.subject, self.loaded_session()).then_some(backdrop)
+        let backdrop = self.plot_cache.as_deref()?;
+        Arc::ptr_eq(&backdrop.inputs.subject, self.loaded_session()).then_some(backdrop)
     }
 
     /// Which sample is where in the plane; `None` where they are few, or while it is being found
     /// out.
     pub(crate) fn nearest(&self) -> Option<&Nearest> {
-        let seen = |b: &&PlotCache| b.scenery.plane == self.view.plane;
+        let seen = |b: &&PlotCache| b.inputs.plane == self.view.plane;
         self.plot_cache().filter(seen)?.nearest.as_deref()
     }
 
@@ -129,7 +129,7 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        let seen = |b: &&PlotCache| wanted && b.scenery.plane == self.view.plane;
+        let seen = |b: &&PlotCache| wanted && b.inputs.plane == self.view.plane;
         self.plot_cache().filter(seen)?.heat.as_ref()
     }
 
@@ -137,7 +137,7 @@ impl Workbench {
     pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
         let wanted = self.view.colouring == Colouring::Uncertainty;
         let backdrop = self.plot_cache().filter(|_| wanted)?;
-        let of = backdrop.scenery.outcome.as_deref();
+        let of = backdrop.inputs.identified.as_deref();
         backdrop
             .uncertain
             .as_ref()
@@ -154,7 +154,7 @@ impl Workbench {
     /// Samples that are drawn where not all can be; `None` where they are few, or until they are
     /// chosen.
     pub(crate) fn thinned(&self) -> Option<&[u32]> {
-        let seen = |b: &&PlotCache| b.scenery.plane == self.view.plane;
+        let seen = |b: &&PlotCache| b.inputs.plane == self.view.plane;
         let thinned = self.plot_cache().filter(seen)?.thinned.as_deref()?;
         Some(&thinned.samples)
     }
@@ -165,7 +165,7 @@ impl Workbench {
         self.answer()?;
         let preview = self.preview.as_ref()?;
         let same = Arc::ptr_eq(
-            &preview.wanted.outcome.question.subject,
+            &preview.wanted.identified.question.subject,
             self.loaded_session(),
         );
         same.then_some(preview.made.as_ref())
@@ -187,7 +187,7 @@ impl Workbench {
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(test)]
     pub(crate) fn settled(&self) -> bool {
-        match (self.question(), &self.outcome) {
+        match (self.question(), &self.identified) {
             (None, _) => true,
             (Some(asked), Some(outcome)) => outcome.question == asked,
             (Some(_), None) => false,
@@ -257,13 +257,13 @@ impl Workbench {
         if !shown || self.answer().is_none() {
             return;
         }
-        let Some(outcome) = self.outcome.clone() else {
+        let Some(outcome) = self.identified.clone() else {
             return;
         };
         let choice = self.document().export;
         let saved = self.saved_as.as_ref().filter(|(of, _)| *of == choice);
         let wanted = PreviewRequest {
-            outcome,
+            identified: outcome,
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
@@ -275,10 +275,13 @@ impl Workbench {
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
-        let outcome = self.outcome.clone().filter(|_| self.identified().is_some());
+        let outcome = self
+            .identified
+            .clone()
+            .filter(|_| self.identified().is_some());
         let scenery = PlotInputs {
             subject: Arc::clone(self.loaded_session()),
-            outcome,
+            identified: outcome,
             plane: self.view.plane,
             heat: self.view.heat && !self.view.in_space(),
             uncertain: self.view.colouring == Colouring::Uncertainty
@@ -288,7 +291,10 @@ impl Workbench {
             component: self.view.component,
             charts: self.works(),
         };
-        let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
+        let there = self
+            .plot_cache
+            .as_ref()
+            .is_some_and(|b| b.inputs == scenery);
         if scenery.any() && !there {
             self.want_backdrop(scenery);
         }
@@ -300,7 +306,7 @@ impl Workbench {
             return;
         };
         let answered = self
-            .outcome
+            .identified
             .as_ref()
             .is_some_and(|o| o.question == question);
         let declined = self.declined.as_ref() == Some(&question);

@@ -56,7 +56,7 @@ impl Workbench {
                     None => self.broke_off(),
                 }
                 if kind == Kind::Draws
-                    && let Some(next) = self.asked.sceneries.answered()
+                    && let Some(next) = self.asked.plots.answered()
                 {
                     self.draw_backdrop(next);
                 }
@@ -84,7 +84,7 @@ impl Workbench {
             say!("identifying, {samples}", samples = samples),
             move |watch| IdentifiedAnswer::of(question, watch),
             |bench: &mut Self, outcome| {
-                let before = bench.outcome.replace(Arc::new(outcome));
+                let before = bench.identified.replace(Arc::new(outcome));
                 bench.let_go(before);
                 bench.keep_preparing();
                 bench.keep_drawing();
@@ -112,21 +112,21 @@ impl Workbench {
 
     /// Asks for what plots of many samples stand on, if it is not on its way.
     pub(super) fn want_backdrop(&mut self, scenery: PlotInputs) {
-        if !self.asked.sceneries.is_asked(&scenery)
-            && let Some(scenery) = self.asked.sceneries.ask(scenery)
+        if !self.asked.plots.is_asked(&scenery)
+            && let Some(scenery) = self.asked.plots.ask(scenery)
         {
             self.draw_backdrop(scenery);
         }
     }
 
     fn draw_backdrop(&mut self, scenery: PlotInputs) {
-        let last = self.backdrop.clone();
+        let last = self.plot_cache.clone();
         self.jobs.start(
             Kind::Draws,
             say!("drawing"),
             move |_| PlotCache::of(scenery, last.as_deref()),
             |bench: &mut Self, backdrop| {
-                let before = bench.backdrop.replace(Arc::new(backdrop));
+                let before = bench.plot_cache.replace(Arc::new(backdrop));
                 bench.let_go(before);
             },
         );

@@ -89,7 +89,7 @@ impl Workbench {
 
     /// What was worked out for the chart in a pane.
     fn worked_out(&self, pane: &ChartPane, scene: &Scene<'_>) -> Option<&ChartResult> {
-        let seen = |b: &&PlotCache| b.scenery.outcome.is_some() == self.identified().is_some();
+        let seen = |b: &&PlotCache| b.inputs.identified.is_some() == self.identified().is_some();
         let work = self.kind(pane).work(scene)?;
         let backdrop = self.plot_cache().filter(seen)?;
         backdrop.charted_for(&(scene.component, work))
@@ -115,7 +115,7 @@ impl Workbench {
             joint: scene.joint,
             axes: scene.axes,
             units: scene.units,
-            outcome: self.outcome.clone().filter(|_| scene.answer.is_some()),
+            outcome: self.identified.clone().filter(|_| scene.answer.is_some()),
             search: scene.search.cloned(),
             made: scene.made.cloned(),
             worked_out: self.worked_out(pane, &scene).cloned(),
@@ -168,9 +168,9 @@ impl Workbench {
     /// they are found.
     pub(crate) fn around(&self) -> Option<&Envelope> {
         let seen = |b: &&PlotCache| {
-            let scenery = &b.scenery;
+            let scenery = &b.inputs;
             scenery.component == self.view.component
-                && scenery.outcome.is_some() == self.identified().is_some()
+                && scenery.identified.is_some() == self.identified().is_some()
         };
         self.plot_cache().filter(seen)?.around.as_deref()
     }
@@ -212,7 +212,7 @@ impl Workbench {
     /// Arranges the panes like this, tomorrow as well.
     pub(super) fn arrange(&mut self, panes: Panes) {
         self.view.panes = panes.sound(|chart| find(chart).is_some());
-        if let Some(home) = self.desk.home.clone() {
+        if let Some(home) = self.file_state.home.clone() {
             let panes = self.view.panes.clone();
             self.jobs.quietly(
                 move || settings::keep_panes(&home, panes).map_err(|e| e.to_string()),

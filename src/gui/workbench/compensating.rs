@@ -38,7 +38,7 @@ impl Workbench {
 
     /// Corrects the targets of a file by the model that is shown.
     pub(super) fn compensate(&mut self, mut wanted: CompensationRequest) {
-        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+        let (Some(outcome), Some(_)) = (self.identified.clone(), self.answer()) else {
             return self.complain(
                 say!("There is no model to correct targets by"),
                 vec![say!("Identify the robot first, or open a model").to_owned()],

@@ -17,14 +17,14 @@ impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
     pub(crate) fn stated(&self) -> Stated {
         let typed = self
-            .desk
+            .file_state
             .stated
             .get(&self.loaded_session().lineage)
             .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            let mut stated = machines::proposed(&self.desk.machines, self.machine(&folder));
-            if let (true, Some(today)) = (stated.details.date.is_empty(), &self.desk.today) {
+            let mut stated = machines::proposed(&self.file_state.machines, self.machine(&folder));
+            if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
             stated
@@ -33,7 +33,7 @@ impl Workbench {
 
     /// Proposes this date for reports from now on.
     pub(crate) fn propose_date(&mut self, date: Option<String>) {
-        self.desk.today = date;
+        self.file_state.today = date;
     }
 
     fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
@@ -48,7 +48,7 @@ impl Workbench {
 
     /// Report details are these now; remembered once their sheet is closed.
     pub(super) fn state(&mut self, stated: Stated) {
-        self.desk
+        self.file_state
             .stated
             .insert(self.loaded_session().lineage, stated);
     }
@@ -56,7 +56,7 @@ impl Workbench {
     /// Remembers them for the next session of this machine.
     pub(super) fn keep_stated(&mut self) {
         let Some(mut stated) = self
-            .desk
+            .file_state
             .stated
             .get(&self.loaded_session().lineage)
             .cloned()
@@ -66,8 +66,8 @@ impl Workbench {
         stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
-        machines::remember(&mut self.desk.machines, machine.clone());
-        if let Some(home) = self.desk.home.clone() {
+        machines::remember(&mut self.file_state.machines, machine.clone());
+        if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_machine(&home, machine).map_err(|e| e.to_string()),
                 Self::take_kept,

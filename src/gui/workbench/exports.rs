@@ -35,7 +35,11 @@ impl Workbench {
             What::Numbers(chart) => Plot::Chart(chart).file_name(session, "csv"),
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
-                let name = self.desk.robots.first().map(|table| table.name.as_str());
+                let name = self
+                    .file_state
+                    .robots
+                    .first()
+                    .map(|table| table.name.as_str());
                 format!("{}.json", plain(name.unwrap_or_default()))
             }
             What::Targets => {
@@ -67,7 +71,7 @@ impl Workbench {
                 return self.write_robot(robot, path, replace);
             }
             What::TypedRobot => {
-                let table = self.desk.robots.first();
+                let table = self.file_state.robots.first();
                 let robot = table.and_then(|table| table.robot().ok());
                 return self.write_robot(robot, path, replace);
             }
@@ -86,7 +90,7 @@ impl Workbench {
             return;
         }
         // From what is shown, but under the name that was chosen.
-        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+        let (Some(outcome), Some(_)) = (self.identified.clone(), self.answer()) else {
             return self.complain(
                 say!("There is nothing to export yet"),
                 vec![say!("Identify the robot first").to_owned()],
@@ -95,7 +99,7 @@ impl Workbench {
         let choice = self.document().export;
         let work = move |path: &Path, _: &Watch| {
             let wanted = PreviewRequest {
-                outcome,
+                identified: outcome,
                 choice,
                 name: None,
             };

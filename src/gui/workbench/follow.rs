@@ -22,7 +22,7 @@ use super::Workbench;
 struct Extended {
     from: Arc<LoadedSession>,
     to: Arc<LoadedSession>,
-    outcome: Option<IdentifiedAnswer>,
+    identified: Option<IdentifiedAnswer>,
 }
 
 impl Workbench {
@@ -30,7 +30,7 @@ impl Workbench {
     pub(super) fn follow(&mut self, on: bool) {
         self.waiting_samples = None;
         if !on {
-            if self.desk.followed.is_some() {
+            if self.file_state.followed.is_some() {
                 self.set_followed(None);
                 self.order(Order::Follow(None));
             }
@@ -117,14 +117,22 @@ impl Workbench {
                 };
                 IdentifiedAnswer::of(question, &Watch::default())
             });
-            Extended { from, to, outcome }
+            Extended {
+                from,
+                to,
+                identified: outcome,
+            }
         };
         self.jobs.quietly(work, Self::take_extended);
     }
 
     fn take_extended(&mut self, extended: Extended) {
         self.extending = false;
-        let Extended { from, to, outcome } = extended;
+        let Extended {
+            from,
+            to,
+            identified: outcome,
+        } = extended;
         if !Arc::ptr_eq(&from, self.loaded_session()) {
             // The robot was edited or something was undone meanwhile: from the start, with what
             // is here now.
@@ -141,7 +149,7 @@ impl Workbench {
         });
         self.grow_on_file(&from, &to);
         if let Some(outcome) = outcome {
-            self.outcome = Some(Arc::new(outcome));
+            self.identified = Some(Arc::new(outcome));
         }
         self.forget_missing_samples();
         self.refresh_answer();

@@ -44,7 +44,7 @@ impl Workbench {
                 && now.tolerance_mm == saved.tolerance_mm
                 && Arc::ptr_eq(&now.subject, &saved.subject)
         };
-        !self.desk.on_file.iter().any(same)
+        !self.file_state.on_file.iter().any(same)
     }
 
     /// What would be lost if the session were closed now. The session that the window began with
@@ -59,7 +59,7 @@ impl Workbench {
             model: !example
                 && self.answer().is_some()
                 && asked.is_some()
-                && asked != self.desk.model_on_file,
+                && asked != self.file_state.model_on_file,
         }
     }
 
@@ -74,7 +74,7 @@ impl Workbench {
             // Leaving does not depend on a file being chosen.
             let title = say!("The window closes after {what}", what = writing.what);
             self.view.message = Some(Message::done(title, Vec::new()));
-            self.desk.then = Some(then);
+            self.file_state.then = Some(then);
             return;
         }
         if self.at_risk().any() {
@@ -85,13 +85,13 @@ impl Workbench {
     }
 
     pub(super) fn go(&mut self, then: NextAction) {
-        self.desk.then = None;
+        self.file_state.then = None;
         self.view.sheet = None;
         match then {
             NextAction::Leave => self.view.leaving = true,
             NextAction::Open(path) => {
                 let what = say!("reading {path}", path = path.display());
-                let chain = meshes::remembered(&self.desk.meshes, &path);
+                let chain = meshes::remembered(&self.file_state.meshes, &path);
                 self.open(what, move |watch| files::open(&path, chain, watch));
             }
             NextAction::Example(index) => {
@@ -119,7 +119,7 @@ impl Workbench {
     /// Saves what would be lost, then does it.
     pub(super) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
-        self.desk.then = Some(then);
+        self.file_state.then = Some(then);
         if self.at_risk().session {
             self.execute(Command::Save);
         } else {
@@ -130,14 +130,14 @@ impl Workbench {
 
     /// Something was written: what was to be done then, if nothing else would be lost.
     pub(super) fn resume(&mut self) {
-        if let Some(then) = self.desk.then.take() {
+        if let Some(then) = self.file_state.then.take() {
             self.ask_then(then);
         }
     }
 
     /// What was to be done after saving is not done.
     pub(super) fn cancel_pending_action(&mut self) {
-        self.desk.then = None;
+        self.file_state.then = None;
     }
 
     /// Saves to the session's own file, or asks for one.
@@ -152,7 +152,7 @@ impl Workbench {
     pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
         self.view.sheet = None;
         let document = Arc::clone(self.history.present());
-        let known = self.desk.places.get(&document.subject.lineage);
+        let known = self.file_state.places.get(&document.subject.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (
             say!("saving {path}", path = path.display()),
@@ -188,10 +188,12 @@ impl Workbench {
                 };
                 // What stood in its file before does not stand there any more.
                 let lineage = document.subject.lineage;
-                self.desk.on_file.retain(|d| d.subject.lineage != lineage);
+                self.file_state
+                    .on_file
+                    .retain(|d| d.subject.lineage != lineage);
                 self.keep_meshes(&document, &path);
                 self.remember_on_file(document);
-                self.desk.places.insert(lineage, place);
+                self.file_state.places.insert(lineage, place);
                 self.view.on_disk = None;
                 self.watch_files();
                 self.view.message = Some(Message::saved(&path, Vec::new()));
@@ -202,14 +204,14 @@ impl Workbench {
     }
 
     pub(super) fn remember_on_file(&mut self, document: Arc<Document>) {
-        self.desk.on_file.push(document);
-        if self.desk.on_file.len() > MOST_ON_FILE {
-            self.desk.on_file.remove(0);
+        self.file_state.on_file.push(document);
+        if self.file_state.on_file.len() > MOST_ON_FILE {
+            self.file_state.on_file.remove(0);
         }
     }
 
     /// The model stands in a file.
     pub(super) fn model_is_on_file(&mut self) {
-        self.desk.model_on_file = self.question();
+        self.file_state.model_on_file = self.question();
     }
 }

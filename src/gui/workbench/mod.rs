@@ -75,7 +75,7 @@ pub(crate) struct Workbench {
     history: History<Document>,
     /// The session that the window began with, not opened by the user.
     first: Arc<LoadedSession>,
-    desk: FileState,
+    file_state: FileState,
     /// A question that was cancelled: it is not asked again by itself.
     declined: Option<Question>,
     /// Whether samples are being put behind those that are there.
@@ -83,7 +83,7 @@ pub(crate) struct Workbench {
     /// Samples that came meanwhile, and whether they take the place of all others.
     waiting_samples: Option<(Samples, bool)>,
     view: ViewState,
-    outcome: Option<Arc<IdentifiedAnswer>>,
+    identified: Option<Arc<IdentifiedAnswer>>,
     searched: Option<Arc<Search>>,
     /// A chart and its numbers, ready to be copied.
     copied: Option<(&'static str, String)>,
@@ -91,7 +91,7 @@ pub(crate) struct Workbench {
     /// What a search that was stopped had found until then, and in which session.
     stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     preview: Option<Preview>,
-    backdrop: Option<Arc<PlotCache>>,
+    plot_cache: Option<Arc<PlotCache>>,
     compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
     exported: Vec<(PathBuf, Option<Question>)>,
@@ -112,19 +112,19 @@ impl Workbench {
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
             first,
-            desk: FileState::default(),
+            file_state: FileState::default(),
             declined: None,
             extending: false,
             waiting_samples: None,
             history,
             view: ViewState::default(),
-            outcome: None,
+            identified: None,
             searched: None,
             copied: None,
             said: SpokenSections::default(),
             stopped: None,
             preview: None,
-            backdrop: None,
+            plot_cache: None,
             compensated: None,
             exported: Vec::new(),
             saved_as: None,

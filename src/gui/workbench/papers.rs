@@ -39,12 +39,12 @@ impl Workbench {
     }
 
     pub(super) fn write_report(&mut self, about: About, path: PathBuf, replace: bool) {
-        let source = match (about, &self.outcome, self.answer()) {
+        let source = match (about, &self.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
                 let searched = self.searched.as_ref().filter(of_this).cloned();
-                let in_use = self.outcome.clone().filter(|_| self.answer().is_some());
+                let in_use = self.identified.clone().filter(|_| self.answer().is_some());
                 Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
@@ -85,7 +85,7 @@ impl Workbench {
     pub(crate) fn figures(&self) -> Option<&Figures> {
         self.answer()?;
         let figures = self.figures.as_ref()?;
-        let same = Arc::ptr_eq(&figures.outcome.question.subject, self.loaded_session());
+        let same = Arc::ptr_eq(&figures.identified.question.subject, self.loaded_session());
         same.then_some(figures)
     }
 
@@ -97,17 +97,17 @@ impl Workbench {
             return;
         }
         let floor_mm = self.diagnosis().map(|found| found.floor.mm);
-        let Some(outcome) = self.outcome.clone() else {
+        let Some(outcome) = self.identified.clone() else {
             return;
         };
         let there = self.figures.as_ref().is_some_and(|f| {
-            f.made.is_none() || f.floor_mm == floor_mm && Arc::ptr_eq(&f.outcome, &outcome)
+            f.made.is_none() || f.floor_mm == floor_mm && Arc::ptr_eq(&f.identified, &outcome)
         });
         if there {
             return;
         }
         self.figures = Some(Figures {
-            outcome: Arc::clone(&outcome),
+            identified: Arc::clone(&outcome),
             floor_mm,
             made: None,
         });

@@ -16,7 +16,7 @@ use super::{Command, Workbench};
 impl Workbench {
     /// The sessions that were compared last.
     pub(crate) fn past(&self) -> Option<&Past> {
-        self.desk.past.as_deref()
+        self.file_state.past.as_deref()
     }
 
     /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
@@ -58,7 +58,7 @@ impl Workbench {
             work,
             |bench: &mut Self, (folder, told)| match told {
                 Ok(history) => {
-                    bench.desk.past = Some(Arc::new(Past { folder, history }));
+                    bench.file_state.past = Some(Arc::new(Past { folder, history }));
                     bench.view.sheet = Some(Sheet::HISTORY);
                 }
                 Err(ReadError::Cancelled(_)) => {}

@@ -14,7 +14,7 @@ use super::Workbench;
 impl Workbench {
     /// What is being recorded, and how it stands.
     pub(crate) fn recording(&self) -> Option<(&RecordingRequest, &Heard)> {
-        let under_way = self.desk.recording.as_ref()?;
+        let under_way = self.file_state.recording.as_ref()?;
         Some((&under_way.recording.wanted, &under_way.heard))
     }
 
@@ -30,7 +30,7 @@ impl Workbench {
         match Recording::start(wanted, tell) {
             Err(problem) => self.complain(title, vec![problem]),
             Ok(recording) => {
-                self.desk.recording = Some(UnderWay {
+                self.file_state.recording = Some(UnderWay {
                     recording,
                     heard: Heard::default(),
                     opened: false,
@@ -42,7 +42,7 @@ impl Workbench {
 
     /// Ends it; what was recorded stays, and is followed no more.
     pub(super) fn stop_recording(&mut self) {
-        let Some(under_way) = self.desk.recording.take() else {
+        let Some(under_way) = self.file_state.recording.take() else {
             return;
         };
         let heard = under_way.recording.look();
@@ -61,7 +61,7 @@ impl Workbench {
 
     /// Takes what was heard.
     fn hear(&mut self) {
-        let Some(under_way) = &mut self.desk.recording else {
+        let Some(under_way) = &mut self.file_state.recording else {
             return;
         };
         under_way.heard = under_way.recording.look();
@@ -70,7 +70,7 @@ impl Workbench {
                 problem.clone(),
                 say!("What was recorded before is in the file").to_owned(),
             ];
-            self.desk.recording = None;
+            self.file_state.recording = None;
             return self.complain(say!("The recording ended"), details);
         }
         if under_way.heard.recorded > 0 && !under_way.opened {
@@ -98,7 +98,7 @@ impl Workbench {
             }
         };
         self.jobs.quietly(work, |bench: &mut Self, (path, follow)| {
-            bench.desk.to_follow = follow.then(|| path.clone());
+            bench.file_state.to_follow = follow.then(|| path.clone());
             bench.ask_then(NextAction::Open(path));
         });
     }
@@ -123,7 +123,7 @@ impl Workbench {
 
     /// A session was opened: the one that is being recorded is followed.
     pub(super) fn follow_recording(&mut self, path: Option<&Path>) {
-        if path.is_some() && self.desk.to_follow.take().as_deref() == path {
+        if path.is_some() && self.file_state.to_follow.take().as_deref() == path {
             self.follow(true);
         }
     }

@@ -14,26 +14,31 @@ impl Workbench {
     /// Whether recovery lags behind the document.
     pub(crate) fn recovery_lags(&self) -> bool {
         let now = self.history.present();
-        let kept = self.desk.kept.as_ref();
-        self.desk.keeper.is_some()
+        let kept = self.file_state.kept.as_ref();
+        self.file_state.keeper.is_some()
             && match (kept, self.at_risk().any()) {
                 (Some(kept), true) => !Arc::ptr_eq(kept, now),
                 (Some(_), false) | (None, true) => true,
-                (None, false) => !self.desk.restored.is_empty(),
+                (None, false) => !self.file_state.restored.is_empty(),
             }
     }
 
     /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
     pub(super) fn keep_recovery(&mut self) {
-        let Some(path) = self.desk.keeper.as_ref().map(|k| k.path().to_path_buf()) else {
+        let Some(path) = self
+            .file_state
+            .keeper
+            .as_ref()
+            .map(|k| k.path().to_path_buf())
+        else {
             return;
         };
         if !self.recovery_lags() {
             return;
         }
         if !self.at_risk().any() {
-            self.desk.kept = None;
-            let restored = std::mem::take(&mut self.desk.restored);
+            self.file_state.kept = None;
+            let restored = std::mem::take(&mut self.file_state.restored);
             let work = move || {
                 // What was restored is saved: both can go.
                 let _ = std::fs::remove_file(&path);
@@ -43,9 +48,9 @@ impl Workbench {
             return;
         }
         let document = Arc::clone(self.history.present());
-        self.desk.kept = Some(Arc::clone(&document));
+        self.file_state.kept = Some(Arc::clone(&document));
         let file = self.file().map(Path::to_path_buf);
-        let restored = std::mem::take(&mut self.desk.restored);
+        let restored = std::mem::take(&mut self.file_state.restored);
         let work = move || {
             let written = recovery::write(&path, &SavedDocument::of(&document, file));
             if written.is_ok() {
@@ -57,18 +62,18 @@ impl Workbench {
     }
 
     pub(super) fn take_left_behind(&mut self, left: Vec<OrphanedRecovery>) {
-        self.desk.left_behind = left;
-        if !self.desk.left_behind.is_empty() && self.view.sheet.is_none() {
+        self.file_state.left_behind = left;
+        if !self.file_state.left_behind.is_empty() && self.view.sheet.is_none() {
             self.view.sheet = Some(Sheet::RECOVERY);
         }
     }
 
     /// Brings back what was left behind.
     pub(super) fn restore(&mut self, index: usize) {
-        if index >= self.desk.left_behind.len() {
+        if index >= self.file_state.left_behind.len() {
             return;
         }
-        let left = self.desk.left_behind.remove(index);
+        let left = self.file_state.left_behind.remove(index);
         self.close_recovery();
         match &left.kept {
             Ok(kept) => {
@@ -78,7 +83,7 @@ impl Workbench {
                 let subject = Arc::new(LoadedSession::new(session, Vec::new(), origin));
                 let edit = Edit::Recover(subject, kept.choices());
                 self.execute(Command::Edit(edit));
-                self.desk.restored.push(left);
+                self.file_state.restored.push(left);
                 self.keep_recovery();
                 self.view.message = Some(Message::done(
                     say!("Restored; it is not saved yet").to_owned(),
@@ -101,8 +106,8 @@ impl Workbench {
 
     /// Discards what was left behind.
     pub(super) fn discard_left(&mut self, index: usize) {
-        if index < self.desk.left_behind.len() {
-            let left = self.desk.left_behind.remove(index);
+        if index < self.file_state.left_behind.len() {
+            let left = self.file_state.left_behind.remove(index);
             if left.kept.is_ok() {
                 left.remove();
             } else {
@@ -113,13 +118,13 @@ impl Workbench {
     }
 
     pub(super) fn discard_all_left(&mut self) {
-        while !self.desk.left_behind.is_empty() {
+        while !self.file_state.left_behind.is_empty() {
             self.discard_left(0);
         }
     }
 
     fn close_recovery(&mut self) {
-        if self.desk.left_behind.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
+        if self.file_state.left_behind.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
             self.view.sheet = None;
         }
     }

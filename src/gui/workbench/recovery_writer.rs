@@ -25,16 +25,16 @@ impl Workbench {
         let (settings, damaged) = settings::read(&home);
         self.view.preferences = settings.preferences;
         self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
-        self.desk.recent = settings.recent;
-        self.desk.machines = settings.machines;
-        self.desk.robots = settings.robots;
-        self.desk.meshes = settings.meshes;
+        self.file_state.recent = settings.recent;
+        self.file_state.machines = settings.machines;
+        self.file_state.robots = settings.robots;
+        self.file_state.meshes = settings.meshes;
         let keeper = RecoveryFile::new(&home);
         let mut details = Vec::new();
         details
             .extend(damaged.map(|says| say!("Preferences could not be read: {says}", says = says)));
         match keeper {
-            Ok(keeper) => self.desk.keeper = Some(keeper),
+            Ok(keeper) => self.file_state.keeper = Some(keeper),
             Err(error) => details.push(say!(
                 "What is not saved cannot be kept against a crash: {home}: {error}",
                 home = home.display(),
@@ -44,35 +44,35 @@ impl Workbench {
         if !details.is_empty() {
             self.complain(say!("Not everything could be set up"), details);
         }
-        self.order(Order::Recent(self.desk.recent.clone()));
+        self.order(Order::Recent(self.file_state.recent.clone()));
         let folder = home.clone();
         self.jobs
             .quietly(move || recovery::orphaned(&folder), Self::take_left_behind);
-        self.desk.home = Some(home);
+        self.file_state.home = Some(home);
     }
 
     /// Leaves nothing behind: the window closes as it should.
     pub(crate) fn tidy(&mut self) {
-        if let Some(keeper) = self.desk.keeper.take() {
+        if let Some(keeper) = self.file_state.keeper.take() {
             keeper.tidy();
         }
     }
 
     /// Recent files, newest first, and whether each is there.
     pub(crate) fn recent(&self) -> impl Iterator<Item = (&Path, bool)> {
-        let missing = |path: &PathBuf| self.desk.missing.contains(path);
-        let recent = self.desk.recent.iter();
+        let missing = |path: &PathBuf| self.file_state.missing.contains(path);
+        let recent = self.file_state.recent.iter();
         recent.map(move |path| (path.as_path(), !missing(path)))
     }
 
     /// What windows that are gone have left behind.
     pub(crate) fn orphaned(&self) -> &[OrphanedRecovery] {
-        &self.desk.left_behind
+        &self.file_state.left_behind
     }
 
     /// The file that the session stands in.
     pub(crate) fn file(&self) -> Option<&Path> {
-        let place = self.desk.places.get(&self.loaded_session().lineage);
+        let place = self.file_state.places.get(&self.loaded_session().lineage);
         place.map(|place| place.path.as_path())
     }
 
@@ -118,14 +118,14 @@ impl Workbench {
 
     /// The file with its samples, if they are in one: it can be followed.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
-        let place = self.desk.places.get(&self.loaded_session().lineage);
+        let place = self.file_state.places.get(&self.loaded_session().lineage);
         place.and_then(|place| place.samples.as_deref())
     }
 
     /// How many samples came since the file is followed; `None` where it is not.
     pub(crate) fn following(&self) -> Option<usize> {
-        let here = self.desk.followed == Some(self.loaded_session().lineage);
-        here.then_some(self.desk.came)
+        let here = self.file_state.followed == Some(self.loaded_session().lineage);
+        here.then_some(self.file_state.came)
     }
 
     /// A session or a model was opened.
@@ -140,7 +140,7 @@ impl Workbench {
                     files: subject.files.clone(),
                     samples: subject.samples_file.clone(),
                 };
-                self.desk.places.insert(subject.lineage, place);
+                self.file_state.places.insert(subject.lineage, place);
                 let path = path.clone();
                 self.use_recent(Recent::Used(path));
                 self.remember_on_file(Arc::clone(self.history.present()));
@@ -158,7 +158,7 @@ impl Workbench {
     pub(super) fn arrived(&mut self) {
         self.view.on_disk = None;
         if self
-            .desk
+            .file_state
             .followed
             .is_some_and(|f| f != self.loaded_session().lineage)
         {
@@ -168,7 +168,7 @@ impl Workbench {
     }
 
     pub(super) fn watch_files(&mut self) {
-        let place = self.desk.places.get(&self.loaded_session().lineage);
+        let place = self.file_state.places.get(&self.loaded_session().lineage);
         let files = place.map_or_else(Vec::new, |place| place.files.clone());
         self.watch_these(files);
     }
@@ -180,8 +180,8 @@ impl Workbench {
     }
 
     fn watch_these(&mut self, files: Vec<Fingerprint>) {
-        self.desk.watch_order += 1;
-        self.order(Order::Files(self.desk.watch_order, files));
+        self.file_state.watch_order += 1;
+        self.order(Order::Files(self.file_state.watch_order, files));
     }
 
     /// Keeps a change of the recent files.
@@ -191,9 +191,9 @@ impl Workbench {
             Recent::Used(path) => Recent::Used(std::path::absolute(&path).unwrap_or(path)),
             forgotten @ Recent::Forgotten(_) => forgotten,
         };
-        self.desk.recent = settings::with_recent(&self.desk.recent, &recent);
-        self.order(Order::Recent(self.desk.recent.clone()));
-        if let Some(home) = self.desk.home.clone() {
+        self.file_state.recent = settings::with_recent(&self.file_state.recent, &recent);
+        self.order(Order::Recent(self.file_state.recent.clone()));
+        if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_recent(&home, &recent).map_err(|e| e.to_string()),
                 Self::take_kept,
@@ -207,8 +207,8 @@ impl Workbench {
             return;
         };
         let one = DrawnFrom::new(path, &appearance.chain);
-        meshes::remember(&mut self.desk.meshes, one.clone());
-        if let Some(home) = self.desk.home.clone() {
+        meshes::remember(&mut self.file_state.meshes, one.clone());
+        if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_meshes(&home, one).map_err(|e| e.to_string()),
                 Self::take_kept,
@@ -219,7 +219,7 @@ impl Workbench {
     /// Keeps the preferences for tomorrow.
     pub(super) fn keep_preferences(&mut self) {
         let preferences = self.view.preferences;
-        if let Some(home) = self.desk.home.clone() {
+        if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_preferences(&home, preferences).map_err(|e| e.to_string()),
                 Self::take_kept,
@@ -230,14 +230,14 @@ impl Workbench {
     /// Reads the session's file again. Undo brings back what was here.
     pub(super) fn reload(&mut self) {
         self.view.on_disk = None;
-        let Some(place) = self.desk.places.get(&self.loaded_session().lineage) else {
+        let Some(place) = self.file_state.places.get(&self.loaded_session().lineage) else {
             return;
         };
         let (path, files) = (place.path.clone(), place.files.clone());
-        self.desk.then = None;
+        self.file_state.then = None;
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
-        let chain = meshes::remembered(&self.desk.meshes, &path);
+        let chain = meshes::remembered(&self.file_state.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {
@@ -252,8 +252,8 @@ impl Workbench {
             |bench: &mut Self, opened| match opened {
                 Ok(opened) => bench.take_opened(opened),
                 Err(gone) => {
-                    let order = bench.desk.watch_order;
-                    bench.take_seen(Seen::Fate(order, gone, Some(FileChange::Vanished)));
+                    let order = bench.file_state.watch_order;
+                    bench.take_seen(Seen::FileChanged(order, gone, Some(FileChange::Vanished)));
                 }
             },
         );
@@ -294,11 +294,11 @@ impl Workbench {
 
     pub(super) fn take_seen(&mut self, seen: Seen) {
         match seen {
-            Seen::Missing(missing) => self.desk.missing = missing,
+            Seen::Missing(missing) => self.file_state.missing = missing,
             // Compared with what was known before this window wrote the file itself.
-            Seen::Fate(order, ..) if order != self.desk.watch_order => {}
-            Seen::Fate(_, path, fate) => {
-                let place = self.desk.places.get(&self.loaded_session().lineage);
+            Seen::FileChanged(order, ..) if order != self.file_state.watch_order => {}
+            Seen::FileChanged(_, path, fate) => {
+                let place = self.file_state.places.get(&self.loaded_session().lineage);
                 let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
                 let shown = self.view.on_disk.as_ref();
                 let same = shown.is_some_and(|shown| shown.path == path);
@@ -312,7 +312,7 @@ impl Workbench {
                 }
             }
             Seen::Read(print) => {
-                for place in self.desk.places.values_mut() {
+                for place in self.file_state.places.values_mut() {
                     let same = place.files.iter_mut().find(|f| f.path == print.path);
                     if let Some(file) = same {
                         *file = print.clone();
@@ -337,18 +337,18 @@ impl Workbench {
 
     /// Counts samples that came.
     pub(super) fn count_new(&mut self, samples: usize) {
-        self.desk.came += samples;
+        self.file_state.came += samples;
     }
 
     /// Begins or ends to count samples that come.
     pub(super) fn set_followed(&mut self, lineage: Option<u64>) {
-        self.desk.followed = lineage;
-        self.desk.came = 0;
+        self.file_state.followed = lineage;
+        self.file_state.came = 0;
     }
 
     /// Everything that stood in a file and was about `from` is about `to` now.
     pub(super) fn grow_on_file(&mut self, from: &Arc<LoadedSession>, to: &Arc<LoadedSession>) {
-        for document in &mut self.desk.on_file {
+        for document in &mut self.file_state.on_file {
             if Arc::ptr_eq(&document.subject, from) {
                 let mut grown = Document::clone(document);
                 grown.subject = Arc::clone(to);

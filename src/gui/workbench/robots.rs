@@ -8,13 +8,13 @@ use crate::gui::view::What;
 impl Workbench {
     /// Robots that were typed, newest first.
     pub(crate) fn typed_robots(&self) -> &[RobotTable] {
-        &self.desk.robots
+        &self.file_state.robots
     }
 
     /// Remembers one, and asks for a file to save it to where that is wanted.
     pub(super) fn keep_robot(&mut self, table: RobotTable, save: bool) {
-        remember(&mut self.desk.robots, table.clone());
-        if let Some(home) = self.desk.home.clone() {
+        remember(&mut self.file_state.robots, table.clone());
+        if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_robot(&home, table).map_err(|e| e.to_string()),
                 Self::take_kept,
@@ -27,8 +27,8 @@ impl Workbench {
 
     /// Forgets the one of this name.
     pub(super) fn forget_robot(&mut self, name: &str) {
-        self.desk.robots.retain(|own| own.name != name);
-        if let Some(home) = self.desk.home.clone() {
+        self.file_state.robots.retain(|own| own.name != name);
+        if let Some(home) = self.file_state.home.clone() {
             let name = name.to_owned();
             self.jobs.quietly(
                 move || settings::forget_robot(&home, &name).map_err(|e| e.to_string()),

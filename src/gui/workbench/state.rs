@@ -80,7 +80,7 @@ pub(super) struct FileState {
 pub(super) struct PendingQueries {
     pub(super) questions: Latest<Question>,
     pub(super) previews: Latest<PreviewRequest>,
-    pub(super) sceneries: Latest<PlotInputs>,
+    pub(super) plots: Latest<PlotInputs>,
 }
 
 /// Sections as they were said last; nothing until they are asked for.

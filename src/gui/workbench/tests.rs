@@ -192,11 +192,15 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     };
     workbench.execute(save);
     workbench.receive();
-    let before = workbench.desk.watch_order;
+    let before = workbench.file_state.watch_order;
     done(&mut workbench, Edit::Divide(5));
     workbench.execute(Command::Save);
     workbench.receive();
-    workbench.take_seen(Seen::Fate(before, path.clone(), Some(FileChange::Changed)));
+    workbench.take_seen(Seen::FileChanged(
+        before,
+        path.clone(),
+        Some(FileChange::Changed),
+    ));
     assert_eq!(workbench.view().on_disk, None);
     // A change that another program made after that is said.
     std::fs::write(&path, "{}").expect("written");

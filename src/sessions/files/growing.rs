@@ -159,8 +159,8 @@ impl Growing {
         let heading: &[u8] = if grown { &next.heading } else { &[] };
         let input = heading.chain(bytes);
         let joints = Some(self.joints.as_slice());
-        let nobody = Progress::new(&unwatched);
-        let table = csv::read(input, None, &file, joints, &mut findings, nobody.whole());
+        let progress = Progress::new(&unwatched);
+        let table = csv::read(input, None, &file, joints, &mut findings, progress.whole());
         let table = table.map_err(|error| {
             let error = Diagnostic::error(
                 file.clone(),

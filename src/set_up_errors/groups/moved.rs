@@ -44,7 +44,7 @@ struct Suspicion {
 }
 
 impl Suspicion {
-    fn mend(&self) -> SessionCorrection {
+    fn correction(&self) -> SessionCorrection {
         let (group, index) = (self.group, self.index);
         match self.from {
             Some(from) => SessionCorrection::Split { group, index, from },
@@ -55,7 +55,7 @@ impl Suspicion {
     /// A session in which it is taken back, and free to be fitted.
     fn trial(&self, session: &Session) -> Session {
         let mut trial = session.clone();
-        self.mend().apply(&mut trial);
+        self.correction().apply(&mut trial);
         trial
     }
 }
@@ -325,7 +325,7 @@ fn problem(session: &Session, suspicion: &Suspicion, evidence: Text) -> DataProb
         what,
         evidence,
         proposal,
-        mend: Some(suspicion.mend()),
+        mend: Some(suspicion.correction()),
         samples: rows
             .filter(|row| *row >= from && group.of(session, *row) == Some(index))
             .collect(),

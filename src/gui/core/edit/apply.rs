@@ -87,7 +87,7 @@ impl Edit {
             }
             Self::Setup(form) => set_up(&mut next, form)?,
             Self::Exclude(samples, out) => exclude(&mut next, samples, *out)?,
-            Self::Mend(mends) => mend(&mut next, mends)?,
+            Self::Correct(mends) => correct(&mut next, mends)?,
             Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
             Self::Divide(_)
             | Self::MoveBoundary(..)
@@ -156,7 +156,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
 }
 
 /// Takes mistakes back, one after the other.
-fn mend(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), String> {
+fn correct(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), String> {
     let mut session = document.subject.session.clone();
     for mend in mends {
         mend.apply(&mut session);

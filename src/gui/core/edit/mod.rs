@@ -62,7 +62,7 @@ pub(crate) enum Edit {
     /// Take these samples out of every fit and figure, or in again.
     Exclude(Vec<usize>, bool),
     /// Take mistakes of setting up back, one after the other.
-    Mend(Vec<SessionCorrection>),
+    Correct(Vec<SessionCorrection>),
     /// What a window that is gone has left behind.
     Recover(Arc<LoadedSession>, Choices),
     /// Identify from now on, as it is chosen.
@@ -96,7 +96,7 @@ impl Edit {
             Self::Setup(_) => phrase!("edit robot and instrument"),
             Self::Exclude(_, true) => phrase!("exclude samples"),
             Self::Exclude(_, false) => phrase!("include samples"),
-            Self::Mend(_) => phrase!("correct data"),
+            Self::Correct(_) => phrase!("correct data"),
             Self::Recover(..) => phrase!("restore"),
             Self::Identify | Self::IdentifyBy(_) => phrase!("identify"),
         }

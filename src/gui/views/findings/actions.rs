@@ -60,7 +60,7 @@ pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<
         return;
     };
     if widgets::secondary(ui, &spoken(mend.describe())).clicked() {
-        commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
+        commands.push(Command::Edit(Edit::Correct(vec![mend.clone()])));
     }
 }
 
@@ -71,7 +71,7 @@ pub(super) fn mend_all(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) 
     if mends.len() > 1 {
         let text = say!("Correct all {mends}", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {
-            commands.push(Command::Edit(Edit::Mend(in_order(mends))));
+            commands.push(Command::Edit(Edit::Correct(in_order(mends))));
         }
     }
 }

@@ -115,7 +115,7 @@ fn setup(random: &mut ChaCha8Rng, subject: &LoadedSession) -> SetupForm {
     form
 }
 
-fn mend(random: &mut ChaCha8Rng) -> SessionCorrection {
+fn correction(random: &mut ChaCha8Rng) -> SessionCorrection {
     match random.random_range(0..5) {
         0 => SessionCorrection::ScaleJoint {
             joint: random.random_range(0..2),
@@ -172,7 +172,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
             joint: random.random_range(0..2),
         }),
         27 | 28 => Edit::Setup(Box::new(setup(random, subject))),
-        29 => Edit::Mend(vec![mend(random)]),
+        29 => Edit::Correct(vec![correction(random)]),
         35 => Edit::Exclude((0..random.random_range(0..60)).collect(), random.random()),
         30 => {
             // Nothing found is added as well: nothing changes then.
@@ -221,8 +221,8 @@ fn form(random: &mut ChaCha8Rng) -> Form {
 /// A foreign file as it stands in its sheet, and an answer about it.
 fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<ImportDraft> {
     let foreign = {
-        let nobody = Progress::new(&unwatched);
-        ImportDraft::of(&files.instrument_file, nobody.whole()).expect("it is a table")
+        let progress = Progress::new(&unwatched);
+        ImportDraft::of(&files.instrument_file, progress.whole()).expect("it is a table")
     };
     let mut foreign = foreign.expect("the walk has written it");
     foreign.said = said(random, files, workbench);

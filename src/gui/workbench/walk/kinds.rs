@@ -34,7 +34,7 @@ kinds!(
     EDITS, edit, Edit:
     Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), PlaceBoundary(..), Adapt(..),
     KeepRegions(), Split(..), Join(..), Delete(..), Rename(..), RegionsOfSession(), Method(..),
-    Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Mend(..), Exclude(..), Recover(..),
+    Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Correct(..), Exclude(..), Recover(..),
     Identify(), IdentifyBy(..),
 );
 

@@ -137,7 +137,7 @@ fn is_live(app: &mut App, table: &Path) -> bool {
 fn opens(command: &Command) -> bool {
     match command {
         Command::Edit(edit) | Command::Drag(edit) => {
-            ["Open", "OpenModel", "Setup", "Mend"].contains(&kinds::edit(edit))
+            ["Open", "OpenModel", "Setup", "Correct"].contains(&kinds::edit(edit))
         }
         _ => false,
     }

@@ -81,7 +81,7 @@ fn thick(drawn: &Drawn, points_per_mm: f64) -> f64 {
     }
 }
 
-/// As it is seen where somebody asked for it, or else paler.
+/// In full where the pose was asked for, or else paler.
 fn seen(drawn: &Drawn, token: ColourToken) -> Tint {
     token.pale(if drawn.asked_for { 1.0 } else { FAINT })
 }

@@ -30,14 +30,14 @@ impl Read for Pieces<'_> {
 
 fn read_in_pieces(bytes: &[u8], piece: usize) -> (Option<Table>, Vec<String>) {
     let mut findings = Vec::new();
-    let nobody = Progress::new(&unwatched);
+    let progress = Progress::new(&unwatched);
     let table = read(
         Pieces(bytes, piece),
         None,
         &Place::file("s.csv"),
         Some(&one()),
         &mut findings,
-        nobody.whole(),
+        progress.whole(),
     );
     let findings = findings.iter().map(ToString::to_string).collect();
     (table.expect("memory does not fail"), findings)
