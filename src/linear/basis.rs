@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::products::{Sums, along, norm, products, subtract, subtract_with_products};
+use super::products::{along, norm, products};
+use super::subtraction::{Sums, subtract, subtract_with_products};
 
 /// A column of which less than this share is left after projection is a copy of the others.
 const DEPENDENT: f64 = 1e-6;

@@ -2,7 +2,8 @@
 
 use nalgebra::DVector;
 
-use super::products::{dot, reject};
+use super::products::dot;
+use super::subtraction::reject;
 
 /// Orthonormal columns, added one by one.
 pub(crate) struct Kept {

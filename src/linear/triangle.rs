@@ -8,39 +8,13 @@ use crate::wide::{Loop, wide};
 pub(crate) fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
     let n = l.nrows();
     let mut inverse = DMatrix::identity(n, n);
-    wide(Inverting {
+    wide(Solving {
         l: l.as_slice(),
-        inverse: inverse.as_mut_slice(),
+        columns: inverse.as_mut_slice(),
         n,
+        of_one: true,
     });
     inverse
-}
-
-struct Inverting<'a> {
-    l: &'a [f64],
-    inverse: &'a mut [f64],
-    n: usize,
-}
-
-impl Loop for Inverting<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        let Self { l, inverse, n } = self;
-        let mut fours = inverse.chunks_exact_mut(4 * n.max(1));
-        let mut first = 0;
-        // Of four columns that begin a row apart: before its own one a column is zero and stays it.
-        for four in &mut fours {
-            solve_four(l, n, four, first);
-            first += 4;
-        }
-        for own in fours.into_remainder().chunks_exact_mut(n.max(1)) {
-            solve_one(l, n, own, first);
-            first += 1;
-        }
-    }
 }
 
 /// `L⁻¹ v` of a column that is zero before a place.
@@ -141,6 +115,7 @@ pub(crate) fn solve_lower(l: &DMatrix<f64>, mut m: DMatrix<f64>) -> DMatrix<f64>
         l: l.as_slice(),
         columns: m.as_mut_slice(),
         n,
+        of_one: false,
     });
     m
 }
@@ -149,6 +124,8 @@ struct Solving<'a> {
     l: &'a [f64],
     columns: &'a mut [f64],
     n: usize,
+    /// The columns are those of the identity: before its own row a column is zero and stays it.
+    of_one: bool,
 }
 
 impl Loop for Solving<'_> {
@@ -157,13 +134,21 @@ impl Loop for Solving<'_> {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "see Loop")]
     fn run(self) {
-        let Self { l, columns, n } = self;
+        let Self {
+            l,
+            columns,
+            n,
+            of_one,
+        } = self;
         let mut fours = columns.chunks_exact_mut(4 * n.max(1));
+        let mut first = 0;
         for four in &mut fours {
-            solve_four(l, n, four, 0);
+            solve_four(l, n, four, first);
+            first += if of_one { 4 } else { 0 };
         }
         for own in fours.into_remainder().chunks_exact_mut(n.max(1)) {
-            solve_one(l, n, own, 0);
+            solve_one(l, n, own, first);
+            first += usize::from(of_one);
         }
     }
 }

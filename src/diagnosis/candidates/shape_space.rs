@@ -121,20 +121,31 @@ impl ShapeSpace {
         if shapes.is_empty() || problem.observed.is_some() {
             return Vec::new();
         }
+        let shapes: Vec<&Shape> = shapes.iter().map(|placed| &placed.shape).collect();
+        self.by_parts(problem, &shapes, AT_ONCE)
+    }
+
+    /// The same of shapes, made of so many samples at once. What a space holds of a sample is a few hundred bytes: of
+    /// ten million it would be gigabytes.
+    pub(crate) fn by_parts(
+        &self,
+        problem: &Problem,
+        shapes: &[&Shape],
+        at_once: usize,
+    ) -> Vec<[Vec<f64>; 3]> {
         let count = problem.used.len();
-        let width = shapes.iter().map(|placed| self.width(&placed.shape)).sum();
+        let width = shapes.iter().map(|shape| self.width(shape)).sum();
         let mut columns: Vec<[Vec<f64>; 3]> = (0..width)
             .map(|_| std::array::from_fn(|_| vec![0.0; count]))
             .collect();
         let usable: Vec<usize> = (0..count).filter(|i| problem.usable[*i]).collect();
-        // What a space holds of a sample is a few hundred bytes: of ten million it would be gigabytes.
-        for part in usable.chunks(AT_ONCE) {
+        for part in usable.chunks(at_once) {
             let rows = Rows::of_samples(problem, part.to_vec());
             let space = self.on(&rows, &self.base).with_directions_of(self);
             let n = rows.samples.len();
             let mut column = columns.iter_mut();
-            for placed in shapes {
-                let own = space.columns_in(&placed.shape, self.range(placed.shape.variable));
+            for shape in shapes {
+                let own = space.columns_in(shape, self.range(shape.variable));
                 for (own, column) in own.column_iter().zip(&mut column) {
                     for (a, axis) in rows.axes.iter().enumerate() {
                         for (i, sample) in rows.samples.iter().enumerate() {

@@ -442,37 +442,98 @@ fn keep_clusters(problem: &mut Problem) {
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
         let of = |i: usize| q[problem.sample_of(i)];
-        let along = |a: &usize, b: &usize| of(*a).total_cmp(&of(*b)).then(a.cmp(b));
-        // Suspects are few: they are put in order, and the others only part them.
-        let mut suspects: Vec<usize> = (0..fit.len()).filter(|i| suspected[*i]).collect();
-        suspects.sort_unstable_by(along);
-        let mut parted = vec![false; suspects.len()];
-        for other in (0..fit.len()).filter(|i| fit[*i] && !suspected[*i]) {
-            let next = suspects.partition_point(|suspect| along(suspect, &other).is_lt());
-            if let Some(parted) = parted.get_mut(next) {
-                *parted = true;
-            }
-        }
-        let mut first = 0;
-        for end in 1..=suspects.len() {
-            if parted.get(end).is_some_and(|parted| !parted) {
-                continue;
-            }
-            let run = &suspects[first..end];
+        for run in runs(&fit, &suspected, of) {
             // So many in a row by accident: n·share^run.
             let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
             if run.len() >= RUN && accident < 0.01 {
                 for index in run {
-                    back[*index] = true;
+                    back[index] = true;
                 }
             }
-            first = end;
         }
     }
     problem.set_counted(back);
+}
+
+/// The suspects between whose values no other has its own. Of many samples few are suspects: they are put in order,
+/// and the others only part them.
+fn runs(fit: &[bool], suspected: &[bool], of: impl Fn(usize) -> f64) -> Vec<Vec<usize>> {
+    let along = |a: &usize, b: &usize| of(*a).total_cmp(&of(*b)).then(a.cmp(b));
+    let mut suspects: Vec<usize> = (0..fit.len()).filter(|i| suspected[*i]).collect();
+    suspects.sort_unstable_by(along);
+    let mut parted = vec![false; suspects.len()];
+    for other in (0..fit.len()).filter(|i| fit[*i] && !suspected[*i]) {
+        let next = suspects.partition_point(|suspect| along(suspect, &other).is_lt());
+        if let Some(parted) = parted.get_mut(next) {
+            *parted = true;
+        }
+    }
+    let mut runs: Vec<Vec<usize>> = Vec::new();
+    for (suspect, parted) in suspects.into_iter().zip(parted) {
+        match runs.last_mut() {
+            Some(run) if !parted => run.push(suspect),
+            _ => runs.push(vec![suspect]),
+        }
+    }
+    runs
 }
 
 const RUN: usize = 3;
 
 /// Fits of which the error on unseen samples is kept.
 pub(crate) const UNSEEN_KEPT: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::candidates::table::CandidateKind;
+    use crate::model::shapes::{Shape, Variable};
+    use crate::simulation::{parse_scenario, simulate, unwatched};
+
+    #[test]
+    fn runs_are_those_of_all_samples_in_order() {
+        // Values come twice, and not every sample is fitted.
+        let of = |i: usize| ((i * 37) % 50) as f64;
+        let fit: Vec<bool> = (0..100).map(|i| i % 7 != 3).collect();
+        for every in [2, 3, 11, 90] {
+            let suspected: Vec<bool> = (0..100)
+                .map(|i| fit[i] && (of(i) < 9.0 || i % every == 1))
+                .collect();
+            let mut order: Vec<usize> = (0..100).filter(|i| fit[*i]).collect();
+            order.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
+            let of_all = order.split(|i| !suspected[*i]);
+            let of_all: Vec<&[usize]> = of_all.filter(|run| !run.is_empty()).collect();
+            assert!(of_all.iter().any(|run| run.len() > 9), "{every}");
+            assert_eq!(runs(&fit, &suspected, of), of_all, "{every}");
+        }
+    }
+
+    /// A part may have none of the first target, and its own range of every variable.
+    #[test]
+    fn columns_of_shapes_are_the_same_part_by_part() {
+        let scenario = r#"{"format":"truepose-scenario/1","name":"two targets","robot":{"name":"r","joints":[
+            {"name":"j","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
+            "tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},
+            "targets":{"T1":[0,0,0],"T2":[80,20,10]},"instrument":{"name":"tracker","sigma_mm":0.02},
+            "poses":{"sweep":{"joint":1,"from_deg":-90,"to_deg":90,"step_deg":6,"both_ways":true}},
+            "noise":{"sigma_mm":0.02,"kind":"gauss"},"seed":3}"#;
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let (session, _) = simulate(&scenario, 3, unwatched).unwrap();
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
+        let table = prepared.table();
+        let shapes = table.candidates.iter().filter_map(|c| match &c.what {
+            CandidateKind::Anonymous(shape) => Some(shape),
+            CandidateKind::Named(_) => None,
+        });
+        let shapes: Vec<&Shape> = shapes.collect();
+        assert!(
+            shapes
+                .iter()
+                .any(|s| matches!(s.variable, Variable::Target(_)))
+        );
+        let parts = |at_once| table.space.by_parts(&prepared.problem, &shapes, at_once);
+        let whole = parts(usize::MAX);
+        assert!(whole.iter().all(|c| c.concat().iter().any(|v| *v != 0.0)));
+        assert!(parts(1) == whole && parts(7) == whole);
+    }
+}
