@@ -18,6 +18,8 @@
 //! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far. That is for one pair whose
 //! sizes are known; [`super::decision`] counts all pairs and all sizes that are possible.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::evidence::Regression;
@@ -28,7 +30,7 @@ use crate::observations::Layer;
 use crate::sessions::Session;
 
 use super::candidates::CandidatePoses;
-use super::exchange::Information;
+use super::exchange::{CandidateRows, Information};
 use super::inverse::inverse;
 
 /// Information that every direction has at least, as a share of what the columns could bring.
@@ -186,7 +188,7 @@ impl<'p> Field<'p> {
         let white = noise.whitened(rows, &columns);
         let known = white.tr_mul(&white) * weight;
         let seen = self.predictions(truth, other);
-        let mut comparison = Comparison::new(&seen, &known, enough);
+        let mut comparison = Comparison::new(seen, &known, enough);
         let pull = white.tr_mul(&difference) * weight;
         let at_first = &comparison.information.covariance * &pull;
         let explained = at_first.dot(&pull);
@@ -201,7 +203,9 @@ impl<'p> Field<'p> {
 /// A model that is refitted to what candidates show, in many draws of what is measured.
 #[derive(Debug, Clone)]
 pub(crate) struct Refit {
-    pub(crate) predictions: Vec<Prediction>,
+    candidates: Arc<CandidateRows>,
+    /// Differences of the predictions in the rows of all candidates.
+    pub(crate) differences: DVector<f64>,
     pub(crate) covariance: DMatrix<f64>,
     /// Draws by parameters: products with the few columns of a candidate run along the draws.
     refits: DMatrix<f64>,
@@ -212,12 +216,32 @@ pub(crate) struct Refit {
 impl Refit {
     /// `gram` is that of the model's columns over what was measured already.
     pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, draws: usize) -> Self {
+        let differences = differences(&predictions);
+        let candidates = together(predictions, gram.nrows());
         Self {
-            covariance: covariance_of(gram, &predictions),
+            covariance: covariance_of(gram, &candidates),
             refits: DMatrix::zeros(draws, gram.nrows()),
             risen: DVector::zeros(draws),
-            predictions,
+            candidates,
+            differences,
         }
+    }
+
+    /// Squared length of each of the model's columns over all candidates.
+    pub(crate) fn squares(&self) -> Vec<f64> {
+        self.candidates.squares()
+    }
+
+    /// How many candidates there are.
+    pub(crate) fn len(&self) -> usize {
+        self.candidates.len()
+    }
+
+    /// Difference of the predictions at a candidate, and the columns of the model there.
+    pub(crate) fn at(&self, candidate: usize) -> (DVector<f64>, DMatrix<f64>) {
+        let (first, size) = self.candidates.place(candidate);
+        let difference = self.differences.rows(first, size).into_owned();
+        (difference, self.candidates.of(candidate).transpose())
     }
 
     /// Refitted to what others show, each with how far apart the two have to be. The differences of all are
@@ -227,19 +251,18 @@ impl Refit {
         others: impl Iterator<Item = (&'r Self, f64)>,
     ) -> Comparison {
         let apart = others.map(|(other, enough)| {
-            let pairs = self.predictions.iter().zip(&other.predictions);
-            let differences: Vec<_> = pairs.map(|(a, b)| &a.difference - &b.difference).collect();
-            ModelDistance::new(differences.iter(), enough)
+            ModelDistance::new(&self.differences - &other.differences, enough)
         });
-        Comparison::of(&self.predictions, self.covariance.clone(), apart.collect())
+        let candidates = Arc::clone(&self.candidates);
+        Comparison::of(candidates, self.covariance.clone(), apart.collect())
     }
 
     /// What a candidate leaves in every draw, and its covariance.
-    fn innovation(&self, candidate: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-        let Prediction {
-            difference,
-            columns,
-        } = &self.predictions[candidate];
+    fn innovation(
+        &self,
+        difference: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> (DMatrix<f64>, DMatrix<f64>) {
         let mut left = (&self.refits * columns.transpose()).transpose();
         for mut column in left.column_iter_mut() {
             column.zip_apply(difference, |own, d| *own = d - *own);
@@ -253,14 +276,15 @@ impl Refit {
 
     /// Measures a candidate: `measured` is what comes to the difference in each draw.
     pub(crate) fn take(&mut self, candidate: usize, measured: Option<&DMatrix<f64>>) {
-        let (mut left, spread) = self.innovation(candidate);
+        let (difference, columns) = self.at(candidate);
+        let (mut left, spread) = self.innovation(&difference, &columns);
         if let Some(measured) = measured {
             left += measured;
         }
         let Some(factor) = spread.cholesky() else {
             return;
         };
-        let carried = &self.covariance * self.predictions[candidate].columns.transpose();
+        let carried = &self.covariance * columns.transpose();
         let solved = factor.solve(&left);
         for (draw, risen) in self.risen.iter_mut().enumerate() {
             *risen += solved.column(draw).dot(&left.column(draw)).max(0.0);
@@ -294,10 +318,9 @@ pub(crate) struct ModelDistance {
 
 impl ModelDistance {
     /// Of what another model shows as compared with the one that is refitted.
-    fn new<'d>(differences: impl Iterator<Item = &'d DVector<f64>>, enough: f64) -> Self {
-        let left: Vec<f64> = differences.flat_map(|d| d.iter().copied()).collect();
+    fn new(left: DVector<f64>, enough: f64) -> Self {
         Self {
-            left: left.into(),
+            left,
             delta: 0.0,
             enough,
         }
@@ -317,25 +340,20 @@ impl ModelDistance {
 impl Comparison {
     /// Against one other model; `gram` is that of the refitted model's columns over what was measured
     /// already.
-    pub(crate) fn new(predictions: &[Prediction], gram: &DMatrix<f64>, enough: f64) -> Self {
-        let differences = predictions.iter().map(|one| &one.difference);
-        let apart = vec![ModelDistance::new(differences, enough)];
-        Self::of(predictions, covariance_of(gram, predictions), apart)
+    pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, enough: f64) -> Self {
+        let apart = vec![ModelDistance::new(differences(&predictions), enough)];
+        let candidates = together(predictions, gram.nrows());
+        let covariance = covariance_of(gram, &candidates);
+        Self::of(candidates, covariance, apart)
     }
 
-    fn of(predictions: &[Prediction], covariance: DMatrix<f64>, apart: Vec<ModelDistance>) -> Self {
-        let mut first = vec![0];
-        first.extend(predictions.iter().scan(0, |end, one| {
-            *end += one.columns.nrows();
-            Some(*end)
-        }));
-        let mut rows = DMatrix::zeros(first[predictions.len()], covariance.ncols());
-        for (one, from) in predictions.iter().zip(&first) {
-            rows.rows_mut(*from, one.columns.nrows())
-                .copy_from(&one.columns);
-        }
+    fn of(
+        candidates: Arc<CandidateRows>,
+        covariance: DMatrix<f64>,
+        apart: Vec<ModelDistance>,
+    ) -> Self {
         Self {
-            information: Information::new(&rows, first, covariance),
+            information: Information::over(candidates, covariance),
             apart,
             since: Vec::new(),
         }
@@ -412,14 +430,32 @@ fn whitened_square(root: &DMatrix<f64>, left: &[f64], white: &mut [f64]) -> f64 
     square
 }
 
+/// Differences of the predictions in the rows of all candidates.
+fn differences(predictions: &[Prediction]) -> DVector<f64> {
+    let all = predictions.iter().flat_map(|one| one.difference.iter());
+    all.copied().collect::<Vec<f64>>().into()
+}
+
+/// Columns of the model that is refitted, `p` of them, in the rows of all candidates.
+fn together(predictions: Vec<Prediction>, p: usize) -> Arc<CandidateRows> {
+    let mut first = vec![0];
+    first.extend(predictions.iter().scan(0, |end, one| {
+        *end += one.columns.nrows();
+        Some(*end)
+    }));
+    let mut rows = DMatrix::zeros(p, first[predictions.len()]);
+    // Each goes as soon as it is copied.
+    for (one, from) in predictions.into_iter().zip(&first) {
+        rows.columns_mut(*from, one.columns.nrows())
+            .tr_copy_from(&one.columns);
+    }
+    Arc::new(CandidateRows::new(rows, first))
+}
+
 /// Covariance of a model's parameters over what was measured already.
-fn covariance_of(gram: &DMatrix<f64>, predictions: &[Prediction]) -> DMatrix<f64> {
+fn covariance_of(gram: &DMatrix<f64>, candidates: &CandidateRows) -> DMatrix<f64> {
     let mut information = gram.clone();
-    for k in 0..gram.nrows() {
-        let reach: f64 = predictions
-            .iter()
-            .map(|x| x.columns.column(k).norm_squared())
-            .sum();
+    for (k, reach) in candidates.squares().into_iter().enumerate() {
         information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
     }
     inverse(&information)
@@ -459,7 +495,7 @@ mod tests {
     fn delta_is_what_a_least_squares_refit_leaves() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
         let known = DMatrix::from_element(1, 1, 4.0);
-        let mut comparison = Comparison::new(&predictions_of(&rows), &known, 100.0);
+        let mut comparison = Comparison::new(predictions_of(&rows), &known, 100.0);
         let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
             let gain = comparison.worth(k, |_| true, |_, gain| gain);
@@ -483,7 +519,7 @@ mod tests {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
         let known = DMatrix::from_element(1, 1, 4.0);
         let of = |enough| {
-            let mut comparison = Comparison::new(&predictions_of(&rows), &known, enough);
+            let mut comparison = Comparison::new(predictions_of(&rows), &known, enough);
             (0..3).for_each(|k| comparison.take(k));
             comparison
         };
@@ -498,7 +534,7 @@ mod tests {
     #[test]
     fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
         let rows = [(3.0, 1.0), (6.0, 2.0)];
-        let comparison = Comparison::new(&predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
+        let comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
         let mut parting = ModelSeparation::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
         let delta = parting.comparisons[0].apart[0].delta;

@@ -20,7 +20,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::{Comparison, Field, Prediction, Refit};
+use super::comparison::{Comparison, Field, Refit};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::other_settings::at_another_setting;
 use crate::effects::Term;
@@ -87,14 +87,15 @@ impl Decision {
         for (index, Explanation { fit, open, .. }) in explanations.iter().enumerate() {
             let predictions = field.predictions(&explanations[0].fit.model, &fit.model);
             let information = field.gram(&fit.model);
+            let refit = Refit::new(predictions, &information, draws);
             if *open {
                 truths.push(Truth {
                     index,
-                    parameters: drawn(&information, &predictions, &mut random),
+                    parameters: drawn(&information, &refit, &mut random),
                     first: truths.len() * DRAWS,
                 });
             }
-            refits.push(Refit::new(predictions, &information, draws));
+            refits.push(refit);
         }
         let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
             let added = regression.added(&e.fit).into_iter();
@@ -146,14 +147,14 @@ impl Decision {
     /// Measures a pose in every draw.
     pub(crate) fn take(&mut self, candidate: usize) {
         let draws = self.truths.len() * DRAWS;
-        let axes = self.refits[0].predictions[candidate].difference.len();
+        let axes = self.refits[0].at(candidate).0.len();
         // Measured values are relative to the first explanation.
         let mut measured = DMatrix::zeros(axes, draws);
         for truth in &self.truths {
-            let own = &self.refits[truth.index].predictions[candidate];
-            let mut block = &own.columns * &truth.parameters;
+            let (difference, columns) = self.refits[truth.index].at(candidate);
+            let mut block = columns * &truth.parameters;
             for mut column in block.column_iter_mut() {
-                column -= &own.difference;
+                column -= &difference;
             }
             measured.columns_mut(truth.first, DRAWS).copy_from(&block);
         }
@@ -242,18 +243,11 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
 }
 
 /// Deviations of a model's parameters as the samples leave them possible.
-fn drawn(
-    information: &DMatrix<f64>,
-    predictions: &[Prediction],
-    random: &mut ChaCha8Rng,
-) -> DMatrix<f64> {
+fn drawn(information: &DMatrix<f64>, refit: &Refit, random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let p = information.nrows();
     let mut known = information.clone();
-    for k in 0..p {
-        let squares = predictions
-            .iter()
-            .map(|x| x.columns.column(k).norm_squared());
-        let mean = squares.sum::<f64>() / predictions.len().max(1) as f64;
+    for (k, squares) in refit.squares().into_iter().enumerate() {
+        let mean = squares / refit.len().max(1) as f64;
         known[(k, k)] += mean / (WIDEST * WIDEST);
     }
     let scale = |k: usize| {

@@ -13,7 +13,9 @@
 //! (Fedorov 1972; Cook & Nachtsheim 1980). Both ways C and all J C Jᵀ change by as many ranks as a
 //! pose has rows, and nothing is inverted anew.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
+use std::sync::Arc;
+
+use nalgebra::{Cholesky, DMatrix, DMatrixView, DVector};
 
 use crate::linear::products;
 
@@ -56,13 +58,56 @@ fn best(worths: &[f64]) -> Option<usize> {
 /// Rows of candidates that several directions are multiplied with while they are at hand.
 const AT_ONCE: usize = 32;
 
-/// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
-#[derive(Clone)]
-pub(crate) struct Information {
-    /// Rows of all candidates, in units of the noise; each stands in a column.
+/// Columns of a model in the rows of all candidates, in units of the noise. They are most of what a planner
+/// holds, and all that look at one model share them.
+#[derive(Debug)]
+pub(crate) struct CandidateRows {
+    /// Parameters by rows: each row of the model stands in a column.
     rows: DMatrix<f64>,
     /// First row of each candidate, and the end.
     first: Vec<usize>,
+}
+
+impl CandidateRows {
+    /// `rows` has the rows in columns; `first` says where each candidate begins, and the end.
+    pub(crate) fn new(rows: DMatrix<f64>, first: Vec<usize>) -> Self {
+        Self { rows, first }
+    }
+
+    /// First row of a candidate and how many it has.
+    pub(crate) fn place(&self, candidate: usize) -> (usize, usize) {
+        let first = self.first[candidate];
+        (first, self.first[candidate + 1] - first)
+    }
+
+    /// The rows of a candidate, each in a column.
+    pub(crate) fn of(&self, candidate: usize) -> DMatrixView<'_, f64> {
+        let (first, size) = self.place(candidate);
+        self.rows.columns(first, size)
+    }
+
+    /// How many candidates there are.
+    pub(crate) fn len(&self) -> usize {
+        self.first.len().saturating_sub(1)
+    }
+
+    /// Squared length of each of the model's columns over all candidates.
+    pub(crate) fn squares(&self) -> Vec<f64> {
+        let squares = |k: usize| {
+            let of = |candidate| self.of(candidate).row(k).norm_squared();
+            (0..self.len()).map(of).sum()
+        };
+        (0..self.rows.nrows()).map(squares).collect()
+    }
+}
+
+/// Rows that are multiplied with a covariance at once.
+const CARRIED_AT_ONCE: usize = 256;
+
+/// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
+#[derive(Clone)]
+pub(crate) struct Information {
+    candidates: Arc<CandidateRows>,
     pub(crate) covariance: DMatrix<f64>,
     /// J C Jᵀ of every candidate: its rows stand where the candidate's stand.
     spread: DMatrix<f64>,
@@ -72,12 +117,20 @@ pub(crate) struct Information {
 impl Information {
     /// Candidates with their rows (`first` says where each begins, and the end), beside what is known.
     pub(crate) fn new(rows: &DMatrix<f64>, first: Vec<usize>, covariance: DMatrix<f64>) -> Self {
-        let most = first.windows(2).map(|w| w[1] - w[0]).max().unwrap_or(0);
+        Self::over(
+            Arc::new(CandidateRows::new(rows.transpose(), first)),
+            covariance,
+        )
+    }
+
+    /// Candidates whose rows others look at too, beside what is known.
+    pub(crate) fn over(candidates: Arc<CandidateRows>, covariance: DMatrix<f64>) -> Self {
+        let places = (0..candidates.len()).map(|k| candidates.place(k).1);
+        let most = places.max().unwrap_or(0);
         let mut new = Self {
-            spread: DMatrix::zeros(rows.nrows(), most),
-            taken: vec![false; first.len().saturating_sub(1)],
-            rows: rows.transpose(),
-            first,
+            spread: DMatrix::zeros(candidates.rows.ncols(), most),
+            taken: vec![false; candidates.len()],
+            candidates,
             covariance,
         };
         new.refresh();
@@ -86,22 +139,30 @@ impl Information {
 
     /// Every J C Jᵀ from the covariance as it is now.
     fn refresh(&mut self) {
-        let carried = &self.covariance * &self.rows;
-        for pair in self.first.windows(2) {
-            let size = pair[1] - pair[0];
-            let own = carried
-                .columns(pair[0], size)
-                .tr_mul(&self.rows.columns(pair[0], size));
-            self.spread
-                .view_mut((pair[0], 0), (size, size))
-                .copy_from(&own);
+        let CandidateRows { rows, first } = &*self.candidates;
+        // So many rows at a time that what the covariance makes of them needs little room.
+        let mut from = 0;
+        while from + 1 < first.len() {
+            let more = first[from..].partition_point(|f| f - first[from] <= CARRIED_AT_ONCE);
+            let to = (from + more - 1).max(from + 1);
+            let start = first[from];
+            let carried = &self.covariance * rows.columns(start, first[to] - start);
+            for pair in first[from..=to].windows(2) {
+                let size = pair[1] - pair[0];
+                let own = carried
+                    .columns(pair[0] - start, size)
+                    .tr_mul(&rows.columns(pair[0], size));
+                self.spread
+                    .view_mut((pair[0], 0), (size, size))
+                    .copy_from(&own);
+            }
+            from = to;
         }
     }
 
     /// First row of a candidate and how many it has.
     pub(crate) fn place(&self, candidate: usize) -> (usize, usize) {
-        let first = self.first[candidate];
-        (first, self.first[candidate + 1] - first)
+        self.candidates.place(candidate)
     }
 
     /// Lower triangular root of 1 ± J C Jᵀ of a candidate.
@@ -124,12 +185,13 @@ impl Information {
     /// What each of some directions of the parameters, in rows, shows in the rows of all candidates: a
     /// column a direction. The candidates are read once.
     fn shown_by_each(&self, directions: &DMatrix<f64>) -> DMatrix<f64> {
-        let p = self.rows.nrows();
+        let all = &self.candidates.rows;
+        let p = all.nrows();
         let directions = directions.transpose();
-        let mut shown = DMatrix::zeros(self.rows.ncols(), directions.ncols());
-        for first in (0..self.rows.ncols()).step_by(AT_ONCE) {
-            let some = AT_ONCE.min(self.rows.ncols() - first);
-            let rows = &self.rows.as_slice()[first * p..(first + some) * p];
+        let mut shown = DMatrix::zeros(all.ncols(), directions.ncols());
+        for first in (0..all.ncols()).step_by(AT_ONCE) {
+            let some = AT_ONCE.min(all.ncols() - first);
+            let rows = &all.as_slice()[first * p..(first + some) * p];
             for (k, direction) in directions.column_iter().enumerate() {
                 let start = k * shown.nrows() + first;
                 let out = &mut shown.as_mut_slice()[start..start + some];
@@ -141,7 +203,7 @@ impl Information {
 
     /// What one direction of the parameters shows in the rows of all candidates.
     pub(crate) fn shown(&self, direction: &DVector<f64>) -> DVector<f64> {
-        self.rows.tr_mul(direction)
+        self.candidates.rows.tr_mul(direction)
     }
 
     /// Takes the rows of a candidate in (`sign` 1) or out (−1). With L the root of its innovation: L and
@@ -151,14 +213,14 @@ impl Information {
         candidate: usize,
         sign: f64,
     ) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
-        let (first, size) = self.place(candidate);
-        let carried = self.rows.columns(first, size).tr_mul(&self.covariance);
+        let (_, size) = self.place(candidate);
+        let carried = self.candidates.of(candidate).tr_mul(&self.covariance);
         let root = self.innovation(candidate, sign)?;
         let carried = root.solve_lower_triangular(&carried)?;
         self.taken[candidate] = sign > 0.0;
         self.covariance.gemm_tr(-sign, &carried, &carried, 1.0);
         let moved = self.shown_by_each(&carried);
-        for pair in self.first.windows(2) {
+        for pair in self.candidates.first.windows(2) {
             for i in pair[0]..pair[1] {
                 for j in pair[0]..pair[1] {
                     let change: f64 = (0..size).map(|k| moved[(i, k)] * moved[(j, k)]).sum();
