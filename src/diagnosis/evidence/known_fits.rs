@@ -107,14 +107,24 @@ impl KnownFits {
         self.forget_bases();
     }
 
-    /// Takes the bases of all but the last. Fits with shapes are forgotten with them: shapes have as many numbers, and
-    /// made anew such a fit has the bits that it had.
+    /// Takes the bases of all.
+    pub(crate) fn forget_all_bases(&self) {
+        self.forget_bases_but(0);
+    }
+
+    /// Takes the bases of all but the last.
     fn forget_bases(&self) {
+        self.forget_bases_but(self.most);
+    }
+
+    /// Takes the bases of all but the last so many. Fits with shapes are forgotten with them: shapes have as many
+    /// numbers, and made anew such a fit has the bits that it had.
+    fn forget_bases_but(&self, most: usize) {
         let mut with = 0;
         let mut all = self.known.borrow_mut();
         for known in all.iter_mut().rev().filter(|known| known.has_basis) {
             with += 1;
-            if with > self.most {
+            if with > most {
                 known.has_basis = false;
                 known.fit.basis = Arc::new(Basis::new(&DMatrix::zeros(0, 0)));
             }

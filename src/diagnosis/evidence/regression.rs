@@ -216,13 +216,20 @@ impl<'a> Regression<'a> {
         residual
     }
 
-    /// What was found for fits so far is worked out again where it is asked for again.
-    pub(crate) fn forget(&self) {
-        self.fits.clear();
+    /// What fits that were made so far need most room for is worked out again where it is asked for again: their
+    /// bases, and what stands beside them. The fits themselves stay known.
+    pub(crate) fn make_room(&self) {
+        self.fits.forget_all_bases();
         self.scores_of_names.clear();
         self.scores_of_shapes.clear();
         self.surroundings.clear();
         self.rivals.clear();
+    }
+
+    /// What was found for fits so far is worked out again where it is asked for again.
+    pub(crate) fn forget(&self) {
+        self.make_room();
+        self.fits.clear();
         *self.familywise.borrow_mut() = Familywise::default();
     }
 
