@@ -72,8 +72,9 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 16;
-/// Fits that are kept with their bases: so many numbers of the base's columns in them (16 MiB), and no more than these.
-const FITS_KEPT: usize = 1 << 21;
+/// The last fits, of which one that comes again counts as no work: so many numbers of the base's columns in them, and no
+/// more than these. Every second is kept with its basis (8 MiB).
+const LAST_FITS: usize = 1 << 21;
 const MOST_FITS: usize = 64;
 const RIVALS_KEPT: usize = 2;
 /// Errors on unseen samples that are kept.
@@ -100,7 +101,7 @@ impl<'a> Regression<'a> {
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
-        let fits_kept = (FITS_KEPT / numbers_of_a_basis.max(1)).min(MOST_FITS);
+        let last_fits = (LAST_FITS / numbers_of_a_basis.max(1)).min(MOST_FITS);
         let price = PRICE_OF_A_VARIANCE * numbers + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {
@@ -120,7 +121,7 @@ impl<'a> Regression<'a> {
             seed,
             threads,
             familywise: RefCell::new(Familywise::default()),
-            fits: KnownFits::new(fits_kept, fits_kept),
+            fits: KnownFits::new(last_fits / 2, last_fits),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
             unseen: Memo::new(UNSEEN_KEPT),
