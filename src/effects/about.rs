@@ -360,6 +360,8 @@ pub struct About {
     pub over: Over,
     /// What a session must have; the first that it lacks is told.
     pub needs: &'static [Need],
+    /// Cycles per turn of a wave that has no other order; at equal steps a gear's order may look the same.
+    pub cycles_per_turn: Option<u32>,
     /// Whether its sizes (an amplitude apart, which is one by its form) cannot be negative.
     pub non_negative: bool,
     /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
@@ -401,6 +403,7 @@ impl About {
         cause: phrase!(""),
         over: Over::Angle,
         needs: &[],
+        cycles_per_turn: None,
         non_negative: false,
         implausible_above: None,
         usual_size: phrase!(""),

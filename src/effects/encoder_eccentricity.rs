@@ -19,6 +19,7 @@ const ABOUT: About = About {
     equation: "q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)",
     source: "geometry of an off-centre graduation; e = ρ ε for a ring of radius ρ",
     cause: phrase!("the encoder's ring or the gear that drives it is mounted off centre"),
+    cycles_per_turn: Some(1),
     implausible_above: Some(0.5),
     usual_size: phrase!("10 µm of eccentricity on a ring of 50 mm radius is 0.011°"),
     confused_with: phrase!(

@@ -17,6 +17,7 @@ const ABOUT: About = About {
     cause: phrase!(
         "the encoder ring is tilted or oval, or a coupling between encoder and shaft is bent"
     ),
+    cycles_per_turn: Some(2),
     implausible_above: Some(0.056),
     usual_size: phrase!("1″ to 20″"),
     confused_with: phrase!("a coupling error of the same order: only the part can tell"),

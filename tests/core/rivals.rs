@@ -166,6 +166,19 @@ fn behind_equal_steps_every_order_is_said_and_uneven_poses_part_them() {
 }
 
 #[test]
+fn behind_equal_steps_a_wave_once_a_turn_says_which_gears_look_the_same() {
+    let said = |answer: &Diagnosis| answer.found[0].says.to_string();
+    for order in [1.0, 73.0] {
+        let answer = diagnosed(&session(&equal_steps(), 5, wave(order, 0.02), still));
+        assert_eq!(names(&answer), ["encoder-eccentricity"]);
+        assert!(said(&answer).contains("equal steps of 5.00° a gear error of 71, 73, 143, 145 …"));
+    }
+    let answer = diagnosed(&session(&uneven(140), 5, wave(1.0, 0.02), still));
+    assert_eq!(names(&answer), ["encoder-eccentricity"]);
+    assert!(!said(&answer).contains("steps"), "{}", said(&answer));
+}
+
+#[test]
 fn at_uneven_poses_an_order_has_no_other() {
     let answer = diagnosed(&session(&uneven(140), 5, wave(88.0, 0.02), still));
     assert_eq!(orders(&answer), [88.0]);

@@ -1,5 +1,7 @@
 //! Steps of equal size, at which one order of a gear is the same samples as another.
 
+use std::f64::consts::TAU;
+
 use crate::answers::diagnosis::DataProblem;
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
@@ -7,6 +9,7 @@ use crate::units::deg_from_rad;
 use crate::diagnosis::candidates::{setting, shown};
 use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::effects::Term;
 
 /// Steps are equal where none differs by more than this share from their median.
 const EQUAL: f64 = 0.02;
@@ -46,6 +49,29 @@ pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option
         mend: None,
         samples: Vec::new(),
     })
+}
+
+/// Orders of a gear that are listed.
+const LISTED: usize = 4;
+
+/// Orders of a gear that look like a wave of this term at the equal steps of its joint, and the step in rad. No
+/// likelihood parts them, and none is a rival: a ring off its centre is common, a gear of just this order is not.
+pub(crate) fn orders_that_look_alike(
+    prepared: &PreparedSearch,
+    term: &Term,
+) -> Option<(f64, Vec<u32>)> {
+    let about = term.effect.about();
+    let own = about.cycles_per_turn?;
+    let values = &prepared.regression.rows.inputs.q[term.joint];
+    let step = step_of(values)?;
+    let steps = TAU / step;
+    let whole = steps.round();
+    if (steps - whole).abs() > EQUAL || whole <= 2.0 * f64::from(own) || whole > 1e6 {
+        return None;
+    }
+    let whole = whole as u32;
+    let alike = (1..).flat_map(|k| [k * whole - own, k * whole + own]);
+    Some((step, alike.take(LISTED).collect()))
 }
 
 /// The step of values that are equal steps, inner units.

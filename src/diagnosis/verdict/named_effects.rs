@@ -3,8 +3,9 @@
 use crate::answers::diagnosis::{Floor, FoundEffect};
 use crate::effects::{called, stated};
 use crate::text::Text;
-use crate::text::lengths;
+use crate::text::{angle, lengths};
 
+use super::equal_steps::orders_that_look_alike;
 use super::step_time;
 use super::values::Values;
 use crate::diagnosis::evidence::FamilyP;
@@ -43,6 +44,15 @@ pub(crate) fn found(
                 evidence = says,
                 cycles = of.per_motor_turn,
                 ratio = of.ratio
+            );
+        }
+        if let Some((step, orders)) = orders_that_look_alike(prepared, term) {
+            let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
+            says = text!(
+                "{evidence}; at equal steps of {step} a gear error of {orders} … cycles per turn would look the same: poses at unequal steps tell them apart",
+                evidence = says,
+                step = angle(step, 2),
+                orders = orders.join(", ")
             );
         }
         if let Some([from, to]) = within_s {
