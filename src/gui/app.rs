@@ -151,6 +151,7 @@ impl App {
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());
+        widgets::read_next(ui.ctx());
         let mut commands = actions::read(ui.ctx(), &self.workbench);
         self.lay_out(ui, &mut commands);
         let any = !commands.is_empty();
@@ -302,7 +303,7 @@ impl App {
                 }
             });
         views::grips::show(ui, workbench, room, middle, commands);
-        views::toast::show(ui, workbench, commands);
+        views::notices::show(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
         views::dropped::show(ui, commands);
         widgets::focus_ring(ui.ctx());
@@ -342,6 +343,8 @@ impl App {
         }
         if wanted.theme != self.shown.theme {
             ctx.set_theme(wanted.theme.preference());
+            // What has begun to be drawn has the colours of before.
+            ctx.request_discard("another theme");
         }
         if wanted.decimal_comma != self.shown.decimal_comma {
             write_fields(ctx, wanted.decimal_comma);

@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             for problem in not_corrected.says.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, problem);
             }
-            ends::done(ui, commands);
+            refused(ui, differs, commands);
         }
         Ok(corrected) => {
             widgets::fact_of(ui, phrase!("read as"), corrected.language);
@@ -66,6 +66,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 commands.push(Command::ChooseWhereToExport(What::Targets));
             }
         }
+    }
+}
+
+/// What comes next where nothing was corrected: what is asked above is answered, or another file is taken.
+fn refused(ui: &mut Ui, differs: &[DifferingNumber], commands: &mut Vec<Command>) {
+    if differs.is_empty() {
+        if ends::buttons_without_enter(ui, say!("Choose another file…"), true, commands) {
+            commands.push(Command::ChooseTargets);
+        }
+    } else {
+        ends::buttons_without_enter(ui, say!("Save corrected file…"), false, commands);
     }
 }
 

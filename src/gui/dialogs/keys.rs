@@ -14,7 +14,9 @@ use super::ends::done;
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
     widgets::heading(ui, say!("Keyboard and mouse"));
-    let others: [(&str, &str); 7] = [
+    let next = actions::in_words(ui.ctx(), widgets::NEXT);
+    let others: [(&str, &str); 8] = [
+        (&next, say!("press the filled button: what comes next")),
         ("← →", say!("move the boundary that has the focus")),
         ("Shift+← →", say!("move it further")),
         (

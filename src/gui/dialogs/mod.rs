@@ -8,6 +8,7 @@ mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
 
+use egui::style::NumberFormatter;
 use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{Palette, space};
@@ -56,6 +57,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         .backdrop_color(Palette::of(ui).veil);
     let shown = modal.show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
+        as_short_as_they_are(ui);
         // On a small screen, or with large text, a sheet is higher than the window.
         let high = ui.ctx().content_rect().height() - 2.0 * f32::from(SHEET) - MARGIN;
         let scroll = ScrollArea::vertical()
@@ -86,10 +88,17 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
     });
     lists_above(ui.ctx(), shown.response.layer_id);
     let beside = shown.backdrop_response.clicked();
-    let left = shown.should_close() && !(beside && holds_entries(sheet));
+    let left = shown.should_close() && !(beside && sheet.holds_entries());
     if left {
-        commands.push(Command::Sheet(None));
+        commands.push(Command::Sheet(sheet.before()));
     }
+}
+
+/// Numbers in fields without the zeros that a field has for its finest step: `30°`, not `30.00°`.
+fn as_short_as_they_are(ui: &mut Ui) {
+    let usual = ui.style().number_formatter.clone();
+    ui.style_mut().number_formatter =
+        NumberFormatter::new(move |value, decimals| usual.format(value, 0..=*decimals.end()));
 }
 
 /// A list that is opened in a sheet is above it. The click that opens it brings the sheet to the top, and a list
@@ -102,21 +111,6 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
     let lists = (layers.into_iter()).filter(|layer| layer.order == sheet.order && *layer != sheet);
     for list in lists {
         ctx.set_sublayer(sheet, list);
-    }
-}
-
-/// Whether a sheet holds what was typed or chosen in it: a click beside it, which may be meant for
-/// something else, does not close it. Escape and *Cancel* do.
-fn holds_entries(sheet: &Sheet) -> bool {
-    match sheet {
-        Sheet::SavePath { .. }
-        | Sheet::ExportPath { .. }
-        | Sheet::Simulate(_)
-        | Sheet::RobotTable(_)
-        | Sheet::Unsaved(_)
-        | Sheet::Overwrite(_)
-        | Sheet::Import(_) => true,
-        Sheet::Named(name) => ["compensation", "details", "recording", "recovery"].contains(name),
     }
 }
 

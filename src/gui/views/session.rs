@@ -256,9 +256,15 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             .layout_no_wrap(open.to_owned(), font, Palette::of(ui).text);
         let spacing = ui.spacing();
         let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
-        let width = ui.available_width() - (open_width.size().x + around).max(64.0);
+        let beside = ui.available_width() - (open_width.size().x + around).max(64.0);
+        let hint = say!("type a path, or drop a file");
+        let body = egui::TextStyle::Body.resolve(ui.style());
+        let of_hint = widgets::width_of(ui, hint, body) + 2.0 * around;
+        // Where there is no room for both, the button comes with the first letter: without one it does nothing.
+        let alone = typed.is_empty() && of_hint > beside;
+        let width = if alone { ui.available_width() } else { beside };
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(say!("type a path, or drop a file"))
+            .hint_text(hint)
             .desired_width(width)
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
@@ -266,8 +272,11 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
         widgets::label(&field, say!("Path of a session or model"));
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
-        let button = ui.add_enabled(!path.is_empty(), egui::Button::new(open));
-        if (entered || button.clicked()) && !path.is_empty() {
+        let pressed = !alone && {
+            let button = egui::Button::new(open);
+            ui.add_enabled(!path.is_empty(), button).clicked()
+        };
+        if (entered || pressed) && !path.is_empty() {
             commands.push(Command::OpenFile(path.into()));
         }
     });

@@ -8,9 +8,9 @@ mod steps;
 mod text;
 
 pub(crate) use buttons::{
-    other, primary, secondary, segmented, segmented_named, width_of_segments,
+    NEXT, other, primary, read_next, secondary, segmented, segmented_named, width_of_segments,
 };
-pub(crate) use fields::{cell_number, form_row, number, or_none, row};
+pub(crate) use fields::{cell_number, form_row, number, or_none, row, select_all};
 pub(crate) use grip::{Gripped, grip, grip_between};
 pub(crate) use icons::{
     copy_button, data_button, history_button, icon_button, save_button, side_button, sign_that,

@@ -52,6 +52,8 @@ pub(crate) enum Command {
     /// Ask for a file to open.
     ChooseFile,
     OpenFile(PathBuf),
+    /// Open what was dropped on the window.
+    Drop(Vec<PathBuf>),
     /// Say something about the foreign file on the sheet.
     Say(Box<ImportAnswers>),
     /// Its columns were looked at, and are right.

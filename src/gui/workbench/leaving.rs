@@ -1,6 +1,6 @@
 //! What would be lost, what is asked before it is, and how it is saved.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::core::document::Document;
@@ -104,6 +104,38 @@ impl Workbench {
                     files::simulate(&form, watch)
                 });
             }
+        }
+    }
+
+    /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
+    pub(super) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
+        if self.view.sheet.as_ref().is_some_and(Sheet::holds_entries) {
+            return self.complain(
+                say!("What was dropped is not opened over a form"),
+                vec![say!("Finish or cancel the form, then drop the file again").to_owned()],
+            );
+        }
+        let is_document = |path: &&PathBuf| {
+            let ending = path.extension();
+            ending.is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
+        };
+        let session = paths.iter().find(is_document).cloned();
+        if let Some(session) = session {
+            paths.retain(|path| *path == session || path.file_stem() != session.file_stem());
+        }
+        match &paths[..] {
+            [] => {}
+            [folder] if folder.is_dir() => {
+                self.execute(Command::CompareSessions(folder.clone()));
+            }
+            [file] => self.execute(Command::OpenFile(file.clone())),
+            several => self.complain(
+                &say!("{count} files were dropped: none was opened", count = several.len()),
+                vec![
+                    say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")
+                        .to_owned(),
+                ],
+            ),
         }
     }
 

@@ -184,6 +184,7 @@ impl Workbench {
             // A robot program has nothing to be opened: its targets are corrected.
             Command::OpenFile(path) if files::is_program(&path) => self.compensate_file(path),
             Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
+            Command::Drop(paths) => self.drop_files(paths),
             Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
             Command::Leave => self.ask_then(NextAction::Leave),
             Command::Do(then) => self.go(then),

@@ -500,6 +500,10 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         50..=55 => Command::EndDrag,
         56..=63 => Command::Undo,
         64..=67 => Command::Redo,
+        68 if random.random() => {
+            let several = random.random_range(0..3);
+            Command::Drop((0..several).map(|_| files.any(random)).collect())
+        }
         68 => Command::OpenFile(files.any(random)),
         69 => Command::Say(Box::new(said(random, files, workbench))),
         70 if random.random() => Command::ConfirmColumns,

@@ -21,7 +21,7 @@ macro_rules! kinds {
 
 kinds!(
     COMMANDS, command, Command:
-    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
+    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Drop(..), Say(..),
     ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), DiscardAllLeft(), ChooseImport(), KeepRecovery(), LookAtDisk(),
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..), StopRecording(), ChooseLogo(), CompareSessions(..), ChooseFolder(), ChooseTargets(), Compensate(..), Adapt(), Type {..},
