@@ -20,7 +20,7 @@ use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::tokens::{self, Palette, space};
 use crate::gui::view::{About, Plot, What};
 use crate::gui::views;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
 
@@ -94,7 +94,8 @@ impl App {
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
             let canvas = layers::register(state);
-            self.workbench.execute(Command::Canvas(canvas));
+            self.workbench
+                .execute(Command::View(ViewChange::Canvas(canvas)));
         }
         self
     }
@@ -104,7 +105,8 @@ impl App {
     #[must_use]
     pub fn not_drawn(mut self) -> Self {
         let canvas = Canvas::Layers(usize::MAX);
-        self.workbench.execute(Command::Canvas(canvas));
+        self.workbench
+            .execute(Command::View(ViewChange::Canvas(canvas)));
         self
     }
 
@@ -176,7 +178,8 @@ impl App {
         if wanted != self.wanted {
             self.wanted = wanted;
             let letters = crate::text::letters(wanted).collect();
-            self.workbench.execute(Command::FindLetters(letters));
+            self.workbench
+                .execute(Command::Letters(Letters::Find(letters)));
             self.workbench.receive();
         }
         let lacks = self.workbench.characters().lack(wanted.own_name());
@@ -242,7 +245,8 @@ impl App {
             path: path.display().to_string(),
             replace: false,
         };
-        self.workbench.execute(Command::Sheet(Some(sheet)));
+        self.workbench
+            .execute(Command::View(ViewChange::Sheet(Some(sheet))));
     }
 
     fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -381,7 +385,8 @@ impl App {
         };
         let wanted = alphabet.wanted();
         if !wanted.is_empty() {
-            self.workbench.execute(Command::FindLetters(wanted));
+            self.workbench
+                .execute(Command::Letters(Letters::Find(wanted)));
         }
         let drawn = alphabet.install(ctx, &self.workbench.characters().faces);
         if drawn < self.workbench.characters().faces.len() {

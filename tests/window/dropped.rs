@@ -70,6 +70,23 @@ fn of_several_files_none_is_opened_and_it_is_said() {
     assert!(says(&window, "tracker.txt"));
 }
 
+/// In place of a program that is refused another one is dropped.
+#[test]
+fn a_program_is_dropped_in_place_of_another() {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/programs");
+    let folder = tempfile::tempdir().expect("a folder");
+    let refused = folder.path().join("targets.csv");
+    std::fs::write(&refused, "name;q1_deg\nP0;a\n").expect("written");
+    let mut window = window(Some(data.join("arm.json")));
+    keys(&mut window, Modifiers::COMMAND, Key::I);
+    window.state_mut().compensate(&refused);
+    window.run_steps(4);
+    assert!(there(&window, "Choose another file…"));
+    drop_on(&mut window, &[&data.join("cell.mod")]);
+    assert!(says(&window, "Compensate cell.mod"));
+    assert!(there(&window, "Save corrected file…"));
+}
+
 #[test]
 fn of_a_folder_its_sessions_are_compared() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -10,7 +10,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::programs::DifferingNumber;
 
 use super::ends;
@@ -31,7 +31,7 @@ const MOST_LEFT: usize = 30;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(compensated) = workbench.compensated() else {
-        return commands.push(Command::Sheet(None));
+        return commands.push(Command::View(ViewChange::Sheet(None)));
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let name = compensated.wanted.path.file_name().unwrap_or_default();
@@ -63,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             lines(ui, &corrected.changed);
             let any = corrected.summary.corrected > 0;
             if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
-                commands.push(Command::ChooseWhereToExport(What::Targets));
+                commands.push(Command::Ask(Asked::WhereToExport(What::Targets)));
             }
         }
     }
@@ -73,7 +73,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn refused(ui: &mut Ui, differs: &[DifferingNumber], commands: &mut Vec<Command>) {
     if differs.is_empty() {
         if ends::buttons_without_enter(ui, say!("Choose another file…"), true, commands) {
-            commands.push(Command::ChooseTargets);
+            commands.push(Command::Ask(Asked::Targets));
         }
     } else {
         ends::buttons_without_enter(ui, say!("Save corrected file…"), false, commands);

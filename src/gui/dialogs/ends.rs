@@ -5,7 +5,7 @@ use egui::{Key, Ui};
 use crate::gui::style::tokens::space;
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, ViewChange};
 
 /// The buttons at the end of a sheet. Whether the first was pressed.
 pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
@@ -34,7 +34,7 @@ pub(super) fn buttons_or_back(
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(back));
+            commands.push(Command::View(ViewChange::Sheet(back)));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
         button.inner.clicked()
@@ -45,7 +45,7 @@ pub(super) fn buttons_or_back(
 pub(super) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
     if widgets::primary(ui, say!("Done")).clicked() || entered(ui) {
-        commands.push(Command::Sheet(None));
+        commands.push(Command::View(ViewChange::Sheet(None)));
     }
 }
 

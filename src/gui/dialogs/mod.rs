@@ -13,7 +13,8 @@ use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 type Show = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
@@ -63,34 +64,37 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         let scroll = ScrollArea::vertical()
             .max_height(high)
             .min_scrolled_height(high);
-        scroll.show(ui, |ui| match sheet {
-            Sheet::SavePath { path, replace } => {
-                paths::save(ui, workbench, (path, *replace), commands);
+        scroll.show(ui, |ui| {
+            match sheet {
+                Sheet::SavePath { path, replace } => {
+                    paths::save(ui, workbench, (path, *replace), commands);
+                }
+                Sheet::ExportPath {
+                    what,
+                    path,
+                    replace,
+                } => paths::export(ui, workbench, *what, (path, *replace), commands),
+                Sheet::Simulate(form) => match &form.robot {
+                    Some(robot) => simulated_robot::show(ui, robot, form, commands),
+                    None => simulation::show(ui, form, commands),
+                },
+                Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
+                Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
+                Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
+                Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
+                Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
+                    Some((_, show)) => show(ui, workbench, commands),
+                    None => commands.push(Command::View(ViewChange::Sheet(None))),
+                },
             }
-            Sheet::ExportPath {
-                what,
-                path,
-                replace,
-            } => paths::export(ui, workbench, *what, (path, *replace), commands),
-            Sheet::Simulate(form) => match &form.robot {
-                Some(robot) => simulated_robot::show(ui, robot, form, commands),
-                None => simulation::show(ui, form, commands),
-            },
-            Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
-            Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
-            Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
-            Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
-            Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
-                Some((_, show)) => show(ui, workbench, commands),
-                None => commands.push(Command::Sheet(None)),
-            },
+            widgets::focus_in_sight(ui);
         });
     });
     lists_above(ui.ctx(), shown.response.layer_id);
     let beside = shown.backdrop_response.clicked();
     let left = shown.should_close() && !(beside && sheet.holds_entries());
     if left {
-        commands.push(Command::Sheet(sheet.before()));
+        commands.push(Command::View(ViewChange::Sheet(sheet.before())));
     }
 }
 

@@ -7,7 +7,7 @@ use egui::{Key, TextEdit, Ui};
 use crate::export::find;
 use crate::gui::view::{Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::ends::buttons;
 
@@ -37,7 +37,10 @@ pub(super) fn save(
     match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
         PathInput::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
         PathInput::Changed { path, replace } => {
-            commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::SavePath {
+                path,
+                replace,
+            }))));
         }
         PathInput::Same => {}
     }
@@ -153,11 +156,11 @@ pub(super) fn export(
             replace,
         }),
         PathInput::Changed { path, replace } => {
-            commands.push(Command::Sheet(Some(Sheet::ExportPath {
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ExportPath {
                 what,
                 path,
                 replace,
-            })));
+            }))));
         }
         PathInput::Same => {}
     }

@@ -7,7 +7,7 @@ use crate::gui::core::simulate;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::workspace::robot_alone;
 
 /// Width of the table with axes and of that with rows, points.
@@ -51,7 +51,10 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
         ui.allocate_ui_with_layout(vec2(wide, high), down, |ui| {
             ui.set_width(wide);
             let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
-            scroll.max_height(high).show(ui, |ui| rows(ui, &mut typed));
+            scroll.max_height(high).show(ui, |ui| {
+                rows(ui, &mut typed);
+                widgets::focus_in_sight(ui);
+            });
         });
         ui.vertical(|ui| {
             let id = ui.scope_id().with("camera");
@@ -70,8 +73,15 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
     }
     ends(ui, &typed, made.is_ok(), commands);
     let entered = ui.input(|i| i.key_pressed(egui::Key::Escape));
-    if typed != *table && !entered && !commands.iter().any(|c| matches!(c, Command::Sheet(_))) {
-        commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(typed)))));
+    if typed != *table
+        && !entered
+        && !commands
+            .iter()
+            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
+    {
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
+            Box::new(typed),
+        )))));
     }
 }
 
@@ -257,14 +267,14 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
         let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
         if save.clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
         if save.clicked() || simulate.clicked() {
             commands.push(Command::KeepRobot {
@@ -274,7 +284,9 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
         }
         if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
             let form = simulate::Form::of(robot);
-            commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+                form,
+            )))));
         }
     });
 }

@@ -10,7 +10,7 @@ use crate::gui::core::simulate::SimulatedRobot;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::workspace::robot_alone;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
@@ -288,21 +288,21 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     let mut simulate = false;
     ui.columns(4, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
         if let (true, Some(robot)) = (edit.clicked(), chosen) {
-            commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(
-                robot.table(),
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
+                Box::new(robot.table()),
             )))));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
         match (save.clicked(), chosen) {
             (true, Some(Robot::Library(robot))) => {
-                commands.push(Command::ChooseWhereToExport(What::Robot(&robot.id)));
+                commands.push(Command::Ask(Asked::WhereToExport(What::Robot(&robot.id))));
             }
             (true, Some(Robot::Own(table))) => commands.push(Command::KeepRobot {
                 table: Box::new(table.clone()),
@@ -318,6 +318,8 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     if let (true, Some(robot)) = (simulate || entered, chosen)
         && let Some(form) = robot.form()
     {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+            form,
+        )))));
     }
 }

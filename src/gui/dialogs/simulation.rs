@@ -7,7 +7,7 @@ use crate::gui::core::simulate::{Chosen, Form, field};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, ViewChange};
 use crate::kinematics::JointKind;
 
 /// Width of the names of effects, points.
@@ -52,8 +52,12 @@ pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Co
     let back = sheet.before();
     if super::ends::buttons_or_back(ui, say!("Simulate"), ready, back, commands) {
         commands.push(Command::Simulate(filled));
-    } else if changed && !commands.iter().any(|c| matches!(c, Command::Sheet(_))) {
-        commands.push(Command::Sheet(Some(sheet)));
+    } else if changed
+        && !commands
+            .iter()
+            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
+    {
+        commands.push(Command::View(ViewChange::Sheet(Some(sheet))));
     }
 }
 
@@ -137,6 +141,7 @@ pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
             }
             fault(ui, wrong, chosen.id);
         }
+        widgets::focus_in_sight(ui);
     });
     if let Some(index) = gone {
         form.effects.remove(index);

@@ -6,7 +6,7 @@ use egui::{Label, RichText, Ui};
 
 use crate::gui::core::disk::FileChange;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 /// Shows the notice, if there is one.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             FileChange::Changed => {}
         }
         if ui.button(say!("Keep this version")).clicked() {
-            commands.push(Command::KeepMine);
+            commands.push(Command::View(ViewChange::KeepMine));
         }
     });
 }
@@ -51,7 +51,7 @@ fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Ve
     let (says, command) = if workbench.samples_file() == Some(gone) {
         (say!("Save it again"), Command::Save)
     } else {
-        (say!("Save it again…"), Command::ChooseWhereToSave)
+        (say!("Save it again…"), Command::Ask(Asked::WhereToSave))
     };
     if ui.button(says).clicked() {
         commands.push(command);

@@ -9,7 +9,7 @@ use egui::{WidgetInfo, vec2};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Message;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::disk;
 
@@ -79,7 +79,7 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<
     let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
     let left = since + STANDS_S - now;
     if left <= 0.0 {
-        commands.push(Command::Dismiss);
+        commands.push(Command::View(ViewChange::Dismiss));
     } else {
         ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
     }
@@ -123,6 +123,6 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
         }
     }
     if ui.button(say!("Dismiss")).clicked() {
-        commands.push(Command::Dismiss);
+        commands.push(Command::View(ViewChange::Dismiss));
     }
 }

@@ -11,7 +11,7 @@ use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::decision::title as title_of_decision;
 use crate::present::names::{parameter, title_on};
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
@@ -58,7 +58,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if let Some(side) = widgets::segmented(ui, &sides, side) {
-                commands.push(Command::Side(side));
+                commands.push(Command::View(ViewChange::Side(side)));
             }
         });
     });

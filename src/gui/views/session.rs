@@ -11,7 +11,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress, or_none};
-use crate::gui::workbench::{Command, Workbench, of_field};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
 
 use super::setup;
@@ -42,14 +42,16 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     findings(ui, workbench, commands);
     widgets::section(ui, say!("Another session or model"));
     if widgets::secondary(ui, say!("Open…")).clicked() {
-        commands.push(Command::ChooseFile);
+        commands.push(Command::Ask(Asked::File));
     }
     path_field(ui, commands);
     if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+            Form::default(),
+        )))));
     }
     if widgets::secondary(ui, say!("Robots…")).clicked() {
-        commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
     }
     recent(ui, workbench, commands);
     setup::show(ui, workbench, commands);
@@ -239,7 +241,7 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
             .on_hover_text(say!("Show these samples"))
             .clicked()
         {
-            commands.push(Command::Mark(finding.samples.clone()));
+            commands.push(Command::View(ViewChange::Mark(finding.samples.clone())));
         }
     });
 }
@@ -296,6 +298,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (Step::Identify, say!("Continue to identify"))
     };
     if widgets::primary(ui, text).clicked() {
-        commands.push(Command::GoTo(step));
+        commands.push(Command::View(ViewChange::GoTo(step)));
     }
 }

@@ -12,7 +12,7 @@ use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
 
 use super::state::Place;
-use super::{Command, Workbench};
+use super::{Asked, Command, Workbench};
 
 /// Documents that are remembered as standing in a file.
 const MOST_ON_FILE: usize = 64;
@@ -109,7 +109,10 @@ impl Workbench {
 
     /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
     pub(super) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
-        if self.view.sheet.as_ref().is_some_and(Sheet::holds_entries) {
+        // Beside targets that are shown, others may be dropped.
+        let sheet = self.view.sheet.as_ref();
+        let form = sheet.filter(|sheet| **sheet != Sheet::COMPENSATION);
+        if form.is_some_and(Sheet::holds_entries) {
             return self.complain(
                 say!("What was dropped is not opened over a form"),
                 vec![say!("Finish or cancel the form, then drop the file again").to_owned()],
@@ -156,7 +159,7 @@ impl Workbench {
             self.execute(Command::Save);
         } else {
             let what = What::Model;
-            self.execute(Command::ChooseWhereToExport(what));
+            self.execute(Command::Ask(Asked::WhereToExport(what)));
         }
     }
 
@@ -176,7 +179,7 @@ impl Workbench {
     pub(super) fn save_here(&mut self) {
         match self.file().map(Path::to_path_buf) {
             Some(path) => self.save_to(&path, Replace::Own),
-            None => self.execute(Command::ChooseWhereToSave),
+            None => self.execute(Command::Ask(Asked::WhereToSave)),
         }
     }
 

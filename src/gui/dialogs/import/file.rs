@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, in_the_sheets_words};
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Questions, Separator,
@@ -149,8 +149,13 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
         let mut value = given.get(option.name).cloned().unwrap_or_default();
         let before = value.clone();
         if option.values.is_empty() {
-            let field = TextEdit::singleline(&mut value).desired_width(300.0);
-            let field = ui.add(field.hint_text(spoken(option.help)));
+            // The whole of what it takes is said in it.
+            let help = spoken(option.help);
+            let body = egui::TextStyle::Body.resolve(ui.style());
+            let wide = widgets::width_of(ui, &help, body) + 2.0 * space::ROW;
+            let wide = wide.clamp(300.0, ui.available_width());
+            let field = TextEdit::singleline(&mut value).desired_width(wide);
+            let field = ui.add(field.hint_text(help));
             super::parts::name(ui, &field, &title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
