@@ -36,12 +36,12 @@ fn a_session_is_opened_alone_or_with_its_samples_and_of_any_name() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(None);
     let before = status(&window);
-    let other = folder.path().join("Größe 误差 – lampe.json");
+    let other = folder.path().join("Größe – лампа.json");
     let copy = copy_of(OTHER, folder.path());
     let text = std::fs::read_to_string(&copy).expect("a copy");
     std::fs::write(&other, text).expect("written");
     drop_on(&mut window, &[&other]);
-    assert!(says(&window, "Größe 误差 – lampe.json") || status(&window) != before);
+    assert!(says(&window, "Größe – лампа.json") || status(&window) != before);
     let opened = status(&window);
     assert_ne!(opened, before);
     keys(&mut window, Modifiers::NONE, Key::F2);

@@ -110,7 +110,9 @@ fn numbers_in_a_form_are_as_short_as_they_are() {
     let mut window = window(None);
     keys(&mut window, Modifiers::COMMAND, Key::N);
     let values = |window: &Window| -> Vec<String> {
+        // Beside the form stands the tolerance of the session.
         let fields = window.query_all_by_role(Role::SpinButton);
+        let fields = fields.filter(|field| field.rect().left() > 304.0);
         fields
             .filter_map(|field| field.accesskit_node().value())
             .collect()

@@ -23,7 +23,7 @@ const INSIDE: Margin = Margin::symmetric(14, 10);
 /// The status bar, points.
 const STATUS: f32 = 32.0;
 /// It takes this part of the window's height at most; what is longer scrolls.
-const MOST: f32 = 0.4;
+const MOST: f32 = 0.3;
 
 /// When the message that is shown came up, in the window's seconds.
 #[derive(Clone, PartialEq)]
@@ -46,22 +46,26 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, room: Layout, commands: &mut 
     let area = area.anchor(Align2::RIGHT_BOTTOM, vec2(-EDGE, -STATUS - EDGE));
     let area = area.show(ctx, |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        let card = |ui: &mut Ui, salt: &str, contents: &mut dyn FnMut(&mut Ui)| {
+        let card = |ui: &mut Ui, contents: &mut dyn FnMut(&mut Ui)| {
             let frame = Frame::popup(ui.style())
                 .corner_radius(CornerRadius::same(space::ROUND + 2))
                 .inner_margin(INSIDE);
             frame.show(ui, |ui| {
                 ui.set_width(wide);
                 ui.spacing_mut().item_spacing.y = space::TIGHT;
-                let scroll = ScrollArea::vertical().id_salt(salt).max_height(high);
-                scroll.show(ui, |ui| contents(ui));
+                contents(ui);
             });
         };
         if on_disk.is_some() {
-            card(ui, "disk", &mut |ui| disk::show(ui, workbench, commands));
+            card(ui, &mut |ui| disk::show(ui, workbench, commands));
         }
         if let Some(message) = message {
-            card(ui, "message", &mut |ui| said(ui, message, commands));
+            card(ui, &mut |ui| {
+                // What is long scrolls; its buttons stay in sight.
+                let scroll = ScrollArea::vertical().max_height(high);
+                scroll.show(ui, |ui| said(ui, message));
+                ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
+            });
         }
     });
     if let Some(done) = message.as_ref().filter(|message| !message.wrong) {
@@ -87,7 +91,7 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<
     ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
 }
 
-fn said(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
+fn said(ui: &mut Ui, message: &Message) {
     let palette = Palette::of(ui);
     let (title, lines) = if message.wrong {
         (palette.outside, palette.text)
@@ -105,7 +109,6 @@ fn said(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
         let line = RichText::new(line).size(size::NOTE).color(lines);
         ui.add(Label::new(line).wrap());
     }
-    ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
 }
 
 fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {

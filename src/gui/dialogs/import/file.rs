@@ -144,18 +144,17 @@ const FEW_OPTIONS: usize = 2;
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
-    let title = spoken(option.title);
+    let (title, help) = (spoken(option.title), spoken(option.help));
     widgets::form_row(ui, &title, |ui| {
         let mut value = given.get(option.name).cloned().unwrap_or_default();
         let before = value.clone();
         if option.values.is_empty() {
-            // The whole of what it takes is said in it.
-            let help = spoken(option.help);
-            let body = egui::TextStyle::Body.resolve(ui.style());
-            let wide = widgets::width_of(ui, &help, body) + 2.0 * space::ROW;
-            let wide = wide.clamp(300.0, ui.available_width());
-            let field = TextEdit::singleline(&mut value).desired_width(wide);
-            let field = ui.add(field.hint_text(help));
+            let field = TextEdit::singleline(&mut value).desired_width(OPTION);
+            let field = ui.add(if help_fits(ui, &help) {
+                field.hint_text(help.as_str())
+            } else {
+                field
+            });
             super::parts::name(ui, &field, &title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
@@ -170,6 +169,19 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
             given.insert(option.name, value);
         }
     });
+    // What has no room in the field stands below it.
+    if option.values.is_empty() && !help_fits(ui, &help) {
+        widgets::hint(ui, help);
+    }
+}
+
+/// Width of the field of an option, points.
+const OPTION: f32 = 300.0;
+
+/// Whether what an option takes can be said within its field.
+fn help_fits(ui: &Ui, help: &str) -> bool {
+    let body = egui::TextStyle::Body.resolve(ui.style());
+    widgets::width_of(ui, help, body) + 2.0 * space::ROW <= OPTION
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
