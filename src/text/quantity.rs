@@ -177,16 +177,11 @@ mod tests {
                 "their RMS error is 25.4 µm"
             );
         }
-        let from = text!(
-            "from {from} to {to}",
-            from = entered([250.0]),
-            to = entered([1.0, 2.5])
-        );
-        assert_eq!(from.to_string(), "from 250.0000 mm to 1.0000, 2.5000 mm");
+        let place = entered([250.0, 2.5]);
+        assert_eq!(place.to_string(), "250.0000, 2.5000 mm");
         {
             let _inches = InUnits::begin((LengthUnit::Inch, AngleUnit::default()));
-            let says = from.said(current(), false);
-            assert_eq!(says, "from 9.842520 in to 0.039370, 0.098425 in");
+            assert_eq!(place.said(current(), false), "9.842520, 0.098425 in");
         }
         assert_eq!(here(), "their RMS error is 0.0254 mm");
         assert_eq!(lengths([0.135, 0.054], 3).to_string(), "0.135 → 0.054 mm");
