@@ -5,7 +5,7 @@ use super::block::Block;
 use super::needs::Need;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
-use crate::text::Text;
+use crate::text::{Text, entered};
 
 const ABOUT: About = About {
     id: "base-offset",
@@ -41,7 +41,7 @@ fn remedy(_: &Robot, term: &Term) -> Text {
     let by = &term.coefficients;
     text!(
         "move the base in the controller by {shift}, or survey it again",
-        shift = format!("({:+.4}, {:+.4}, {:+.4}) mm", by[0], by[1], by[2])
+        shift = entered([by[0], by[1], by[2]])
     )
 }
 

@@ -11,7 +11,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::scaled;
-use crate::text::Text;
+use crate::text::{Text, entered};
 
 pub(super) const ABOUT: About = About {
     id: "link-length",
@@ -40,9 +40,9 @@ fn remedy(robot: &Robot, term: &Term) -> Text {
     let radius = JointFrame::new(robot, term.joint).radius_mm;
     text!(
         "along the radius; set the tool's radius (l1) in the controller from {radius} to \
-         {length} mm",
-        radius = format!("{:.4}", radius),
-        length = format!("{:.4}", radius + term.coefficients[0])
+         {length}",
+        radius = entered([radius]),
+        length = entered([radius + term.coefficients[0]])
     )
 }
 

@@ -12,7 +12,7 @@ use super::needs::Need;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{scaled, times};
-use crate::text::Text;
+use crate::text::{Text, entered};
 
 const ABOUT: About = About {
     id: "tool-position",
@@ -55,7 +55,7 @@ fn remedy(_: &Robot, term: &Term) -> Text {
     let by = &term.coefficients;
     text!(
         "move the tool's point in the controller by {shift} in the tool frame",
-        shift = format!("({:+.4}, {:+.4}, {:+.4}) mm", by[0], by[1], by[2])
+        shift = entered([by[0], by[1], by[2]])
     )
 }
 

@@ -15,8 +15,7 @@ use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
 use crate::model::format_v1::model_hash;
-use crate::text::length;
-use crate::text::{Template, Text};
+use crate::text::{Template, Text, entered, length};
 
 /// Less than this is nothing, mm.
 const WORTH_A_NUMBER_MM: f64 = 5e-5;
@@ -214,7 +213,7 @@ fn sidecar<'a>(
 ) -> DescriptionSidecar<'a> {
     let calibration = job.calibration;
     let nominal = &calibration.model.robot;
-    let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
+    let place = |v: Vector3<f64>| entered([v.x, v.y, v.z]);
     let mut notes = vec![text!(
         "this robot carries {level}; it is {rms} from the model over the measured range (largest {largest}), the nominal one {nominal} (root mean square)",
         level = written.level.describe(),

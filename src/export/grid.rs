@@ -132,7 +132,7 @@ pub(super) fn directions(
     Err(ExportError::Refused(text!(
         "{says}, more than {allowed} ({limit}); {instead}",
         says = says,
-        allowed = allowance.is,
+        allowed = &allowance.is,
         limit = length(allowance.mm, 4),
         instead = instead
     )))

@@ -21,8 +21,8 @@ use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::Calibration;
+use crate::text::Text;
 use crate::text::length;
-use crate::text::{Template, Text};
 
 /// What a table may add.
 const SHARE: f64 = 0.01;
@@ -35,12 +35,12 @@ const POINTS: [f64; 2] = [2000.0, 20_000.0];
 const STEP: f64 = 1e-4;
 
 /// How much a table may add.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Allowance {
     /// In mm.
     pub mm: f64,
     /// Of what it is a share.
-    pub is: Template,
+    pub is: Text,
 }
 
 impl Allowance {
@@ -48,7 +48,7 @@ impl Allowance {
         if let Some(tolerance) = calibration.tolerance_mm {
             return Self {
                 mm: SHARE * tolerance,
-                is: phrase!("1 % of the tolerance"),
+                is: text!("1 % of the tolerance"),
             };
         }
         let gap = calibration.history.last().map_or(0.0, |step| step.gap_mm);
@@ -56,9 +56,12 @@ impl Allowance {
         Self {
             mm: SHARE * if known { gap } else { LEAST_STAND_IN_MM },
             is: if known {
-                phrase!("1 % of the model's RMS error, as there is no tolerance")
+                text!("1 % of the model's RMS error, as there is no tolerance")
             } else {
-                phrase!("1 % of 0.01 mm, as there is no tolerance")
+                text!(
+                    "1 % of {least}, as there is no tolerance",
+                    least = length(LEAST_STAND_IN_MM, 2)
+                )
             },
         }
     }
@@ -233,7 +236,7 @@ impl ResidualError {
 
     /// In words.
     pub fn describe(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> Text {
-        let (entries, allowed) = (sheet.places.len(), self.allowance.is);
+        let (entries, allowed) = (sheet.places.len(), &self.allowance.is);
         let added = length(self.added_rms_mm, 5);
         let limit = length(self.allowance.mm, 5);
         let adds = if self.met() {

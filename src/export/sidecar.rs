@@ -98,7 +98,7 @@ impl Sidecar<'_> {
                 "added_rms_mm": left.added_rms_mm,
                 "added_max_mm": left.added_max_mm,
                 "allowed_mm": left.allowance.mm,
-                "allowed_is": left.allowance.is,
+                "allowed_is": left.allowance.is.to_string(),
                 "within": left.met(),
             },
             // What no joint removes, over the measured range.

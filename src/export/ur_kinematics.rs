@@ -23,6 +23,7 @@ use super::euler::{rpy, tidy};
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{Axis, DhConvention, Joint, JointKind, Pose, Robot, RobotSource};
 use crate::model::format_v1::model_hash;
+use crate::text::entered;
 
 pub(super) const FORMAT: Format = Format {
     id: "ur-kinematics",
@@ -77,7 +78,7 @@ impl Exporter for UrKinematics {
         let [rx, ry, rz] = tcp.tool.ur_rotation_vector_rad;
         let enter = text!(
             "set the TCP to {place} with the rotation vector {turn}: the tool is not part of this file",
-            place = format!("({x:.4}, {y:.4}, {z:.4}) mm"),
+            place = entered([x, y, z]),
             turn = format!("({rx:.6}, {ry:.6}, {rz:.6}) rad")
         );
         let written = Written {

@@ -10,7 +10,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Layout;
 use crate::gui::view::{About, Edge, Plane, Sheet, Standard, Step, What};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The window as it stands.
@@ -141,7 +141,7 @@ const ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 fn sheet(sheet: Sheet) -> Command {
-    Command::Sheet(Some(sheet))
+    Command::View(ViewChange::Sheet(Some(sheet)))
 }
 
 fn measured(now: WindowState<'_>) -> bool {
@@ -177,9 +177,9 @@ actions! {
     UNDO: COMMAND, Z, phrase!("undo"), |now| with([phrase!("Undo"), phrase!("Undo {what}"; what)], now.workbench.undoes()), |_| Command::Undo,
         [when(need(|now| now.workbench.undoes().is_some(), phrase!("Nothing was changed yet")))];
     OPEN_LATEST: SHIFTED, O, phrase!("open the last file again"), |_| String::new(), open_latest;
-    OPEN: COMMAND, O, phrase!("open a file"), |_| say!("Open…").into(), |_| Command::ChooseFile;
+    OPEN: COMMAND, O, phrase!("open a file"), |_| say!("Open…").into(), |_| Command::Ask(Asked::File);
     IMPORT: SHIFTED, I, phrase!("import what an instrument wrote"), |_| say!("Import…").into(),
-        |_| Command::ChooseImport;
+        |_| Command::Ask(Asked::Import);
     EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
@@ -187,18 +187,18 @@ actions! {
     NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
         |_| sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
-        |_| Command::ChooseWhereToSave, [when(MEASURED)];
+        |_| Command::Ask(Asked::WhereToSave), [when(MEASURED)];
     SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |_| Command::Save, [when(MEASURED)];
     SAVE_TO_PATH: SHIFTED, P, phrase!("save session to a path"), |_| say!("Save session to path…").into(),
         |now| now.workbench.typed_path(), [when(MEASURED)];
     SAVE_MODEL: COMMAND, M, phrase!("save model"), |_| say!("Save model…").into(),
-        |_| Command::ChooseWhereToExport(What::Model), [when(ANSWERED)];
+        |_| Command::Ask(Asked::WhereToExport(What::Model)), [when(ANSWERED)];
     COMPENSATE: SHIFTED, T, phrase!("correct targets or a program"), |_| say!("Compensate targets…").into(),
-        |_| Command::ChooseTargets, [when(ANSWERED)];
+        |_| Command::Ask(Asked::Targets), [when(ANSWERED)];
     SAVE_TABLE: COMMAND, T, phrase!("save table"), |_| say!("Save table…").into(),
-        |_| Command::ChooseWhereToExport(What::Table), [when(ANSWERED)];
+        |_| Command::Ask(Asked::WhereToExport(What::Table)), [when(ANSWERED)];
     REPORT: SHIFTED, R, phrase!("save the report"), |_| say!("Report…").into(),
-        |_| Command::ChooseWhereToExport(What::Report(About::Session)), [when(MEASURED)];
+        |_| Command::Ask(Asked::WhereToExport(What::Report(About::Session))), [when(MEASURED)];
     REPORT_DETAILS: ALT, R, phrase!("what the report states of customer and machine"),
         |_| say!("Report details…").into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
     HISTORY: SHIFTED, H, phrase!("compare the sessions of this machine"), |_| say!("History of the machine…").into(),
@@ -215,7 +215,7 @@ actions! {
         |_| Command::Edit(Edit::Identify), [when(MEASURED)];
     SEARCH: COMMAND, G, phrase!("search for what is missing"), |_| say!("Run diagnosis").into(),
         |_| Command::Search, [when(MEASURED)];
-    CANCEL: COMMAND, Period, phrase!("cancel"), |_| say!("Cancel what is running").into(), |_| Command::Cancel,
+    CANCEL: COMMAND, Period, phrase!("cancel"), |_| say!("Cancel what is running").into(), |_| Command::Stop(Task::Newest),
         [when(need(|now| now.workbench.jobs().newest().is_some(), phrase!("Nothing is running")))];
     EXCLUDE: PLAIN, Delete, phrase!("exclude the chosen samples, or include them again"), exclude_says,
         |now| Command::Edit(Edit::Exclude(chosen(now), !are_excluded(now))),
@@ -230,31 +230,31 @@ actions! {
         |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
     RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
         |now| results_says(layout(now.ctx, now.workbench).results()).into(),
-        |now| Command::Results(!layout(now.ctx, now.workbench).results());
+        |now| Command::View(ViewChange::Results(!layout(now.ctx, now.workbench).results()));
     CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
         add_chart::<{ Edge::Bottom as usize }>, [when(ROOM)];
     CHART_BESIDE: COMMAND, E, phrase!("another chart beside this plot"), |_| say!("Add chart beside").into(),
         add_chart::<{ Edge::Right as usize }>, [when(ROOM)];
     USUAL_PLOTS: SHIFTED, W, phrase!("plots as they usually are"), |_| say!("Usual arrangement").into(),
-        |_| Command::Panes(Box::default()),
+        |_| Command::View(ViewChange::Panes(Box::default())),
         [when(need(|now| !now.workbench.view().panes.are_usual(), phrase!("The plots are as they usually are")))];
     CLOSE_CHART: COMMAND, W, phrase!("close this chart"), |_| say!("Close chart").into(), close_chart,
         [when(need(|now| now.workbench.view().panes.active_chart().is_some(), phrase!("There is no chart")))];
-    NEXT_PLOT: PLAIN, F6, phrase!("next plot"), |_| say!("Next plot").into(), |_| Command::ActivateNext;
+    NEXT_PLOT: PLAIN, F6, phrase!("next plot"), |_| say!("Next plot").into(), |_| Command::View(ViewChange::ActivateNext);
     LOOK_XY: SHIFTED, Num1, phrase!("workspace from above"), |_| say!("Workspace from above").into(),
-        |_| Command::Look(Plane::Xy), [on(|now| now.looks_at(Plane::Xy))];
+        |_| Command::View(ViewChange::Look(Plane::Xy)), [on(|now| now.looks_at(Plane::Xy))];
     LOOK_XZ: SHIFTED, Num2, phrase!("workspace from the side"), |_| say!("Workspace from the side").into(),
-        |_| Command::Look(Plane::Xz), [on(|now| now.looks_at(Plane::Xz))];
+        |_| Command::View(ViewChange::Look(Plane::Xz)), [on(|now| now.looks_at(Plane::Xz))];
     LOOK_YZ: SHIFTED, Num3, phrase!("workspace from the front"), |_| say!("Workspace from the front").into(),
-        |_| Command::Look(Plane::Yz), [on(|now| now.looks_at(Plane::Yz))];
+        |_| Command::View(ViewChange::Look(Plane::Yz)), [on(|now| now.looks_at(Plane::Yz))];
     LOOK_AROUND: SHIFTED, Num4, phrase!("deviation around the angle (polar)"),
-        |_| say!("Deviation around the angle").into(), |_| Command::LookAround,
+        |_| say!("Deviation around the angle").into(), |_| Command::View(ViewChange::LookAround),
         [on(|now| now.workbench.view().polar())];
     LOOK_IN_SPACE: SHIFTED, Num5, phrase!("workspace in 3-D"), |_| say!("Workspace in 3-D").into(),
-        |_| Command::LookFrom(None), [on(|now| now.workbench.view().in_space())];
+        |_| Command::View(ViewChange::LookFrom(None)), [on(|now| now.workbench.view().in_space())];
     FIT: COMMAND, F, phrase!("fit the plots' view"), |_| say!("Show everything in the plots").into(),
-        |_| Command::Fit;
-    FIT_TOO: PLAIN, Home, phrase!("the same"), |_| String::new(), |_| Command::Fit;
+        |_| Command::View(ViewChange::Fit);
+    FIT_TOO: PLAIN, Home, phrase!("the same"), |_| String::new(), |_| Command::View(ViewChange::Fit);
     STEP_1: COMMAND, Num1, phrase!("first step"), step_name::<0>, go_to::<0>,
         [on(is_at::<0>)], [when(need(|now| step::<0>(now).is_some(), phrase!("This robot has no such step")))];
     STEP_2: COMMAND, Num2, phrase!("second step"), step_name::<1>, go_to::<1>,
@@ -266,14 +266,14 @@ actions! {
     STEP_5: COMMAND, Num5, phrase!("fifth step, where there are regions"), step_name::<4>, go_to::<4>,
         [on(is_at::<4>)], [when(need(|now| step::<4>(now).is_some(), phrase!("This robot has no such step")))];
     FROM_ISOMETRIC: PLAIN, Num0, phrase!("3-D view, isometric"), |_| say!("3-D view, isometric").into(),
-        |_| Command::LookFrom(Some(Standard::Isometric)),
+        |_| Command::View(ViewChange::LookFrom(Some(Standard::Isometric))),
         [on(|now| now.sees_from(Standard::Isometric))];
     FROM_FRONT: PLAIN, Num1, phrase!("3-D view from the front"), |_| say!("3-D view from the front").into(),
-        |_| Command::LookFrom(Some(Standard::Front)), [on(|now| now.sees_from(Standard::Front))];
+        |_| Command::View(ViewChange::LookFrom(Some(Standard::Front))), [on(|now| now.sees_from(Standard::Front))];
     FROM_SIDE: PLAIN, Num3, phrase!("3-D view from the side"), |_| say!("3-D view from the side").into(),
-        |_| Command::LookFrom(Some(Standard::Side)), [on(|now| now.sees_from(Standard::Side))];
+        |_| Command::View(ViewChange::LookFrom(Some(Standard::Side))), [on(|now| now.sees_from(Standard::Side))];
     FROM_TOP: PLAIN, Num7, phrase!("3-D view from above"), |_| say!("3-D view from above").into(),
-        |_| Command::LookFrom(Some(Standard::Top)), [on(|now| now.sees_from(Standard::Top))];
+        |_| Command::View(ViewChange::LookFrom(Some(Standard::Top))), [on(|now| now.sees_from(Standard::Top))];
     ABOUT: Modifiers::SHIFT, F1, phrase!("about truepose"), |_| say!("About truepose").into(),
         |_| sheet(Sheet::Named("about"));
     WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |_| sheet(Sheet::Named("words"));
@@ -297,7 +297,9 @@ fn step_name<const N: usize>(now: WindowState<'_>) -> String {
 }
 
 fn go_to<const N: usize>(now: WindowState<'_>) -> Command {
-    Command::GoTo(step::<N>(now).unwrap_or(now.workbench.view().step))
+    Command::View(ViewChange::GoTo(
+        step::<N>(now).unwrap_or(now.workbench.view().step),
+    ))
 }
 
 fn is_at<const N: usize>(now: WindowState<'_>) -> bool {
@@ -307,7 +309,9 @@ fn is_at<const N: usize>(now: WindowState<'_>) -> bool {
 /// At an edge of the active plot.
 fn add_chart<const EDGE: usize>(now: WindowState<'_>) -> Command {
     let key = now.workbench.view().panes.active();
-    Command::Panes(Box::new(now.workbench.with_chart(key, Edge::ALL[EDGE])))
+    Command::View(ViewChange::Panes(Box::new(
+        now.workbench.with_chart(key, Edge::ALL[EDGE]),
+    )))
 }
 
 /// The one that is active, or was so last.
@@ -316,13 +320,13 @@ fn close_chart(now: WindowState<'_>) -> Command {
     if let Some(key) = panes.active_chart().map(|(key, _)| key) {
         panes.close(key);
     }
-    Command::Panes(Box::new(panes))
+    Command::View(ViewChange::Panes(Box::new(panes)))
 }
 
 fn open_latest(now: WindowState<'_>) -> Command {
     match now.workbench.recent().find(|(_, there)| *there) {
         Some((path, _)) => Command::OpenFile(path.to_path_buf()),
-        None => Command::ChooseFile,
+        None => Command::Ask(Asked::File),
     }
 }
 

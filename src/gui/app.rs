@@ -20,7 +20,7 @@ use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::tokens::{self, Palette, space};
 use crate::gui::view::{About, Plot, What};
 use crate::gui::views;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
 
@@ -94,7 +94,8 @@ impl App {
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
             let canvas = layers::register(state);
-            self.workbench.execute(Command::Canvas(canvas));
+            self.workbench
+                .execute(Command::View(ViewChange::Canvas(canvas)));
         }
         self
     }
@@ -104,7 +105,8 @@ impl App {
     #[must_use]
     pub fn not_drawn(mut self) -> Self {
         let canvas = Canvas::Layers(usize::MAX);
-        self.workbench.execute(Command::Canvas(canvas));
+        self.workbench
+            .execute(Command::View(ViewChange::Canvas(canvas)));
         self
     }
 
@@ -151,6 +153,7 @@ impl App {
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());
+        widgets::read_next(ui.ctx());
         let mut commands = actions::read(ui.ctx(), &self.workbench);
         self.lay_out(ui, &mut commands);
         let any = !commands.is_empty();
@@ -175,7 +178,8 @@ impl App {
         if wanted != self.wanted {
             self.wanted = wanted;
             let letters = crate::text::letters(wanted).collect();
-            self.workbench.execute(Command::FindLetters(letters));
+            self.workbench
+                .execute(Command::Letters(Letters::Find(letters)));
             self.workbench.receive();
         }
         let lacks = self.workbench.characters().lack(wanted.own_name());
@@ -241,7 +245,8 @@ impl App {
             path: path.display().to_string(),
             replace: false,
         };
-        self.workbench.execute(Command::Sheet(Some(sheet)));
+        self.workbench
+            .execute(Command::View(ViewChange::Sheet(Some(sheet))));
     }
 
     fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -302,7 +307,7 @@ impl App {
                 }
             });
         views::grips::show(ui, workbench, room, middle, commands);
-        views::toast::show(ui, workbench, commands);
+        views::notices::show(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
         views::dropped::show(ui, commands);
         widgets::focus_ring(ui.ctx());
@@ -342,6 +347,8 @@ impl App {
         }
         if wanted.theme != self.shown.theme {
             ctx.set_theme(wanted.theme.preference());
+            // What has begun to be drawn has the colours of before.
+            ctx.request_discard("another theme");
         }
         if wanted.decimal_comma != self.shown.decimal_comma {
             write_fields(ctx, wanted.decimal_comma);
@@ -378,7 +385,8 @@ impl App {
         };
         let wanted = alphabet.wanted();
         if !wanted.is_empty() {
-            self.workbench.execute(Command::FindLetters(wanted));
+            self.workbench
+                .execute(Command::Letters(Letters::Find(wanted)));
         }
         let drawn = alphabet.install(ctx, &self.workbench.characters().faces);
         if drawn < self.workbench.characters().faces.len() {

@@ -116,7 +116,7 @@ pub(crate) use language::LANGUAGES;
 pub(crate) use quantity::InUnits;
 #[cfg(feature = "gui")]
 pub(crate) use quantity::current_units;
-pub(crate) use sentence::{angle, components, length, lengths, small_angle};
+pub(crate) use sentence::{angle, components, entered, length, lengths, small_angle};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]

@@ -73,6 +73,8 @@ pub(super) struct Quantity {
     several: Several,
     /// Digits behind the point in the unit of documents.
     decimals: usize,
+    /// Whether it is entered in a machine: as fine in every unit.
+    entered: bool,
 }
 
 impl Quantity {
@@ -86,10 +88,28 @@ impl Quantity {
             several,
             values: values.iter().map(|value| value.to_bits()).collect(),
             decimals,
+            entered: false,
         }
     }
 
-    /// In these units: in that of documents with its decimals, in another one with three digits.
+    /// The same as it is entered in a machine.
+    pub(super) fn entered(self) -> Self {
+        Self {
+            entered: true,
+            ..self
+        }
+    }
+
+    /// Digits behind the point with which a length in this unit is as fine as in that of documents.
+    fn as_fine_in(&self, unit: LengthUnit) -> usize {
+        match unit {
+            LengthUnit::Millimetre => self.decimals,
+            LengthUnit::Micrometre => self.decimals.saturating_sub(3),
+            LengthUnit::Inch => self.decimals + 2,
+        }
+    }
+
+    /// In these units: in that of documents with its decimals, in another one with three digits, or as fine.
     pub(super) fn said(&self, (length, angle): (LengthUnit, AngleUnit)) -> String {
         let of_documents = match self.dimension {
             Dimension::Length => length == LengthUnit::default(),
@@ -107,6 +127,8 @@ impl Quantity {
             };
             if of_documents {
                 format!("{value:.*}", self.decimals)
+            } else if self.entered {
+                format!("{value:.*}", self.as_fine_in(length))
             } else {
                 three_digits(value)
             }
@@ -137,7 +159,7 @@ fn three_digits(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::{Language, angle, current, length, lengths, small_angle};
+    use crate::text::{Language, angle, current, entered, length, lengths, small_angle};
 
     #[test]
     fn a_sentence_has_the_unit_that_the_reader_chose_and_a_file_has_millimetres() {
@@ -154,6 +176,12 @@ mod tests {
                 says.spoken_in(Language::English),
                 "their RMS error is 25.4 µm"
             );
+        }
+        let place = entered([250.0, 2.5]);
+        assert_eq!(place.to_string(), "250.0000, 2.5000 mm");
+        {
+            let _inches = InUnits::begin((LengthUnit::Inch, AngleUnit::default()));
+            assert_eq!(place.said(current(), false), "9.842520, 0.098425 in");
         }
         assert_eq!(here(), "their RMS error is 0.0254 mm");
         assert_eq!(lengths([0.135, 0.054], 3).to_string(), "0.135 → 0.054 mm");

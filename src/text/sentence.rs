@@ -128,6 +128,14 @@ pub(crate) fn components(mm: [f64; 3], decimals: usize) -> Text {
     quantity(Dimension::Length, (&mm, Several::Components), decimals)
 }
 
+/// A length, or the components of a vector, as it is entered in a machine: in every unit as fine as 0.0001 mm.
+pub(crate) fn entered(mm: impl AsRef<[f64]>) -> Text {
+    let values = (mm.as_ref(), Several::Components);
+    Text(Kind::Quantity(
+        Quantity::new(Dimension::Length, values, 4).entered(),
+    ))
+}
+
 /// An angle with so many digits behind the point in degrees.
 pub(crate) fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(

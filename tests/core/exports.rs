@@ -337,7 +337,7 @@ fn without_a_tolerance_the_models_own_gap_stands_in() {
         .left
         .expect("a table");
     assert!((left.allowance.mm - 0.005).abs() < 1e-15);
-    assert!(left.allowance.is.english().contains("RMS error") && left.met());
+    assert!(left.allowance.is.contains("RMS error") && left.met());
     calibration.history.clear();
     let left = export(&calibration, "linuxcnc", None)
         .left

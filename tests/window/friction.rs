@@ -153,7 +153,7 @@ fn export_names_found_effects_that_were_not_added_and_adds_them() {
 }
 
 #[test]
-fn success_is_a_toast_that_opens_the_file_and_goes_away_and_an_error_is_a_banner() {
+fn success_opens_the_file_and_goes_away_an_error_stays_and_neither_moves_a_plot() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(None);
     press(&mut window, "3 Identify");
@@ -170,6 +170,7 @@ fn success_is_a_toast_that_opens_the_file_and_goes_away_and_an_error_is_a_banner
     // What went wrong stays until it is dismissed.
     export_to(&mut window, &table);
     assert!(says(&window, "was not written"));
+    assert_eq!(plot(&window), before, "it takes no room from the plots");
     crate::window::seconds(&mut window, 30);
     assert!(says(&window, "was not written"));
 }

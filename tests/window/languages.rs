@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::fonts::Library;
 use truepose::gui::{App, Language, Runner};
 
-use crate::record::open_records;
-use crate::sizes::look;
+use crate::record::{open_records, sessions};
+use crate::sizes::{Thing, interactive, look, no_text_is_cut, things};
 use crate::tiny_font::Tiny;
 use crate::touring::texts;
 use crate::window::{Window, keys, press, there};
@@ -298,6 +298,126 @@ fn every_step_fits_in_german_in_chinese_and_in_what_is_longer_still() {
             }
         }
     }
+}
+
+/// What a sentence is in this language.
+fn said_in(language: Language, english: &str) -> String {
+    if language == Language::English {
+        return english.to_owned();
+    }
+    let catalogue = read(&file(language.code()));
+    let (_, rest) = catalogue
+        .split_once(&format!("\nmsgid \"{english}\"\nmsgstr \""))
+        .unwrap_or_else(|| panic!("{english} is not in the table"));
+    let (said, _) = rest.split_once("\"\n").expect("it ends");
+    said.to_owned()
+}
+
+/// Opens the sheets that [`open_all`] leaves out: those that need a file or a form.
+fn open_the_others(
+    window: &mut Window,
+    language: Language,
+    folder: &Path,
+    see: &mut dyn FnMut(&Window, &str),
+) {
+    let escape = |window: &mut Window| keys(window, Modifiers::NONE, Key::Escape);
+    for (name, modifiers, key) in [
+        (
+            "report details",
+            Modifiers::COMMAND.plus(Modifiers::ALT),
+            Key::R,
+        ),
+        ("recording", SHIFTED, Key::L),
+    ] {
+        keys(window, modifiers, key);
+        see(window, name);
+        escape(window);
+    }
+    keys(window, SHIFTED, Key::N);
+    press(window, &said_in(language, "As a table…"));
+    see(window, "a robot as a table");
+    escape(window);
+    keys(window, Modifiers::NONE, Key::Enter);
+    see(window, "simulation of a robot");
+    escape(window);
+    escape(window);
+    for what in ["model", "poses", "report", "workspace", "data of deviation"] {
+        window.state_mut().type_path(what, Path::new("file"));
+        window.run_steps(4);
+        see(window, &format!("path of {what}"));
+        escape(window);
+    }
+    let targets = folder.join("targets.csv");
+    std::fs::write(&targets, "name;q1_deg\nP0;a\n").expect("written");
+    window.state_mut().compensate(&targets);
+    window.run_steps(4);
+    see(window, "targets that are refused");
+    escape(window);
+    sessions(folder, &[0.2, 0.2, 0.26, 0.26]);
+    window.state_mut().compare_sessions(folder);
+    window.run_steps(8);
+    see(window, "history");
+    escape(window);
+    keys(window, Modifiers::NONE, Key::F3);
+    see(window, "what is lost");
+    escape(window);
+}
+
+/// On the smallest screen that it is made for no label of a sheet is cut, and what ends it is in sight.
+#[test]
+fn every_sheet_fits_on_a_small_screen_in_every_language() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut outside = Vec::new();
+    for language in [Language::English, Language::German, Language::Chinese] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = window(language, [1024.0, 700.0], None);
+        keys(&mut window, Modifiers::COMMAND, Key::I);
+        keys(&mut window, Modifiers::COMMAND, Key::G);
+        let behind = shown(&window);
+        let mut see = |window: &Window, at: &str| {
+            let at = format!("{language:?}, {at}");
+            no_text_is_cut(window, &at);
+            outside.extend(out_of_sight(window, &behind, &at));
+        };
+        open_all(&mut window, &mut see);
+        open_the_others(&mut window, language, folder.path(), &mut see);
+        for raw in ["walk-through/tracker.txt", "arm/tracker.csv"] {
+            let raw = root.join("sessions").join(raw);
+            let import = self::window(language, [1024.0, 700.0], Some(raw));
+            let at = format!("{language:?}, import");
+            no_text_is_cut(&import, &at);
+            outside.extend(out_of_sight(&import, &behind, &at));
+        }
+    }
+    assert!(outside.is_empty(), "{outside:#?}");
+}
+
+/// What can be pressed or filled in, and where.
+fn shown(window: &Window) -> BTreeSet<String> {
+    let all = things(window).into_iter();
+    let all = all.filter(|thing| interactive(thing.role));
+    all.map(|thing| format!("{:?} {} {}", thing.role, thing.says, thing.rect))
+        .collect()
+}
+
+/// What of a sheet is beside the window, and which of the buttons at its end is not in sight.
+fn out_of_sight(window: &Window, behind: &BTreeSet<String>, at: &str) -> Vec<String> {
+    const END: f32 = 36.0;
+    let whole = window.ctx.content_rect().expand(1.0);
+    let of_the_sheet = |thing: &Thing| {
+        let name = format!("{:?} {} {}", thing.role, thing.says, thing.rect);
+        interactive(thing.role) && !behind.contains(&name)
+    };
+    let wrong = |thing: &Thing| {
+        let Rect { min, max } = thing.rect;
+        let beside = min.x < whole.left() || max.x > whole.right();
+        let ends = thing.role == Role::Button && thing.rect.height() >= END;
+        beside || (ends && !whole.contains_rect(thing.rect))
+    };
+    let all = things(window).into_iter();
+    all.filter(|thing| of_the_sheet(thing) && wrong(thing))
+        .map(|thing| format!("{at}: {:?} {} at {}", thing.role, thing.says, thing.rect))
+        .collect()
 }
 
 /// What stands over the results is not wider than their panel: the cards would be with it, and cut.

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::NodeT;
+use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
 
 use crate::window::{Window, copied, into_sight, keys, press, window_of};
@@ -173,4 +173,48 @@ fn a_reader_of_inches_reads_inches_in_every_sentence_of_the_diagnosis() {
     let found: Vec<String> = labels(&window).into_iter().filter(in_mm).collect();
     assert!(found.is_empty(), "{found:#?}");
     assert!(labels(&window).iter().any(|label| label.ends_with(" in")));
+}
+
+/// Sentences of an export: the numbers that a controller takes keep their unit, and stand in its own lines.
+#[test]
+fn a_reader_of_inches_reads_inches_in_every_sentence_of_an_export() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    for file in [
+        "sessions/lamp-commissioning.json",
+        "tests/data/arms/six-60.json",
+        "tests/data/arms/scara-60.json",
+    ] {
+        let mut window = window_of([1280.0, 800.0], Some(root.join(file)), Runner::AtOnce);
+        keys(&mut window, Modifiers::COMMAND, Key::Comma);
+        press(&mut window, "inch");
+        press(&mut window, "Done");
+        keys(&mut window, Modifiers::COMMAND, Key::I);
+        let last = if file.contains("lamp") {
+            Key::Num5
+        } else {
+            Key::Num4
+        };
+        keys(&mut window, Modifiers::COMMAND, last);
+        let formats = window.query_all_by_role(Role::RadioButton);
+        let formats = formats.filter(|node| node.rect().left() < 280.0);
+        let formats: Vec<String> = formats
+            .filter_map(|node| node.accesskit_node().label())
+            .collect();
+        assert!(formats.len() > 5, "{formats:?}");
+        for format in formats {
+            press(&mut window, &format);
+            let sentences = labels(&window)
+                .into_iter()
+                .filter(|label| label.split(' ').count() > 5);
+            // What is written into the file is in its own units.
+            let of_file = |label: &String| label.starts_with(" * ") || label.starts_with("// ");
+            let in_mm = sentences.filter(|label| !of_file(label)).filter(|label| {
+                let mut words = label.split([' ', ',', ';', ')']);
+                words.any(|word| word == "mm")
+            });
+            found.extend(in_mm.map(|label| format!("{file}, {format}: {label}")));
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
 }

@@ -124,7 +124,7 @@ fn a_logo_that_is_none_is_refused_and_no_report_is_written() {
 }
 
 /// Sessions of one machine, by the offset of its joint in degrees.
-fn sessions(folder: &Path, offsets_deg: &[f64]) {
+pub(crate) fn sessions(folder: &Path, offsets_deg: &[f64]) {
     for (k, offset_deg) in offsets_deg.iter().enumerate() {
         let q: Vec<f64> = (0..40).map(|i| -117.0 + 6.0 * f64::from(i)).collect();
         let scatter = |i: usize, by: f64| 0.02 * (((i + 50 * k) as f64) * by).sin();

@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::window::{Window, go_to, keys, press, says, status, there, window};
 
@@ -95,9 +95,44 @@ fn the_library_is_opened_again_as_it_was_the_first_time() {
             let fields = window.query_all_by_label("Remove Encoder eccentricity");
             assert_eq!(fields.count(), joint, "one of each joint");
         }
+        // Back to where it was opened from, and from there to the window.
         keys(&mut window, Modifiers::NONE, Key::Escape);
-        assert!(!there(&window, "Add an effect"));
+        assert!(!there(&window, "Add an effect") && there(&window, "Find a robot"));
+        assert!(there(&window, &format!("{title} at its zero")), "{name}");
+        keys(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(!there(&window, "Find a robot"));
     }
+}
+
+/// Numbers of the forms without the zeros of their finest step.
+#[test]
+fn numbers_in_a_form_are_as_short_as_they_are() {
+    let mut window = window(None);
+    keys(&mut window, Modifiers::COMMAND, Key::N);
+    let values = |window: &Window| -> Vec<String> {
+        // Beside the form stands the tolerance of the session.
+        let fields = window.query_all_by_role(Role::SpinButton);
+        let fields = fields.filter(|field| field.rect().left() > 304.0);
+        fields
+            .filter_map(|field| field.accesskit_node().value())
+            .collect()
+    };
+    window.get_by_label("Add an effect").click();
+    window.run_steps(4);
+    window.get_by_label("Encoder eccentricity").click();
+    window.run_steps(4);
+    let all = values(&window);
+    for value in ["−90°", "90°", "3°", "250 mm", "−5 mm", "0.03 mm", "30°"] {
+        assert!(all.iter().any(|one| one == value), "{value}: {all:?}");
+    }
+    let long = |value: &&String| {
+        value
+            .split(['°', ' '])
+            .next()
+            .is_some_and(|n| n.contains('.') && n.ends_with('0'))
+    };
+    let long: Vec<&String> = all.iter().filter(long).collect();
+    assert!(long.is_empty(), "{long:?}");
 }
 
 #[test]
@@ -134,7 +169,6 @@ fn a_robot_is_typed_as_a_table_and_stays_among_ones_own() {
     press(&mut window, "Simulate…");
     assert!(says(&window, "three reflectors at the tool"));
     press(&mut window, "Cancel");
-    press(&mut window, "Robots…");
     typed(&mut window, "own");
     assert!(there(&window, "our own at its zero"));
     assert!(says(&window, "5 joints"));

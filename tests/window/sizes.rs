@@ -36,13 +36,13 @@ fn window(size: [f32; 2]) -> Window {
 
 /// Something on the screen.
 #[derive(Debug, Clone)]
-struct Thing {
-    role: Role,
-    says: String,
-    rect: Rect,
+pub(crate) struct Thing {
+    pub(crate) role: Role,
+    pub(crate) says: String,
+    pub(crate) rect: Rect,
 }
 
-fn things(window: &Window) -> Vec<Thing> {
+pub(crate) fn things(window: &Window) -> Vec<Thing> {
     let nodes = window.root().children_recursive();
     // What has no place is not drawn.
     let thing = |node: egui_kittest::Node<'_>| {
@@ -59,7 +59,7 @@ fn things(window: &Window) -> Vec<Thing> {
 }
 
 /// Whether something can be pressed or filled in.
-fn interactive(role: Role) -> bool {
+pub(crate) fn interactive(role: Role) -> bool {
     matches!(
         role,
         Role::Button
@@ -159,7 +159,7 @@ fn is_a_file_in_the_bar(says: &str, rect: Rect) -> bool {
 }
 
 /// No painted text ends in an ellipsis that was not written, and none is cut at its left or right.
-fn no_text_is_cut(window: &Window, at: &str) {
+pub(crate) fn no_text_is_cut(window: &Window, at: &str) {
     for (clip, text) in texts(window) {
         let says = text.galley.text();
         let rect = text.visual_bounding_rect();

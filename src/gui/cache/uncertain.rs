@@ -117,7 +117,7 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::view::Colouring;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     /// Difference of a coefficient, in its own unit.
     const STEP: f64 = 1e-6;
@@ -162,7 +162,7 @@ mod tests {
     fn it_is_what_the_covariance_makes_of_the_prediction() {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let answer = workbench.answer().expect("an answer");
@@ -183,7 +183,7 @@ mod tests {
     fn between_the_samples_it_is_known_along_the_way_of_each_reflector() {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let subject = workbench.loaded_session();
@@ -217,7 +217,7 @@ mod tests {
         workbench.execute(Command::OpenFile(folder.join("six-60.json")));
         workbench.receive();
         workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let said = workbench

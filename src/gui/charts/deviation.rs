@@ -425,7 +425,7 @@ mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, Workbench};
+    use crate::gui::workbench::{Command, ViewChange, Workbench};
 
     fn dots(workbench: &Workbench) -> Vec<Dot> {
         let scene = workbench.scene_of(&ANGLE);
@@ -436,7 +436,7 @@ mod tests {
     fn the_components_of_a_deviation_have_its_length() {
         let mut workbench = workbench();
         let mut of = |component: Component| {
-            workbench.execute(Command::Component(component));
+            workbench.execute(Command::View(ViewChange::Component(component)));
             dots(&workbench)[5].before_mm
         };
         let length = of(Component::Length);
@@ -474,7 +474,7 @@ mod tests {
         workbench.receive();
         assert_eq!(left(&workbench), workbench.loaded_session().len());
         let both = high(&workbench);
-        workbench.execute(Command::OnlyAfter(true));
+        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
         assert!(high(&workbench) < 0.1 * both);
     }
 }

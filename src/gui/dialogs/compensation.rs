@@ -10,7 +10,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::programs::DifferingNumber;
 
 use super::ends;
@@ -31,7 +31,7 @@ const MOST_LEFT: usize = 30;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(compensated) = workbench.compensated() else {
-        return commands.push(Command::Sheet(None));
+        return commands.push(Command::View(ViewChange::Sheet(None)));
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let name = compensated.wanted.path.file_name().unwrap_or_default();
@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             for problem in not_corrected.says.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, problem);
             }
-            ends::done(ui, commands);
+            refused(ui, differs, commands);
         }
         Ok(corrected) => {
             widgets::fact_of(ui, phrase!("read as"), corrected.language);
@@ -63,9 +63,20 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             lines(ui, &corrected.changed);
             let any = corrected.summary.corrected > 0;
             if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
-                commands.push(Command::ChooseWhereToExport(What::Targets));
+                commands.push(Command::Ask(Asked::WhereToExport(What::Targets)));
             }
         }
+    }
+}
+
+/// What comes next where nothing was corrected: what is asked above is answered, or another file is taken.
+fn refused(ui: &mut Ui, differs: &[DifferingNumber], commands: &mut Vec<Command>) {
+    if differs.is_empty() {
+        if ends::buttons_without_enter(ui, say!("Choose another file…"), true, commands) {
+            commands.push(Command::Ask(Asked::Targets));
+        }
+    } else {
+        ends::buttons_without_enter(ui, say!("Save corrected file…"), false, commands);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::report::Details;
 use crate::text::spoken;
 
@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 let hint = say!("a PNG file");
                 field(ui, name, &mut stated.logo, hint, width);
                 if ui.button(say!("Choose…")).clicked() {
-                    commands.push(Command::ChooseLogo);
+                    commands.push(Command::Ask(Asked::Logo));
                 }
             });
             ui.end_row();
@@ -86,12 +86,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let measured = !workbench.loaded_session().is_empty();
         let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
-            commands.push(Command::Sheet(None));
-            commands.push(Command::ChooseWhereToExport(What::Report(About::Session)));
+            commands.push(Command::View(ViewChange::Sheet(None)));
+            commands.push(Command::Ask(Asked::WhereToExport(What::Report(
+                About::Session,
+            ))));
         }
         // Enter ends what is typed into one of many fields.
         if widgets::primary(&mut columns[1], say!("Done")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
     });
 }

@@ -3,8 +3,9 @@
 use egui::{Key, Ui};
 
 use crate::gui::style::tokens::space;
+use crate::gui::view::Sheet;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, ViewChange};
 
 /// The buttons at the end of a sheet. Whether the first was pressed.
 pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
@@ -19,10 +20,21 @@ pub(super) fn buttons_without_enter(
     enabled: bool,
     commands: &mut Vec<Command>,
 ) -> bool {
+    buttons_or_back(ui, text, enabled, None, commands)
+}
+
+/// The same where *Cancel* goes back to the sheet that this one was opened from.
+pub(super) fn buttons_or_back(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    back: Option<Sheet>,
+    commands: &mut Vec<Command>,
+) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(back)));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
         button.inner.clicked()
@@ -33,7 +45,7 @@ pub(super) fn buttons_without_enter(
 pub(super) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
     if widgets::primary(ui, say!("Done")).clicked() || entered(ui) {
-        commands.push(Command::Sheet(None));
+        commands.push(Command::View(ViewChange::Sheet(None)));
     }
 }
 

@@ -6,7 +6,7 @@ use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 use crate::gui::plots::{chart, figure, legend};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::history::{Entry, Order, RobotHistory};
 use crate::present::history::{
     CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name, source,
@@ -36,7 +36,7 @@ struct Choice {
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(past) = workbench.past() else {
-        return commands.push(Command::Sheet(None));
+        return commands.push(Command::View(ViewChange::Sheet(None)));
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let id = Id::unique("history of a machine");
@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let all = &past.history.robots;
     let found = all.iter().find(|one| one.robot == choice.robot);
     let Some(robot) = found.or(all.first()) else {
-        return commands.push(Command::Sheet(None));
+        return commands.push(Command::View(ViewChange::Sheet(None)));
     };
     widgets::heading(ui, &say!("History of {robot}", robot = robot.robot));
     let name = past.folder.file_name().unwrap_or(past.folder.as_os_str());
@@ -100,11 +100,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if widgets::other(&mut columns[0], say!("Other folder…")).clicked() {
-            commands.push(Command::ChooseFolder);
+            commands.push(Command::Ask(Asked::Folder));
         }
         let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
         if done || super::ends::entered(&columns[1]) {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
     });
 }

@@ -8,11 +8,13 @@ mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
 
+use egui::style::NumberFormatter;
 use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 type Show = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
@@ -56,40 +58,51 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         .backdrop_color(Palette::of(ui).veil);
     let shown = modal.show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
+        as_short_as_they_are(ui);
         // On a small screen, or with large text, a sheet is higher than the window.
         let high = ui.ctx().content_rect().height() - 2.0 * f32::from(SHEET) - MARGIN;
         let scroll = ScrollArea::vertical()
             .max_height(high)
             .min_scrolled_height(high);
-        scroll.show(ui, |ui| match sheet {
-            Sheet::SavePath { path, replace } => {
-                paths::save(ui, workbench, (path, *replace), commands);
+        scroll.show(ui, |ui| {
+            match sheet {
+                Sheet::SavePath { path, replace } => {
+                    paths::save(ui, workbench, (path, *replace), commands);
+                }
+                Sheet::ExportPath {
+                    what,
+                    path,
+                    replace,
+                } => paths::export(ui, workbench, *what, (path, *replace), commands),
+                Sheet::Simulate(form) => match &form.robot {
+                    Some(robot) => simulated_robot::show(ui, robot, form, commands),
+                    None => simulation::show(ui, form, commands),
+                },
+                Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
+                Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
+                Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
+                Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
+                Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
+                    Some((_, show)) => show(ui, workbench, commands),
+                    None => commands.push(Command::View(ViewChange::Sheet(None))),
+                },
             }
-            Sheet::ExportPath {
-                what,
-                path,
-                replace,
-            } => paths::export(ui, workbench, *what, (path, *replace), commands),
-            Sheet::Simulate(form) => match &form.robot {
-                Some(robot) => simulated_robot::show(ui, robot, form, commands),
-                None => simulation::show(ui, form, commands),
-            },
-            Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
-            Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
-            Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
-            Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
-            Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
-                Some((_, show)) => show(ui, workbench, commands),
-                None => commands.push(Command::Sheet(None)),
-            },
+            widgets::focus_in_sight(ui);
         });
     });
     lists_above(ui.ctx(), shown.response.layer_id);
     let beside = shown.backdrop_response.clicked();
-    let left = shown.should_close() && !(beside && holds_entries(sheet));
+    let left = shown.should_close() && !(beside && sheet.holds_entries());
     if left {
-        commands.push(Command::Sheet(None));
+        commands.push(Command::View(ViewChange::Sheet(sheet.before())));
     }
+}
+
+/// Numbers in fields without the zeros that a field has for its finest step: `30°`, not `30.00°`.
+fn as_short_as_they_are(ui: &mut Ui) {
+    let usual = ui.style().number_formatter.clone();
+    ui.style_mut().number_formatter =
+        NumberFormatter::new(move |value, decimals| usual.format(value, 0..=*decimals.end()));
 }
 
 /// A list that is opened in a sheet is above it. The click that opens it brings the sheet to the top, and a list
@@ -102,21 +115,6 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
     let lists = (layers.into_iter()).filter(|layer| layer.order == sheet.order && *layer != sheet);
     for list in lists {
         ctx.set_sublayer(sheet, list);
-    }
-}
-
-/// Whether a sheet holds what was typed or chosen in it: a click beside it, which may be meant for
-/// something else, does not close it. Escape and *Cancel* do.
-fn holds_entries(sheet: &Sheet) -> bool {
-    match sheet {
-        Sheet::SavePath { .. }
-        | Sheet::ExportPath { .. }
-        | Sheet::Simulate(_)
-        | Sheet::RobotTable(_)
-        | Sheet::Unsaved(_)
-        | Sheet::Overwrite(_)
-        | Sheet::Import(_) => true,
-        Sheet::Named(name) => ["compensation", "details", "recording", "recovery"].contains(name),
     }
 }
 

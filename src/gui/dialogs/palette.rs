@@ -7,7 +7,7 @@ use egui::{
 use crate::gui::actions::{self, Action, WindowState};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 /// What was typed, and which of the actions that fit is chosen.
 #[derive(Clone, Default)]
@@ -66,7 +66,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
     if let Some(command) = done {
-        commands.extend([Command::Sheet(None), command]);
+        commands.extend([Command::View(ViewChange::Sheet(None)), command]);
     }
 }
 

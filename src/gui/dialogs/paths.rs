@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use egui::{Key, TextEdit, Ui};
 
+use crate::export::find;
 use crate::gui::view::{Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::ends::buttons;
 
@@ -36,7 +37,10 @@ pub(super) fn save(
     match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
         PathInput::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
         PathInput::Changed { path, replace } => {
-            commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::SavePath {
+                path,
+                replace,
+            }))));
         }
         PathInput::Same => {}
     }
@@ -57,6 +61,7 @@ fn path_form(
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
     if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
+        widgets::select_all(ui, field.id, path);
     }
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
@@ -90,6 +95,12 @@ fn path_form(
     }
 }
 
+/// Whether what is exported describes the robot and is no table.
+fn is_robot(workbench: &Workbench) -> bool {
+    let format = find(workbench.document().export.format);
+    format.is_some_and(|format| format.rules.is_none())
+}
+
 /// A file to export to.
 pub(super) fn export(
     ui: &mut Ui,
@@ -99,6 +110,10 @@ pub(super) fn export(
     commands: &mut Vec<Command>,
 ) {
     let (title, says) = match what {
+        What::Table if is_robot(workbench) => (
+            say!("Save robot"),
+            say!("A file that says what its numbers mean is written beside it"),
+        ),
         What::Table => (
             say!("Save table"),
             say!("A file that says what the table means is written beside it"),
@@ -141,11 +156,11 @@ pub(super) fn export(
             replace,
         }),
         PathInput::Changed { path, replace } => {
-            commands.push(Command::Sheet(Some(Sheet::ExportPath {
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ExportPath {
                 what,
                 path,
                 replace,
-            })));
+            }))));
         }
         PathInput::Same => {}
     }

@@ -6,7 +6,7 @@ use egui::{Slider, Ui};
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
 use crate::gui::style::tokens::space;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The languages, each in its own name; one that cannot be drawn is written in letters that can.
@@ -21,7 +21,7 @@ fn language(
         .iter()
         .all(|(_, _, own)| letters.were_asked_for(own))
     {
-        commands.push(Command::FindNamesOfLanguages);
+        commands.push(Command::Letters(Letters::OfLanguages));
     }
     let name = |own: &'static str| {
         let drawn = own.is_ascii() || letters.have(own);
@@ -111,11 +111,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, say!("Reset all")));
         if button.inner.clicked() {
             next = Preferences::default();
-            commands.push(Command::Panes(Box::default()));
+            commands.push(Command::View(ViewChange::Panes(Box::default())));
         }
         let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
         if done || super::ends::entered(&columns[1]) {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
     });
     if next != now {

@@ -5,7 +5,7 @@ use egui::{Id, RichText, TextEdit, Ui};
 use crate::gui::core::recording::{RecordingRequest, free_name};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
@@ -20,8 +20,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             widgets::hint(ui, say!("Left out last: {line}", line = last));
         }
         if super::ends::buttons(ui, say!("Stop recording"), true, commands) {
-            commands.push(Command::StopRecording);
-            commands.push(Command::Sheet(None));
+            commands.push(Command::Stop(Task::Recording));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
         return;
     }

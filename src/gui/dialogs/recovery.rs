@@ -6,7 +6,7 @@ use egui::{Id, RichText, ScrollArea, Ui};
 
 use crate::gui::style::tokens::{size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, LeftBehind, ViewChange, Workbench};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.columns(2, |columns| {
                     let restore = if left.kept.is_ok() {
                         if widgets::other(&mut columns[0], say!("Discard")).clicked() {
-                            commands.push(Command::DiscardLeft(index));
+                            commands.push(Command::Left(LeftBehind::Discard(index)));
                         }
                         say!("Restore")
                     } else {
@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                         widgets::other(&mut columns[1], restore)
                     };
                     if button.clicked() {
-                        commands.push(Command::Restore(index));
+                        commands.push(Command::Left(LeftBehind::Restore(index)));
                     }
                 });
             });
@@ -71,7 +71,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.columns(2, |columns| {
         discard_all(&mut columns[0], workbench.orphaned().len(), commands);
         if widgets::other(&mut columns[1], say!("Not now")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
     });
 }
@@ -88,7 +88,7 @@ fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
     if widgets::other(ui, &text).clicked() {
         ui.data_mut(|data| data.insert_temp(asked, !sure));
         if sure {
-            commands.push(Command::DiscardAllLeft);
+            commands.push(Command::Left(LeftBehind::DiscardAll));
         }
     }
 }

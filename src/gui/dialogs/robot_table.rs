@@ -7,14 +7,18 @@ use crate::gui::core::simulate;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::workspace::robot_alone;
 
-/// Width of the table with axes, of that with rows, of the robot, and how high both are, points.
+/// Width of the table with axes and of that with rows, points.
 const AXES: f32 = 708.0;
 const DH: f32 = 594.0;
-const PICTURE: f32 = 230.0;
-const HEIGHT: f32 = 300.0;
+/// Width of the robot, at least and at most, and what is beside table and robot.
+const PICTURE: [f32; 2] = [230.0, 460.0];
+const BESIDE: f32 = 86.0;
+/// Height of both, at least and at most, and of everything else in the sheet.
+const HEIGHT: [f32; 2] = [300.0, 520.0];
+const OTHER: f32 = 500.0;
 /// A number, the name of a joint and how it moves: all of one height.
 const NUMBER: f32 = 54.0;
 const NAME: [f32; 2] = [76.0, 28.0];
@@ -27,7 +31,11 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
     } else {
         DH
     };
-    ui.set_width(wide + PICTURE + f32::from(space::PANEL));
+    let window = ui.ctx().content_rect();
+    // The same of both forms: the sheet's height does not change with it.
+    let picture = (window.width() - AXES - BESIDE).clamp(PICTURE[0], PICTURE[1]);
+    let high = (window.height() - OTHER).clamp(HEIGHT[0], HEIGHT[1]);
+    ui.set_width(wide + picture + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robot as a table"));
     widgets::hint(
         ui,
@@ -40,19 +48,20 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
         let down = egui::Layout::top_down(egui::Align::Min);
-        ui.allocate_ui_with_layout(vec2(wide, HEIGHT), down, |ui| {
+        ui.allocate_ui_with_layout(vec2(wide, high), down, |ui| {
             ui.set_width(wide);
             let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
-            scroll
-                .max_height(HEIGHT)
-                .show(ui, |ui| rows(ui, &mut typed));
+            scroll.max_height(high).show(ui, |ui| {
+                rows(ui, &mut typed);
+                widgets::focus_in_sight(ui);
+            });
         });
         ui.vertical(|ui| {
             let id = ui.scope_id().with("camera");
             let mut camera: Camera = ui.data(|data| data.get_temp(id)).unwrap_or_default();
             if let Ok(robot) = &made {
                 let name = say!("{robot} at its zero", robot = robot.name);
-                let size = vec2(PICTURE, HEIGHT);
+                let size = vec2(picture, high);
                 robot_alone(ui, (robot, &name), &mut camera, size);
             }
             ui.data_mut(|data| data.insert_temp(id, camera));
@@ -64,8 +73,15 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
     }
     ends(ui, &typed, made.is_ok(), commands);
     let entered = ui.input(|i| i.key_pressed(egui::Key::Escape));
-    if typed != *table && !entered && !commands.iter().any(|c| matches!(c, Command::Sheet(_))) {
-        commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(typed)))));
+    if typed != *table
+        && !entered
+        && !commands
+            .iter()
+            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
+    {
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
+            Box::new(typed),
+        )))));
     }
 }
 
@@ -251,14 +267,14 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
         let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
         if save.clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
         if save.clicked() || simulate.clicked() {
             commands.push(Command::KeepRobot {
@@ -268,7 +284,9 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
         }
         if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
             let form = simulate::Form::of(robot);
-            commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+                form,
+            )))));
         }
     });
 }

@@ -1,7 +1,5 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved, typed anew.
 
-use egui::text::{CCursor, CCursorRange};
-use egui::text_edit::TextEditState;
 use egui::{
     Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
@@ -12,15 +10,30 @@ use crate::gui::core::simulate::SimulatedRobot;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::workspace::robot_alone;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
 
-/// Width of the list, of the robot, and how high both are, points.
+/// Width of the list, points.
 const LIST: f32 = 320.0;
-const PICTURE: f32 = 360.0;
-const HEIGHT: f32 = 300.0;
+/// Width of the robot, at least and at most, and as a share of the window.
+const PICTURE: [f32; 2] = [360.0, 620.0];
+const SHARE: f32 = 0.35;
+/// Height of both, at least and at most, and of everything else in the sheet.
+const HEIGHT: [f32; 2] = [300.0, 600.0];
+const OTHER: f32 = 420.0;
+/// Height of what is known of the robot, points.
+const FACTS: f32 = 110.0;
+
+/// Size of the robot with what is known of it: a large window has more room for it.
+fn room(ui: &Ui) -> egui::Vec2 {
+    let window = ui.ctx().content_rect();
+    vec2(
+        (SHARE * window.width()).clamp(PICTURE[0], PICTURE[1]),
+        (window.height() - OTHER).clamp(HEIGHT[0], HEIGHT[1]),
+    )
+}
 
 /// What was typed, which robot is chosen, and from where it is seen.
 #[derive(Clone, Default)]
@@ -99,7 +112,8 @@ impl<'w> Robot<'w> {
 }
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(LIST + PICTURE + f32::from(space::PANEL));
+    let room = room(ui);
+    ui.set_width(LIST + room.x + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
     widgets::hint(
         ui,
@@ -117,12 +131,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
     let field =
         TextEdit::singleline(&mut typed.text).hint_text(say!("such as ur5e, kuka kr 6, scara"));
-    let room = vec2(ui.available_width(), space::PRIMARY);
-    let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
+    let wide = vec2(ui.available_width(), space::PRIMARY);
+    let field = ui.add_sized(wide, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
     if first {
         field.request_focus();
-        select_all(ui, field.id, typed.text.chars().count());
+        widgets::select_all(ui, field.id, &typed.text);
     }
     let found = Robot::found(workbench.typed_robots(), &typed.text);
     let mut at = found.iter().position(|robot| robot.key() == typed.chosen);
@@ -141,12 +155,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut chosen = at.map(|at| found[at]);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
-        if let Some(clicked) = list(ui, &found, chosen, moved) {
+        if let Some(clicked) = list(ui, room.y, (&found, chosen), moved) {
             chosen = Some(clicked);
         }
         ui.vertical(|ui| match chosen {
-            Some(Robot::Library(robot)) => described(ui, robot, &mut typed.camera),
-            Some(Robot::Own(table)) => own(ui, table, &mut typed.camera, commands),
+            Some(Robot::Library(robot)) => described(ui, robot, room, &mut typed.camera),
+            Some(Robot::Own(table)) => own(ui, (table, room), &mut typed.camera, commands),
             None => widgets::hint(ui, say!("No robot has this name")),
         });
     });
@@ -159,30 +173,22 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-/// What was searched for last is replaced by typing.
-fn select_all(ui: &Ui, field: egui::Id, letters: usize) {
-    let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
-    let all = CCursorRange::two(CCursor::new(0), CCursor::new(letters));
-    state.cursor.set_char_range(Some(all));
-    state.store(ui.ctx(), field);
-}
-
 /// The robots that were found; which was clicked.
 fn list<'w>(
     ui: &mut Ui,
-    found: &[Robot<'w>],
-    chosen: Option<Robot<'w>>,
+    high: f32,
+    (found, chosen): (&[Robot<'w>], Option<Robot<'w>>),
     moved: bool,
 ) -> Option<Robot<'w>> {
     let chosen = chosen.map(Robot::key);
     let mut clicked = None;
     let scroll = ScrollArea::vertical()
         .id_salt("robots")
-        .max_height(HEIGHT)
+        .max_height(high)
         .auto_shrink(false);
     // Below each other, beside the picture.
     let down = Layout::top_down(Align::Min);
-    ui.allocate_ui_with_layout(vec2(LIST, HEIGHT), down, |ui| {
+    ui.allocate_ui_with_layout(vec2(LIST, high), down, |ui| {
         ui.set_width(LIST);
         scroll.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
@@ -205,10 +211,10 @@ fn list<'w>(
 }
 
 /// The robot, and what is known of it.
-fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
+fn described(ui: &mut Ui, robot: &LibraryRobot, room: egui::Vec2, camera: &mut Camera) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     let name = say!("{robot} at its zero", robot = robot.title());
-    let size = vec2(PICTURE, HEIGHT - 110.0);
+    let size = vec2(room.x, room.y - FACTS);
     robot_alone(ui, (&robot.robot, &name), camera, size);
     let mm =
         |value: Option<f64>| value.map_or("–".to_owned(), |_| format!("{} mm", figure(value)));
@@ -239,12 +245,17 @@ fn described(ui: &mut Ui, robot: &LibraryRobot, camera: &mut Camera) {
 }
 
 /// A robot of one's own.
-fn own(ui: &mut Ui, table: &RobotTable, camera: &mut Camera, commands: &mut Vec<Command>) {
+fn own(
+    ui: &mut Ui,
+    (table, room): (&RobotTable, egui::Vec2),
+    camera: &mut Camera,
+    commands: &mut Vec<Command>,
+) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     match table.robot() {
         Ok(robot) => {
             let name = say!("{robot} at its zero", robot = robot.name);
-            let size = vec2(PICTURE, HEIGHT - 110.0);
+            let size = vec2(room.x, room.y - FACTS);
             robot_alone(ui, (&robot, &name), camera, size);
         }
         Err(problem) => widgets::wrong(ui, &crate::language::spoken(&problem)),
@@ -277,21 +288,21 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     let mut simulate = false;
     ui.columns(4, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
         if let (true, Some(robot)) = (edit.clicked(), chosen) {
-            commands.push(Command::Sheet(Some(Sheet::RobotTable(Box::new(
-                robot.table(),
+            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
+                Box::new(robot.table()),
             )))));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
         match (save.clicked(), chosen) {
             (true, Some(Robot::Library(robot))) => {
-                commands.push(Command::ChooseWhereToExport(What::Robot(&robot.id)));
+                commands.push(Command::Ask(Asked::WhereToExport(What::Robot(&robot.id))));
             }
             (true, Some(Robot::Own(table))) => commands.push(Command::KeepRobot {
                 table: Box::new(table.clone()),
@@ -307,6 +318,8 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     if let (true, Some(robot)) = (simulate || entered, chosen)
         && let Some(form) = robot.form()
     {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(form))));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+            form,
+        )))));
     }
 }

@@ -7,11 +7,14 @@ use crate::gui::core::simulate::{Chosen, Form, field};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, ViewChange};
 use crate::kinematics::JointKind;
 
 /// Width of the names of effects, points.
 const NAMES: f32 = 168.0;
+/// Height of the list of effects, at least and at most, and of everything else in the sheet.
+const LIST: [f32; 2] = [190.0, 420.0];
+const OTHER: f32 = 610.0;
 
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
@@ -44,10 +47,17 @@ pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Co
         widgets::hint(ui, say!("Correct the fields marked above first"));
     }
     let ready = filled.problem().is_none();
-    if super::ends::buttons_without_enter(ui, say!("Simulate"), ready, commands) {
+    let changed = filled != *form;
+    let sheet = Sheet::Simulate(filled.clone());
+    let back = sheet.before();
+    if super::ends::buttons_or_back(ui, say!("Simulate"), ready, back, commands) {
         commands.push(Command::Simulate(filled));
-    } else if filled != *form {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
+    } else if changed
+        && !commands
+            .iter()
+            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
+    {
+        commands.push(Command::View(ViewChange::Sheet(Some(sheet))));
     }
 }
 
@@ -122,13 +132,16 @@ fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
 pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     let mut gone = None;
     let kinds: Vec<JointKind> = (1..=form.joints()).map(|j| form.joint_kind(j)).collect();
-    ScrollArea::vertical().max_height(190.0).show(ui, |ui| {
+    let window = ui.ctx().content_rect().height();
+    let high = (window - OTHER).clamp(LIST[0], LIST[1]);
+    ScrollArea::vertical().max_height(high).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {
             if effect(ui, chosen, &kinds) {
                 gone = Some(index);
             }
             fault(ui, wrong, chosen.id);
         }
+        widgets::focus_in_sight(ui);
     });
     if let Some(index) = gone {
         form.effects.remove(index);
@@ -169,7 +182,7 @@ fn effect(ui: &mut Ui, chosen: &mut Chosen, kinds: &[JointKind]) -> bool {
                 let name = vec2(NAMES, space::CONTROL);
                 ui.allocate_ui_with_layout(name, Layout::left_to_right(Align::Center), |ui| {
                     ui.set_width(NAMES);
-                    ui.add(egui::Label::new(title).truncate());
+                    ui.add(egui::Label::new(title).wrap());
                 });
                 if chosen.per_joint() && kinds.len() > 1 {
                     let field = DragValue::new(&mut chosen.joint).range(1..=kinds.len());

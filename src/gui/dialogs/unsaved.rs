@@ -7,7 +7,7 @@ use egui::Ui;
 use crate::gui::style::tokens::space;
 use crate::gui::view::NextAction;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn show(
@@ -66,7 +66,7 @@ pub(super) fn show(
                 commands.push(Command::Do(then.clone()));
             }
             if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-                commands.push(Command::Sheet(None));
+                commands.push(Command::View(ViewChange::Sheet(None)));
             }
         });
     };
@@ -83,15 +83,15 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
     ));
     ui.add_space(space::ROW);
     if widgets::primary(ui, say!("Save under another name…")).clicked() {
-        commands.push(Command::Sheet(None));
-        commands.push(Command::ChooseWhereToSave);
+        commands.push(Command::View(ViewChange::Sheet(None)));
+        commands.push(Command::Ask(Asked::WhereToSave));
     }
     ui.columns(2, |columns| {
         if widgets::secondary(&mut columns[0], say!("Replace it")).clicked() {
             commands.push(Command::SaveDespite);
         }
         if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-            commands.push(Command::Sheet(None));
+            commands.push(Command::View(ViewChange::Sheet(None)));
         }
     });
 }

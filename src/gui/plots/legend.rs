@@ -7,7 +7,7 @@ use egui::{
 
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, ViewChange};
 use crate::present::chart::{Chart, Entry, LegendSymbol};
 
 use super::{chart, marks};
@@ -39,7 +39,7 @@ pub(crate) fn show(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &m
         for one in chart.legend.iter().rev() {
             let shown = shown.filter(|_| one.may_go);
             if entry(ui, one, shown) {
-                commands.push(Command::OnlyAfter(shown == Some(true)));
+                commands.push(Command::View(ViewChange::OnlyAfter(shown == Some(true))));
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -60,7 +60,7 @@ fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<
             for one in &chart.legend {
                 let shown = shown.filter(|_| one.may_go);
                 if entry(ui, one, shown) {
-                    commands.push(Command::OnlyAfter(shown == Some(true)));
+                    commands.push(Command::View(ViewChange::OnlyAfter(shown == Some(true))));
                 }
             }
         });

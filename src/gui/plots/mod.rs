@@ -16,13 +16,13 @@ use egui::{Response, Role, Ui, WidgetInfo};
 
 use crate::gui::view::{Plot, What};
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Asked, Command};
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
     let says = say!("Save picture of the {plot}…", plot = plot.said());
     if widgets::save_button(ui, &says).clicked() {
-        commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
+        commands.push(Command::Ask(Asked::WhereToExport(What::Picture(plot))));
     }
 }
 

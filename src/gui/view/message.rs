@@ -1,9 +1,8 @@
-//! What the user has to know: what went wrong stands in a banner until it is dismissed, what was
-//! done in a toast that goes away by itself.
+//! What the user has to know: what went wrong stands there until it is dismissed, what was done goes away by itself.
 
 use std::path::{Path, PathBuf};
 
-/// A message to the user: an error in a banner, or a notice that goes by itself.
+/// A message to the user: an error that stays, or a notice that goes by itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Message {
     /// Whether something went wrong.

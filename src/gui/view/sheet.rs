@@ -50,6 +50,32 @@ impl Sheet {
     pub(crate) const ROBOTS: Self = Self::Named("robots");
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
+
+    /// The sheet that it was opened from: what one comes back to without an answer.
+    pub(crate) fn before(&self) -> Option<Self> {
+        match self {
+            Self::Simulate(form) => form.robot.is_some().then_some(Self::ROBOTS),
+            Self::RobotTable(_) => Some(Self::ROBOTS),
+            _ => None,
+        }
+    }
+
+    /// Whether it holds what was typed or chosen in it. A click beside it, which may be meant for something else, does
+    /// not close it; Escape and *Cancel* do.
+    pub(crate) fn holds_entries(&self) -> bool {
+        match self {
+            Self::SavePath { .. }
+            | Self::ExportPath { .. }
+            | Self::Simulate(_)
+            | Self::RobotTable(_)
+            | Self::Unsaved(_)
+            | Self::Overwrite(_)
+            | Self::Import(_) => true,
+            Self::Named(name) => {
+                ["compensation", "details", "recording", "recovery"].contains(name)
+            }
+        }
+    }
 }
 
 /// What is done next, when nothing is in the way any more.

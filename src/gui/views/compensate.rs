@@ -3,12 +3,12 @@
 use egui::Ui;
 
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Asked, Command};
 
 pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Targets and programs"));
     if widgets::secondary(ui, say!("Compensate…")).clicked() {
-        commands.push(Command::ChooseTargets);
+        commands.push(Command::Ask(Asked::Targets));
     }
     widgets::hint(
         ui,

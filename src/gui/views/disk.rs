@@ -1,12 +1,12 @@
-//! An open file that is not what it was: said above the plots until the user decides.
+//! An open file that is not what it was: said until the user decides.
 
 use std::path::Path;
 
-use egui::{Align, Frame, Label, Layout, Margin, RichText, Ui};
+use egui::{Label, RichText, Ui};
 
 use crate::gui::core::disk::FileChange;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 /// Shows the notice, if there is one.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -28,28 +28,20 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             say!("What was read is here still: saving writes it again, or put the file back"),
         ),
     };
-    let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
-    frame.show(ui, |ui| {
-        ui.horizontal_top(|ui| {
-            ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button(say!("Keep this version")).clicked() {
-                    commands.push(Command::KeepMine);
-                }
-                match on_disk.fate {
-                    FileChange::Changed if ui.button(say!("Reload")).clicked() => {
-                        commands.push(Command::Reload);
-                    }
-                    FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
-                    FileChange::Changed => {}
-                }
-                ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                    ui.spacing_mut().item_spacing.y = 3.0;
-                    let title = RichText::new(title).font(strong(size::BODY));
-                    ui.add(Label::new(title.color(palette.warning)).wrap());
-                    ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
-                });
-            });
-        });
+    let title = RichText::new(title).font(strong(size::BODY));
+    ui.add(Label::new(title.color(palette.warning)).wrap());
+    ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
+    ui.horizontal_wrapped(|ui| {
+        match on_disk.fate {
+            FileChange::Changed if ui.button(say!("Reload")).clicked() => {
+                commands.push(Command::Reload);
+            }
+            FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+            FileChange::Changed => {}
+        }
+        if ui.button(say!("Keep this version")).clicked() {
+            commands.push(Command::View(ViewChange::KeepMine));
+        }
     });
 }
 
@@ -59,7 +51,7 @@ fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Ve
     let (says, command) = if workbench.samples_file() == Some(gone) {
         (say!("Save it again"), Command::Save)
     } else {
-        (say!("Save it again…"), Command::ChooseWhereToSave)
+        (say!("Save it again…"), Command::Ask(Asked::WhereToSave))
     };
     if ui.button(says).clicked() {
         commands.push(command);

@@ -1,19 +1,21 @@
 //! Files that are dropped on the window.
 
+use std::path::PathBuf;
+
 use egui::{Align2, Id, LayerId, Order, Ui};
 
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::Command;
 
-/// Opens the first file that was dropped, and says so while one is held over the window.
+/// Opens what was dropped, and says so while it is held over the window.
 pub(crate) fn show(ui: &Ui, commands: &mut Vec<Command>) {
     let (held, dropped) = ui.input(|input| {
-        let first = input.raw.dropped_files.first();
-        let path = first.map(|file| file.path().to_path_buf());
-        (!input.raw.hovered_files.is_empty(), path)
+        let files = input.raw.dropped_files.iter();
+        let paths: Vec<PathBuf> = files.map(|file| file.path().to_path_buf()).collect();
+        (!input.raw.hovered_files.is_empty(), paths)
     });
-    if let Some(path) = dropped {
-        commands.push(Command::OpenFile(path));
+    if !dropped.is_empty() {
+        commands.push(Command::Drop(dropped));
     }
     if held {
         let palette = Palette::of(ui);

@@ -15,7 +15,7 @@ use crate::gui::views::blocks;
 use crate::gui::views::names::{in_words, title};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
@@ -95,12 +95,12 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(command);
         }
     };
-    let report = |about| Command::ChooseWhereToExport(What::Report(about));
+    let report = |about| Command::Ask(Asked::WhereToExport(What::Report(about)));
     if measured {
         offer(
             ui,
             say!("Report details…"),
-            Command::Sheet(Some(Sheet::DETAILS)),
+            Command::View(ViewChange::Sheet(Some(Sheet::DETAILS))),
         );
         offer(ui, say!("Report…"), report(About::Session));
         let says = if workbench.diagnosis().is_some() {
@@ -162,7 +162,7 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 ui.copy_text(text_of(made));
             }
             if widgets::secondary(ui, say!("Save model…")).clicked() {
-                commands.push(Command::ChooseWhereToExport(What::Model));
+                commands.push(Command::Ask(Asked::WhereToExport(What::Model)));
             }
         }
     }
@@ -316,7 +316,7 @@ fn text(ui: &mut Ui, text: &str) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         if widgets::primary(ui, say!("Go to identify")).clicked() {
-            commands.push(Command::GoTo(Step::Identify));
+            commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
         }
         return;
     }
@@ -335,6 +335,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         )
     });
     if save.inner.clicked() {
-        commands.push(Command::ChooseWhereToExport(What::Table));
+        commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
     }
 }

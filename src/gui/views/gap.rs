@@ -12,7 +12,7 @@ use crate::gui::view::Step;
 use crate::gui::views::names::in_words;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
 
 pub(super) const STEP: StepView = StepView {
     step: Step::Gap,
@@ -206,7 +206,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
         if widgets::secondary(ui, say!("Stop the search")).clicked() {
-            commands.push(Command::StopSearch);
+            commands.push(Command::Stop(Task::Search));
         }
         return;
     }
@@ -224,6 +224,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Add(missing)));
         }
     } else if widgets::primary(ui, say!("Continue to export")).clicked() {
-        commands.push(Command::GoTo(Step::Export));
+        commands.push(Command::View(ViewChange::GoTo(Step::Export)));
     }
 }

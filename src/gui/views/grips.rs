@@ -5,7 +5,7 @@ use egui::{Rect, Ui};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::style::layout::Layout;
 use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 /// What the sides can be pulled by.
 pub(crate) fn show(
@@ -22,7 +22,7 @@ pub(crate) fn show(
             None => return,
             Some(Gripped::To(x)) => {
                 set(&mut sizes, Some(x));
-                return commands.push(Command::Resize(sizes));
+                return commands.push(Command::View(ViewChange::Resize(sizes)));
             }
             Some(Gripped::LetGo(x)) => Some(x),
             Some(Gripped::Usual) => None,

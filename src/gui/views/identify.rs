@@ -10,7 +10,7 @@ use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 pub(super) const STEP: StepView = StepView {
     step: Step::Identify,
@@ -88,7 +88,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             let n = document.regions.len();
             widgets::fact_of(ui, phrase!("regions"), n.to_string());
             if ui.link(say!("Change the regions")).clicked() {
-                commands.push(Command::GoTo(Step::Regions));
+                commands.push(Command::View(ViewChange::GoTo(Step::Regions)));
             }
         }
     }
@@ -150,6 +150,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         widgets::hint(ui, say!("Identified; the result follows every change"));
     }
     if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
-        commands.push(Command::GoTo(Step::Gap));
+        commands.push(Command::View(ViewChange::GoTo(Step::Gap)));
     }
 }

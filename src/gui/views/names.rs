@@ -6,7 +6,7 @@ use crate::fit::Estimate;
 use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::language::spoken;
 use crate::present::names::{parameter, title_on, usual_size};
 
@@ -55,6 +55,6 @@ pub(in crate::gui::views) fn curve_link(
     let shown = workbench.shows(effect::ID) && view.effect == index;
     let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, say!("Show its curve")));
     if button.inner.clicked() {
-        commands.push(Command::ShowEffect(index));
+        commands.push(Command::View(ViewChange::ShowEffect(index)));
     }
 }

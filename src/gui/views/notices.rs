@@ -1,59 +1,131 @@
-//! What the user has to know, over the plots: a file that changed on the disk, and what went wrong.
+//! What the user has to know: a file that changed on the disk, what went wrong, what was done. It stands over the
+//! results, above the status bar, and takes no room from anything: what comes and goes moves no plot.
 
-use egui::{Align, Frame, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+use egui::{
+    Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, ScrollArea, Ui,
+};
+use egui::{WidgetInfo, vec2};
 
-use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::style::layout::Layout;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::view::Message;
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::disk;
 
-/// It takes this part of the middle at most; what is longer scrolls.
+/// So long what was done is said unless the pointer is on it, seconds. What went wrong stays.
+const STANDS_S: f64 = 12.0;
+/// As wide as lines may be, and at least, points.
+const WIDTH: [f32; 2] = [232.0, 400.0];
+/// Between a notice and the window's edge, points, and between it and its words.
+const EDGE: f32 = 12.0;
+const INSIDE: Margin = Margin::symmetric(14, 10);
+/// The status bar, points.
+const STATUS: f32 = 32.0;
+/// It takes this part of the window's height at most; what is longer scrolls.
 const MOST: f32 = 0.3;
 
-/// What the user has to know: never so much that the plots have no room.
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let most = MOST * ui.available_height();
-    let view = workbench.view();
-    let wrong = view.message.as_ref().is_some_and(|m| m.wrong);
-    if !wrong && view.on_disk.is_none() {
-        return;
-    }
-    Panel::top("notices")
-        .resizable(false)
-        .frame(Frame::NONE.fill(Palette::of(ui).inset))
-        .show(ui, |ui| {
-            let scroll = ScrollArea::vertical()
-                .max_height(most)
-                .auto_shrink([false, true]);
-            scroll.show(ui, |ui| {
-                disk::show(ui, workbench, commands);
-                message(ui, workbench, commands);
-            });
-        });
+/// When the message that is shown came up, in the window's seconds.
+#[derive(Clone, PartialEq)]
+struct Shown {
+    message: Message,
+    since: f64,
 }
 
-fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let Some(message) = workbench.view().message.as_ref().filter(|m| m.wrong) else {
+pub(crate) fn show(ui: &Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+    let (message, on_disk) = (&workbench.view().message, &workbench.view().on_disk);
+    if message.is_none() && on_disk.is_none() {
         return;
-    };
-    let color = Palette::of(ui).outside;
-    let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
-    frame.show(ui, |ui| {
-        ui.horizontal_top(|ui| {
-            ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                if ui.button(say!("Dismiss")).clicked() {
-                    commands.push(Command::Dismiss);
-                }
-                ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                    ui.spacing_mut().item_spacing.y = 3.0;
-                    let title = RichText::new(&message.title);
-                    let title = title.font(strong(size::BODY)).color(color);
-                    ui.add(egui::Label::new(title).wrap());
-                    for line in &message.details {
-                        ui.add(egui::Label::new(RichText::new(line).size(size::NOTE)).wrap());
-                    }
-                });
+    }
+    let ctx = ui.ctx();
+    // As wide as the results, so that no axis of a chart is below it.
+    let wide = room.right.unwrap_or(WIDTH[1]) - 2.0 * EDGE - INSIDE.sum().x;
+    let wide = wide.clamp(WIDTH[0], WIDTH[1]);
+    let high = MOST * ctx.content_rect().height();
+    let area = Area::new(Id::unique("notices"));
+    let area = area.anchor(Align2::RIGHT_BOTTOM, vec2(-EDGE, -STATUS - EDGE));
+    let area = area.show(ctx, |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        let card = |ui: &mut Ui, contents: &mut dyn FnMut(&mut Ui)| {
+            let frame = Frame::popup(ui.style())
+                .corner_radius(CornerRadius::same(space::ROUND + 2))
+                .inner_margin(INSIDE);
+            frame.show(ui, |ui| {
+                ui.set_width(wide);
+                ui.spacing_mut().item_spacing.y = space::TIGHT;
+                contents(ui);
             });
-        });
+        };
+        if on_disk.is_some() {
+            card(ui, &mut |ui| disk::show(ui, workbench, commands));
+        }
+        if let Some(message) = message {
+            card(ui, &mut |ui| {
+                // What is long scrolls; its buttons stay in sight.
+                let scroll = ScrollArea::vertical().max_height(high);
+                scroll.show(ui, |ui| said(ui, message));
+                ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
+            });
+        }
     });
+    if let Some(done) = message.as_ref().filter(|message| !message.wrong) {
+        let pointed = area.response.contains_pointer();
+        goes_by_itself(ui, done, pointed, commands);
+    }
+}
+
+/// What was done is not said for ever.
+fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<Command>) {
+    let (ctx, id) = (ui.ctx(), Id::unique("notice"));
+    let now = ctx.input(|i| i.time);
+    let before: Option<Shown> = ctx.data(|data| data.get_temp(id));
+    let shown = before.filter(|shown| shown.message == *message);
+    let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
+    let left = since + STANDS_S - now;
+    if left <= 0.0 {
+        commands.push(Command::View(ViewChange::Dismiss));
+    } else {
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
+    }
+    let message = message.clone();
+    ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
+}
+
+fn said(ui: &mut Ui, message: &Message) {
+    let palette = Palette::of(ui);
+    let (title, lines) = if message.wrong {
+        (palette.outside, palette.text)
+    } else {
+        (palette.text, palette.muted)
+    };
+    let title = RichText::new(&message.title)
+        .font(strong(size::BODY))
+        .color(title);
+    let title = ui.add(Label::new(title).wrap());
+    if let Some(file) = &message.file {
+        title.on_hover_text(file.display().to_string());
+    }
+    for line in &message.details {
+        let line = RichText::new(line).size(size::NOTE).color(lines);
+        ui.add(Label::new(line).wrap());
+    }
+}
+
+fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
+    if let Some(file) = &message.file {
+        let name = file.file_name().unwrap_or(file.as_os_str());
+        let name = name.to_string_lossy();
+        for (text, in_folder) in [(say!("Open"), false), (say!("Show in folder"), true)] {
+            let button = ui.add(Button::new(text));
+            let says = format!("{text}: {name}");
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
+            if button.clicked() {
+                let path = file.clone();
+                commands.push(Command::OpenOutside { path, in_folder });
+            }
+        }
+    }
+    if ui.button(say!("Dismiss")).clicked() {
+        commands.push(Command::View(ViewChange::Dismiss));
+    }
 }

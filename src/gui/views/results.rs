@@ -1,6 +1,6 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use egui::{Grid, RichText, Ui};
+use egui::{FontId, Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{self, Detail, Topic, remarks_on_fit};
@@ -11,7 +11,7 @@ use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::decision::title as title_of_decision;
 use crate::present::names::{parameter, title_on};
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
@@ -58,7 +58,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if let Some(side) = widgets::segmented(ui, &sides, side) {
-                commands.push(Command::Side(side));
+                commands.push(Command::View(ViewChange::Side(side)));
             }
         });
     });
@@ -145,12 +145,15 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.label(RichText::new(method).color(palette.muted));
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
-        let large = as_large_as_fits(ui, &[&before, &after], &["→", unit]);
+        let body = egui::TextStyle::Body.resolve(ui.style());
+        let arrow = FontId::proportional(size::HEADING);
+        let others = [("→", arrow.clone()), (unit, body)];
+        let large = as_large_as_fits(ui, &[&before, &after], &others);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = space::ROW;
             let big = |text: String| RichText::new(text).font(strong(large));
             ui.label(big(before).color(palette.before));
-            ui.label(RichText::new("→").size(size::HEADING).color(palette.muted));
+            ui.label(RichText::new("→").font(arrow).color(palette.muted));
             ui.label(big(after).color(palette.after));
             ui.label(RichText::new(unit).color(palette.muted));
         });
@@ -191,17 +194,24 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 
 /// The size at which large texts and others fit in one row: inches have more digits than a narrow panel has room,
 /// and a row that is wider would widen every card with it.
-fn as_large_as_fits(ui: &Ui, large: &[&str], others: &[&str]) -> f32 {
-    const BETWEEN: f32 = 20.0;
-    let room = ui.available_width() - space::ROW * (large.len() + others.len()) as f32;
-    let width = |texts: &[&str], size: f32| -> f32 {
-        let each = texts.iter();
+fn as_large_as_fits(ui: &Ui, large: &[&str], others: &[(&str, FontId)]) -> f32 {
+    let between = large.len() + others.len() - 1;
+    let others = others.iter().cloned();
+    let others: f32 = others
+        .map(|(text, font)| widgets::width_of(ui, text, font))
+        .sum();
+    let room = ui.available_width() - space::ROW * between as f32 - others;
+    let width = |size: f32| -> f32 {
+        let each = large.iter();
         each.map(|text| widgets::width_of(ui, text, strong(size)))
             .sum()
     };
-    let fits = |size: &f32| width(large, *size) + width(others, size::HEADING) <= room;
-    let sizes = [size::DISPLAY, BETWEEN, size::HEADING];
-    sizes.into_iter().find(fits).unwrap_or(size::HEADING)
+    // Whole points from the largest down.
+    let mut size = size::DISPLAY;
+    while size > size::HEADING && width(size) > room {
+        size -= 1.0;
+    }
+    size
 }
 
 /// Whether the robot is within its tolerance, where a rule decides it.

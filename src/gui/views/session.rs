@@ -11,7 +11,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress, or_none};
-use crate::gui::workbench::{Command, Workbench, of_field};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
 
 use super::setup;
@@ -42,14 +42,16 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     findings(ui, workbench, commands);
     widgets::section(ui, say!("Another session or model"));
     if widgets::secondary(ui, say!("Open…")).clicked() {
-        commands.push(Command::ChooseFile);
+        commands.push(Command::Ask(Asked::File));
     }
     path_field(ui, commands);
     if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
+            Form::default(),
+        )))));
     }
     if widgets::secondary(ui, say!("Robots…")).clicked() {
-        commands.push(Command::Sheet(Some(Sheet::ROBOTS)));
+        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
     }
     recent(ui, workbench, commands);
     setup::show(ui, workbench, commands);
@@ -239,7 +241,7 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
             .on_hover_text(say!("Show these samples"))
             .clicked()
         {
-            commands.push(Command::Mark(finding.samples.clone()));
+            commands.push(Command::View(ViewChange::Mark(finding.samples.clone())));
         }
     });
 }
@@ -256,9 +258,15 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             .layout_no_wrap(open.to_owned(), font, Palette::of(ui).text);
         let spacing = ui.spacing();
         let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
-        let width = ui.available_width() - (open_width.size().x + around).max(64.0);
+        let beside = ui.available_width() - (open_width.size().x + around).max(64.0);
+        let hint = say!("type a path, or drop a file");
+        let body = egui::TextStyle::Body.resolve(ui.style());
+        let of_hint = widgets::width_of(ui, hint, body) + 2.0 * around;
+        // Where there is no room for both, the button comes with the first letter: without one it does nothing.
+        let alone = typed.is_empty() && of_hint > beside;
+        let width = if alone { ui.available_width() } else { beside };
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(say!("type a path, or drop a file"))
+            .hint_text(hint)
             .desired_width(width)
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
@@ -266,8 +274,11 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
         widgets::label(&field, say!("Path of a session or model"));
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
-        let button = ui.add_enabled(!path.is_empty(), egui::Button::new(open));
-        if (entered || button.clicked()) && !path.is_empty() {
+        let pressed = !alone && {
+            let button = egui::Button::new(open);
+            ui.add_enabled(!path.is_empty(), button).clicked()
+        };
+        if (entered || pressed) && !path.is_empty() {
             commands.push(Command::OpenFile(path.into()));
         }
     });
@@ -287,6 +298,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (Step::Identify, say!("Continue to identify"))
     };
     if widgets::primary(ui, text).clicked() {
-        commands.push(Command::GoTo(step));
+        commands.push(Command::View(ViewChange::GoTo(step)));
     }
 }

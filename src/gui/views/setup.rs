@@ -7,7 +7,7 @@ use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
 use crate::gui::style::tokens::{size, space};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
 
@@ -107,13 +107,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         fields.message(ui, Field::Joints);
         widgets::hint(ui, say!("Not taken over while something is wrong"));
         if ui.link(say!("Back to what was there")).clicked() {
-            commands.push(Command::Draft(None));
+            commands.push(Command::View(ViewChange::Draft(None)));
             return;
         }
     }
     if form != now {
         commands.push(match form.session(session) {
-            Err(_) => Command::Draft(Some(Box::new(form))),
+            Err(_) => Command::View(ViewChange::Draft(Some(Box::new(form)))),
             Ok(_) if fields.dragged => Command::Drag(Edit::Setup(Box::new(form))),
             Ok(_) => Command::Edit(Edit::Setup(Box::new(form))),
         });

@@ -7,7 +7,7 @@ use crate::fonts;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Letters, Task, Workbench};
 use crate::language::spoken;
 use crate::present::numbers::grouped;
 use crate::recorder::live::State;
@@ -90,7 +90,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.label(small(says).color(palette.accent));
     } else if !workbench.characters().unshown.is_empty() {
         if ui.small_button(say!("Understood")).clicked() {
-            commands.push(Command::DismissLetters);
+            commands.push(Command::Letters(Letters::Dismiss));
         }
         let says = spoken(fonts::cannot_be_shown(&workbench.characters().unshown));
         let says = small(says).color(palette.warning);
@@ -105,7 +105,7 @@ fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) ->
     };
     let palette = Palette::of(ui);
     if ui.small_button(say!("Stop recording")).clicked() {
-        commands.push(Command::StopRecording);
+        commands.push(Command::Stop(Task::Recording));
     }
     let color = match heard.state {
         State::Waiting(_) => palette.warning,
@@ -143,7 +143,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 return idle(ui, workbench, commands);
             };
             if ui.small_button(say!("Cancel")).clicked() {
-                commands.push(Command::Cancel);
+                commands.push(Command::Stop(Task::Newest));
             }
             let what = RichText::new(task.describe());
             ui.label(what.size(size::NOTE).color(palette.muted));

@@ -5,7 +5,7 @@ use egui::{Panel, Ui, UiBuilder};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::space;
 use crate::gui::widgets::{self, StepRow};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::step::StepView;
 use super::{export, gap, identify, regions, session};
@@ -51,7 +51,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Comm
         };
         let row = row.show(ui);
         if row.clicked() {
-            commands.push(Command::GoTo(step));
+            commands.push(Command::View(ViewChange::GoTo(step)));
         }
     }
     ui.spacing_mut().item_spacing.y = space::ROW;

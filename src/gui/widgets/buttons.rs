@@ -1,8 +1,9 @@
 //! Buttons with words on them.
 
+use egui::response::Flags;
 use egui::{
-    Button, Color32, CornerRadius, Frame, Margin, Response, RichText, Role, Stroke, Ui, WidgetInfo,
-    vec2,
+    Button, Color32, Context, CornerRadius, Frame, Id, Key, KeyboardShortcut, Margin, Modifiers,
+    Response, RichText, Role, Stroke, Ui, WidgetInfo, vec2,
 };
 
 use crate::gui::style::tokens::{Palette, size, space, strong};
@@ -22,6 +23,8 @@ fn wide(ui: &mut Ui, text: &str, look: &ButtonLook) -> Response {
     } else {
         egui::FontId::proportional(size::BODY)
     };
+    // No line begins with the sign that a dialog follows.
+    let text = text.replace(" …", "\u{a0}…");
     let label = RichText::new(text).font(font).color(look.text);
     ui.scope(|ui| {
         let [rest, hovered, pressed] = look.fills;
@@ -42,6 +45,52 @@ fn wide(ui: &mut Ui, text: &str, look: &ButtonLook) -> Response {
     .inner
 }
 
+/// They press the one thing to do next, wherever the focus is.
+pub(crate) const NEXT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Enter);
+
+/// In which pass [`NEXT`] was pressed.
+#[derive(Clone, Copy)]
+struct Asked(u64);
+
+fn asked() -> Id {
+    Id::unique("what comes next was asked for")
+}
+
+/// Reads [`NEXT`]. What is typed into a field ends with it, and is taken over before the button is pressed.
+pub(crate) fn read_next(ctx: &Context) {
+    const LASTS: u64 = 4;
+    let pass = ctx.cumulative_pass_nr();
+    if ctx.input_mut(|input| input.consume_shortcut(&NEXT)) {
+        ctx.memory_mut(|memory| {
+            if let Some(focused) = memory.focused() {
+                memory.surrender_focus(focused);
+            }
+            memory.data.insert_temp(asked(), Asked(pass));
+        });
+        ctx.request_repaint();
+    } else if let Some(Asked(before)) = ctx.data(|data| data.get_temp(asked()))
+        && pass > before + LASTS
+    {
+        // Nothing comes next here.
+        ctx.data_mut(|data| data.remove::<Asked>(asked()));
+    }
+}
+
+/// Whether it is this button that [`NEXT`] asks for: behind a sheet none is.
+fn is_asked_for(ui: &Ui) -> bool {
+    let ctx = ui.ctx();
+    let Some(Asked(before)) = ctx.data(|data| data.get_temp(asked())) else {
+        return false;
+    };
+    let top = ctx.memory(egui::Memory::top_modal_layer);
+    let here = ui.is_enabled() && top.is_none_or(|top| top == ui.layer_id());
+    let now = here && ctx.cumulative_pass_nr() > before;
+    if now {
+        ctx.data_mut(|data| data.remove::<Asked>(asked()));
+    }
+    now
+}
+
 /// The one thing to do next, as wide as the panel.
 pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
     let palette = Palette::of(ui);
@@ -53,7 +102,11 @@ pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
         heavy: true,
         height: space::PRIMARY,
     };
-    wide(ui, text, &look)
+    let mut response = wide(ui, text, &look);
+    if is_asked_for(ui) {
+        response.flags |= Flags::FAKE_PRIMARY_CLICKED;
+    }
+    response
 }
 
 /// Something else that can be done, as wide as the panel.

@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use egui::{Align, DragValue, Layout, Response, RichText, Tooltip, Ui, vec2};
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
+use egui::{Align, DragValue, Id, Layout, Response, RichText, Tooltip, Ui, vec2};
 
 use crate::gui::style::tokens::{Palette, space};
 use crate::present::units::typed_in;
@@ -67,6 +69,14 @@ fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Resp
         );
     });
     response
+}
+
+/// Marks what stands in a line of text: what is typed next takes its place.
+pub(crate) fn select_all(ui: &Ui, field: Id, text: &str) {
+    let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
+    let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(all));
+    state.store(ui.ctx(), field);
 }
 
 /// A number with its name before it, in this unit; another of its quantity may be typed.

@@ -8,9 +8,9 @@ mod steps;
 mod text;
 
 pub(crate) use buttons::{
-    other, primary, secondary, segmented, segmented_named, width_of_segments,
+    NEXT, other, primary, read_next, secondary, segmented, segmented_named, width_of_segments,
 };
-pub(crate) use fields::{cell_number, form_row, number, or_none, row};
+pub(crate) use fields::{cell_number, form_row, number, or_none, row, select_all};
 pub(crate) use grip::{Gripped, grip, grip_between};
 pub(crate) use icons::{
     copy_button, data_button, history_button, icon_button, save_button, side_button, sign_that,
@@ -21,7 +21,7 @@ pub(crate) use text::{
     folded, heading, hint, label, question, section, title, width_of, wrong,
 };
 
-use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};
+use egui::{Color32, CornerRadius, Frame, Id, Margin, Sense, Stroke, StrokeKind, Ui, vec2};
 
 use crate::gui::style::tokens::{DARK, LIGHT, Palette, space};
 
@@ -42,6 +42,7 @@ pub(crate) fn scroll(
         .show(&mut inside, |ui| {
             ui.set_width(room.width().min(ui.available_width()));
             contents(ui);
+            focus_in_sight(ui);
         });
     ui.advance_cursor_after_rect(room);
 }
@@ -61,12 +62,44 @@ pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
     shown.inner
 }
 
+/// Where the focus was in the pass before.
+fn focus_before() -> Id {
+    Id::unique("where the focus was")
+}
+
+/// Called behind everything that scrolls: what of it has got the focus comes into sight.
+pub(crate) fn focus_in_sight(ui: &Ui) {
+    /// Beyond what fades at the edge.
+    const BEYOND: f32 = 14.0;
+    let ctx = ui.ctx();
+    let Some(focused) = ctx.memory(egui::Memory::focused) else {
+        return;
+    };
+    if ctx.data(|data| data.get_temp(focus_before())) == Some(focused) {
+        return;
+    }
+    let Some(response) = ctx.read_response(focused) else {
+        return;
+    };
+    // What is seen whole elsewhere stands beside what scrolls, however far that goes on behind it.
+    let seen = response.interact_rect;
+    let here = !seen.is_positive() || ui.clip_rect().expand(1.0).contains_rect(seen);
+    let within = ui.min_rect().expand(1.0).contains_rect(response.rect);
+    if here && within && response.layer_id == ui.layer_id() {
+        ui.scroll_to_rect(response.rect.expand(BEYOND), None);
+    }
+}
+
 /// A ring around whatever has the keyboard, in the layer that it is in.
 pub(crate) fn focus_ring(ctx: &egui::Context) {
-    let Some(response) = ctx
-        .memory(egui::Memory::focused)
-        .and_then(|id| ctx.read_response(id))
-    else {
+    let focused = ctx.memory(egui::Memory::focused);
+    ctx.data_mut(|data| match focused {
+        Some(focused) => {
+            data.insert_temp(focus_before(), focused);
+        }
+        None => data.remove::<Id>(focus_before()),
+    });
+    let Some(response) = focused.and_then(|id| ctx.read_response(id)) else {
         return;
     };
     let palette = if ctx.global_style().visuals.dark_mode {

@@ -226,6 +226,8 @@ impl Workbench {
                 vec![say!("Open a session that was measured on this robot").to_owned()],
             );
         }
+        // Asked for by its key it is seen as well.
+        self.view.step = Step::Gap;
         let document = self.document();
         let exact =
             document.identified && document.method == Method::Exact && document.given.is_none();

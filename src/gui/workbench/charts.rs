@@ -260,7 +260,7 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     const ANGLE: &str = "deviation";
     const TIME: &str = "deviation over time";
@@ -274,7 +274,7 @@ mod tests {
     }
 
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
-        workbench.execute(Command::GoTo(step));
+        workbench.execute(Command::View(ViewChange::GoTo(step)));
         workbench.receive();
         workbench.chart().about().id
     }
@@ -282,7 +282,7 @@ mod tests {
     fn choose(workbench: &mut Workbench, chart: &'static str) {
         let key = workbench.view().panes.active_chart().map(|(key, _)| key);
         let panes = workbench.with_choice(key.expect("a chart"), chart);
-        workbench.execute(Command::Panes(Box::new(panes)));
+        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, chart);
     }
@@ -324,14 +324,14 @@ mod tests {
             Arc::clone(backdrop.charted.first().expect("it is charted"))
         };
         let first = made(&workbench);
-        workbench.execute(Command::Hover(Some(3)));
-        workbench.execute(Command::OnlyAfter(true));
+        workbench.execute(Command::View(ViewChange::Hover(Some(3))));
+        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
         workbench.receive();
         assert!(
             Arc::ptr_eq(&first, &made(&workbench)),
             "nothing has changed"
         );
-        workbench.execute(Command::Component(Component::Radial));
+        workbench.execute(Command::View(ViewChange::Component(Component::Radial)));
         workbench.receive();
         assert!(is_worked_out(&workbench));
         let radial = made(&workbench);
@@ -357,7 +357,7 @@ mod tests {
             let mut panes = panes.clone();
             let key = panes.active();
             panes.chart_mut(key).expect("it is new").chart = Some(chart.to_owned());
-            workbench.execute(Command::Panes(Box::new(panes)));
+            workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
             workbench.receive();
         };
         let first = made(&workbench);
@@ -371,7 +371,7 @@ mod tests {
         let key = workbench.view().panes.active();
         let mut panes = workbench.view().panes.clone();
         panes.chart_mut(key).expect("a chart").component = Some(Component::Radial);
-        workbench.execute(Command::Panes(Box::new(panes)));
+        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
         workbench.receive();
         let three = made(&workbench);
         assert_eq!(three.len(), 3);
@@ -386,12 +386,12 @@ mod tests {
     #[test]
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
-        workbench.execute(Command::ShowEffect(0));
+        workbench.execute(Command::View(ViewChange::ShowEffect(0)));
         assert_eq!(workbench.chart().about().id, ANGLE, "nothing was found yet");
         workbench.execute(Command::Search);
         workbench.receive();
-        workbench.execute(Command::Component(Component::Axial));
-        workbench.execute(Command::ShowEffect(0));
+        workbench.execute(Command::View(ViewChange::Component(Component::Axial)));
+        workbench.execute(Command::View(ViewChange::ShowEffect(0)));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, effect::ID);
         assert_eq!(workbench.view().component, Component::Tangential);

@@ -49,15 +49,13 @@ pub(crate) enum Command {
         path: PathBuf,
         in_folder: bool,
     },
-    /// Ask for a file to open.
-    ChooseFile,
     OpenFile(PathBuf),
+    /// Open what was dropped on the window.
+    Drop(Vec<PathBuf>),
     /// Say something about the foreign file on the sheet.
     Say(Box<ImportAnswers>),
     /// Its columns were looked at, and are right.
     ConfirmColumns,
-    /// Ask for a file beside it.
-    ChooseBeside(Companion),
     /// Make a session of it.
     Import,
     /// Open a session that comes with the program.
@@ -72,34 +70,20 @@ pub(crate) enum Command {
     SaveDespite,
     /// Read the session's file again.
     Reload,
-    /// Go on with what is here, whatever is on the disk.
-    KeepMine,
     /// Follow the samples file as it grows, or stop.
     Follow(bool),
     /// Take a file out of the recent ones.
     Forget(PathBuf),
-    /// Bring back what a window that is gone has left behind.
-    Restore(usize),
-    /// Throw it away.
-    DiscardLeft(usize),
-    /// Throw all of it away.
-    DiscardAllLeft,
-    /// Ask for a file that an instrument wrote.
-    ChooseImport,
     /// Keep what is not saved against a crash.
     KeepRecovery,
     /// Look whether open files are what they were.
     LookAtDisk,
-    /// Ask for a file to save to.
-    ChooseWhereToSave,
     /// Write the session to this file.
     SaveAs {
         path: PathBuf,
         /// Whether a file that is there may be replaced.
         replace: bool,
     },
-    /// Ask for a file to export to.
-    ChooseWhereToExport(What),
     /// Write the table, or the model, to this file.
     ExportTo {
         what: What,
@@ -118,41 +102,65 @@ pub(crate) enum Command {
     State(Box<Stated>),
     /// Compare the sessions of a folder, and show what changed.
     CompareSessions(PathBuf),
-    /// Ask for a folder of sessions.
-    ChooseFolder,
     /// Record what an instrument sends.
     Record(Box<recording::RecordingRequest>),
-    StopRecording,
-    /// Ask for a picture for the head of the report.
-    ChooseLogo,
-    /// Ask for a table of targets or a robot program to be corrected.
-    ChooseTargets,
     /// Correct its targets by the model that is shown, and show what changes.
     Compensate(CompensationRequest),
     /// Divide the joint's range where the samples ask for it.
     Adapt,
+    /// Search for what is missing.
+    Search,
+    /// Make a session by simulation.
+    Simulate(Form),
+    /// Copy what this chart shows as a table.
+    CopyNumbers(&'static str),
+    /// Show numbers, colours and text like this.
+    Prefer(Preferences),
+    Leave,
+    /// Ask for a file or a folder.
+    Ask(Asked),
+    /// Look at the document in another way.
+    View(ViewChange),
+    /// What a window that is gone has left behind.
+    Left(LeftBehind),
+    /// Stop what is under way.
+    Stop(Task),
+    /// Find letters that the bundled fonts lack.
+    Letters(Letters),
+}
+
+/// A file or folder that the user is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Asked {
+    /// Ask for a file to open.
+    File,
+    /// Ask for a file beside it.
+    Beside(Companion),
+    /// Ask for a file that an instrument wrote.
+    Import,
+    /// Ask for a file to save to.
+    WhereToSave,
+    /// Ask for a file to export to.
+    WhereToExport(What),
+    /// Ask for a folder of sessions.
+    Folder,
+    /// Ask for a picture for the head of the report.
+    Logo,
+    /// Ask for a table of targets or a robot program to be corrected.
+    Targets,
+}
+
+/// A change of how the document is looked at.
+#[derive(Debug, Clone)]
+pub(crate) enum ViewChange {
+    /// Go on with what is here, whatever is on the disk.
+    KeepMine,
     /// What is being typed for an end of a region; `None`: what the document says.
     Type {
         region: String,
         end: End,
         text: Option<String>,
     },
-    /// Search for what is missing.
-    Search,
-    /// Make a session by simulation.
-    Simulate(Form),
-    /// Find a font for characters that are shown.
-    FindLetters(BTreeSet<char>),
-    /// Looks for a face for the names of all languages; what no face has is not worth a word.
-    FindNamesOfLanguages,
-    /// It was read which characters cannot be shown.
-    DismissLetters,
-    /// Drop the task that is under way.
-    Cancel,
-    /// End the search that is under way; what it has found stays in sight.
-    StopSearch,
-    /// Stops looking at a foreign file; saying something looks again.
-    StopLooking,
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
@@ -199,19 +207,14 @@ pub(crate) enum Command {
     ShowEffect(usize),
     /// Open the right-hand side, or shut it.
     Results(bool),
-    /// Copy what this chart shows as a table.
-    CopyNumbers(&'static str),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
-    /// Show numbers, colours and text like this.
-    Prefer(Preferences),
     /// Give panels these sizes; remembered only once that is preferred.
     Resize(Sizes),
     /// Robot and instrument as they are being typed, while that makes no robot.
     Draft(Option<Box<SetupForm>>),
     /// Open, change or close a sheet.
     Sheet(Option<Sheet>),
-    Leave,
     Dismiss,
     /// Show everything again.
     Fit,
@@ -219,4 +222,38 @@ pub(crate) enum Command {
     FitWorkspace,
     /// The chart in this pane shows everything again.
     FitChart(Key),
+}
+
+/// What becomes of what a window that is gone has left behind.
+#[derive(Debug, Clone)]
+pub(crate) enum LeftBehind {
+    /// Bring back what a window that is gone has left behind.
+    Restore(usize),
+    /// Throw it away.
+    Discard(usize),
+    /// Throw all of it away.
+    DiscardAll,
+}
+
+/// Work that is under way.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Task {
+    Recording,
+    /// Drop the task that is under way.
+    Newest,
+    /// End the search that is under way; what it has found stays in sight.
+    Search,
+    /// Stops looking at a foreign file; saying something looks again.
+    Import,
+}
+
+/// Letters that the bundled fonts lack.
+#[derive(Debug, Clone)]
+pub(crate) enum Letters {
+    /// Find a font for characters that are shown.
+    Find(BTreeSet<char>),
+    /// Looks for a face for the names of all languages; what no face has is not worth a word.
+    OfLanguages,
+    /// It was read which characters cannot be shown.
+    Dismiss,
 }

@@ -1,6 +1,6 @@
 //! What would be lost, what is asked before it is, and how it is saved.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::core::document::Document;
@@ -12,7 +12,7 @@ use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
 
 use super::state::Place;
-use super::{Command, Workbench};
+use super::{Asked, Command, Workbench};
 
 /// Documents that are remembered as standing in a file.
 const MOST_ON_FILE: usize = 64;
@@ -107,6 +107,41 @@ impl Workbench {
         }
     }
 
+    /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
+    pub(super) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
+        // Beside targets that are shown, others may be dropped.
+        let sheet = self.view.sheet.as_ref();
+        let form = sheet.filter(|sheet| **sheet != Sheet::COMPENSATION);
+        if form.is_some_and(Sheet::holds_entries) {
+            return self.complain(
+                say!("What was dropped is not opened over a form"),
+                vec![say!("Finish or cancel the form, then drop the file again").to_owned()],
+            );
+        }
+        let is_document = |path: &&PathBuf| {
+            let ending = path.extension();
+            ending.is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
+        };
+        let session = paths.iter().find(is_document).cloned();
+        if let Some(session) = session {
+            paths.retain(|path| *path == session || path.file_stem() != session.file_stem());
+        }
+        match &paths[..] {
+            [] => {}
+            [folder] if folder.is_dir() => {
+                self.execute(Command::CompareSessions(folder.clone()));
+            }
+            [file] => self.execute(Command::OpenFile(file.clone())),
+            several => self.complain(
+                &say!("{count} files were dropped: none was opened", count = several.len()),
+                vec![
+                    say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")
+                        .to_owned(),
+                ],
+            ),
+        }
+    }
+
     /// Brings another session.
     pub(super) fn open(
         &mut self,
@@ -124,7 +159,7 @@ impl Workbench {
             self.execute(Command::Save);
         } else {
             let what = What::Model;
-            self.execute(Command::ChooseWhereToExport(what));
+            self.execute(Command::Ask(Asked::WhereToExport(what)));
         }
     }
 
@@ -144,7 +179,7 @@ impl Workbench {
     pub(super) fn save_here(&mut self) {
         match self.file().map(Path::to_path_buf) {
             Some(path) => self.save_to(&path, Replace::Own),
-            None => self.execute(Command::ChooseWhereToSave),
+            None => self.execute(Command::Ask(Asked::WhereToSave)),
         }
     }
 

@@ -37,7 +37,7 @@ use crate::text::spoken;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub(crate) use command::{Command, of_field};
+pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, of_field};
 
 use state::{FileState, PendingQueries, SpokenSections};
 
@@ -180,15 +180,15 @@ impl Workbench {
             Command::EndDrag => self.history.finish_gesture(),
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
-            Command::ChooseFile => self.choose_file(files::choose_to_open),
             // A robot program has nothing to be opened: its targets are corrected.
             Command::OpenFile(path) if files::is_program(&path) => self.compensate_file(path),
             Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
+            Command::Drop(paths) => self.drop_files(paths),
             Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
             Command::Leave => self.ask_then(NextAction::Leave),
             Command::Do(then) => self.go(then),
             Command::SaveThen(then) => self.save_then(then),
-            Command::Save | Command::ChooseWhereToSave | Command::SaveAs { .. }
+            Command::Save | Command::Ask(Asked::WhereToSave) | Command::SaveAs { .. }
                 if self.loaded_session().is_empty() =>
             {
                 self.complain(
@@ -196,10 +196,8 @@ impl Workbench {
                     vec![say!("A model by itself is saved in the Export step").to_owned()],
                 );
             }
-            Command::ChooseWhereToSave => self.choose_where_to_save(),
             Command::Say(said) => self.say(*said),
             Command::ConfirmColumns => self.confirm_columns(),
-            Command::ChooseBeside(which) => self.choose_beside(which),
             Command::Import => self.import(),
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
@@ -216,15 +214,10 @@ impl Workbench {
                 }
             }
             Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
-            Command::Restore(index) => self.restore(index),
-            Command::DiscardLeft(index) => self.discard_left(index),
-            Command::DiscardAllLeft => self.discard_all_left(),
-            Command::ChooseImport => self.choose_file(files::choose_to_import),
             Command::Reload => self.reload(),
             Command::Follow(on) => self.follow(on),
             Command::KeepRecovery => self.keep_recovery(),
             Command::LookAtDisk => self.look_at_disk(),
-            Command::ChooseWhereToExport(what) => self.choose_where_to_export(what),
             Command::ExportTo {
                 what,
                 path,
@@ -238,11 +231,7 @@ impl Workbench {
             Command::KeepRobot { table, save } => self.keep_robot(*table, save),
             Command::ForgetRobot(name) => self.forget_robot(&name),
             Command::CompareSessions(folder) => self.compare_sessions(folder),
-            Command::ChooseFolder => self.choose_folder(),
             Command::Record(wanted) => self.record(*wanted),
-            Command::StopRecording => self.stop_recording(),
-            Command::ChooseLogo => self.choose_logo(),
-            Command::ChooseTargets => self.choose_targets(),
             Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
@@ -251,20 +240,22 @@ impl Workbench {
                     self.ask_then(NextAction::Simulate(form));
                 }
             }
-            Command::FindLetters(wanted) => self.find_letters(wanted, true),
-            Command::FindNamesOfLanguages => self.find_names_of_languages(),
-            Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
-            Command::StopSearch => self.stop_search(),
             Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
-            Command::StopLooking => self.cancel_look(),
-            Command::Cancel => {
-                // What was to be done after it is not wanted any more either.
-                self.cancel_pending_action();
-                self.cancel_newest();
+            Command::Prefer(preferences) => {
+                self.view.preferences = preferences.sound();
+                self.keep_preferences();
             }
-            other => self.look(other),
+            Command::View(change) => self.look(change),
+            Command::Ask(asked) => self.ask_for(asked),
+            Command::Stop(task) => self.stop(task),
+            Command::Left(LeftBehind::Restore(index)) => self.restore(index),
+            Command::Left(LeftBehind::Discard(index)) => self.discard_left(index),
+            Command::Left(LeftBehind::DiscardAll) => self.discard_all_left(),
+            Command::Letters(Letters::Find(wanted)) => self.find_letters(wanted, true),
+            Command::Letters(Letters::OfLanguages) => self.find_names_of_languages(),
+            Command::Letters(Letters::Dismiss) => self.dismiss_letters(),
         }
         if !self.steps().contains(&self.view.step) {
             // Another robot has no regions.
@@ -275,83 +266,111 @@ impl Workbench {
         self.keep_drawing();
     }
 
-    fn look(&mut self, command: Command) {
+    /// Asks for a file or a folder.
+    fn ask_for(&mut self, asked: Asked) {
+        match asked {
+            Asked::File => self.choose_file(files::choose_to_open),
+            Asked::WhereToSave => self.choose_where_to_save(),
+            Asked::Beside(which) => self.choose_beside(which),
+            Asked::Import => self.choose_file(files::choose_to_import),
+            Asked::WhereToExport(what) => self.choose_where_to_export(what),
+            Asked::Folder => self.choose_folder(),
+            Asked::Logo => self.choose_logo(),
+            Asked::Targets => self.choose_targets(),
+        }
+    }
+
+    /// Stops what is under way.
+    fn stop(&mut self, task: Task) {
+        match task {
+            Task::Recording => self.stop_recording(),
+            Task::Search => self.stop_search(),
+            Task::Import => self.cancel_look(),
+            Task::Newest => {
+                // What was to be done after it is not wanted any more either.
+                self.cancel_pending_action();
+                self.cancel_newest();
+            }
+        }
+    }
+
+    /// Looks at the document in another way.
+    fn look(&mut self, change: ViewChange) {
         let view = &mut self.view;
-        match command {
-            Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => {
+        match change {
+            ViewChange::GoTo(step) => view.step = step,
+            ViewChange::Look(plane) => {
                 view.plane = plane;
                 view.look(Aspect::Plane);
             }
-            Command::LookFrom(from) => {
+            ViewChange::LookFrom(from) => {
                 view.look(Aspect::Space);
                 if let Some(from) = from {
                     view.camera = view.camera.seen_from(from);
                 }
             }
-            Command::Turn(camera) => view.camera = camera.sound(),
-            Command::Pose(q) => view.pose = q,
-            Command::LookAround => view.look(Aspect::Around),
-            Command::Magnify(factor) => {
+            ViewChange::Turn(camera) => view.camera = camera.sound(),
+            ViewChange::Pose(q) => view.pose = q,
+            ViewChange::LookAround => view.look(Aspect::Around),
+            ViewChange::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
-            Command::PlotSize(size) if size.is_finite() => view.plot_size = size.clamp(20.0, 1e5),
-            Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
-            Command::Colour(colouring) => view.colouring = colouring,
-            Command::Heat(shown) => view.heat = shown,
-            Command::Canvas(canvas) => view.canvas = canvas,
-            Command::Component(component) => view.component = component,
-            Command::OnlyAfter(only) => view.only_after = only,
-            Command::Hover(sample) => view.hovered = sample,
-            Command::Select(sample) => {
+            ViewChange::PlotSize(size) if size.is_finite() => {
+                view.plot_size = size.clamp(20.0, 1e5);
+            }
+            ViewChange::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            ViewChange::Colour(colouring) => view.colouring = colouring,
+            ViewChange::Heat(shown) => view.heat = shown,
+            ViewChange::Canvas(canvas) => view.canvas = canvas,
+            ViewChange::Component(component) => view.component = component,
+            ViewChange::OnlyAfter(only) => view.only_after = only,
+            ViewChange::Hover(sample) => view.hovered = sample,
+            ViewChange::Select(sample) => {
                 view.selected = sample;
                 view.pose = None;
                 view.marked.clear();
             }
-            Command::Mark(samples) => {
+            ViewChange::Mark(samples) => {
                 view.selected = samples.first().copied();
                 view.pose = None;
                 view.marked = samples;
                 view.side = Side::Samples;
             }
-            Command::Side(side) => view.side = side,
-            Command::Panes(panes) => self.arrange(*panes),
-            Command::Pull(panes) => view.panes = *panes,
-            Command::Activate(key) => view.panes.activate(key),
-            Command::ActivateNext => view.panes.activate_next(),
-            Command::ChartJoint(joint) => view.joint = joint,
-            Command::ShowEffect(index) => self.show_effect(index),
-            Command::Results(open) => view.results = Some(open),
-            Command::Prefer(preferences) => {
-                view.preferences = preferences.sound();
-                self.keep_preferences();
-            }
-            Command::Resize(sizes) => {
+            ViewChange::Side(side) => view.side = side,
+            ViewChange::Panes(panes) => self.arrange(*panes),
+            ViewChange::Pull(panes) => view.panes = *panes,
+            ViewChange::Activate(key) => view.panes.activate(key),
+            ViewChange::ActivateNext => view.panes.activate_next(),
+            ViewChange::ChartJoint(joint) => view.joint = joint,
+            ViewChange::ShowEffect(index) => self.show_effect(index),
+            ViewChange::Results(open) => view.results = Some(open),
+            ViewChange::Resize(sizes) => {
                 let preferences = Preferences {
                     sizes,
                     ..view.preferences
                 };
                 view.preferences = preferences.sound();
             }
-            Command::Draft(form) => view.setup = form,
-            Command::KeepMine => view.on_disk = None,
-            Command::Sheet(sheet) => self.show_sheet(sheet),
-            Command::Type { region, end, text } => self.type_boundary(region, end, text),
-            Command::Dismiss => view.message = None,
-            Command::Fit => {
+            ViewChange::Draft(form) => view.setup = form,
+            ViewChange::KeepMine => view.on_disk = None,
+            ViewChange::Sheet(sheet) => self.show_sheet(sheet),
+            ViewChange::Type { region, end, text } => self.type_boundary(region, end, text),
+            ViewChange::Dismiss => view.message = None,
+            ViewChange::Fit => {
                 view.fitted.everywhere();
                 view.camera = view.camera.fitted();
             }
-            Command::FitWorkspace => {
+            ViewChange::FitWorkspace => {
                 view.fitted.workspace += 1;
                 view.camera = view.camera.fitted();
             }
-            Command::FitChart(key) => {
+            ViewChange::FitChart(key) => {
                 if let Some(pane) = view.panes.chart_mut(key) {
                     pane.fitted += 1;
                 }
             }
-            _ => {}
+            // No number.
+            ViewChange::PlotSize(_) | ViewChange::Blend(_) => {}
         }
         self.forget_missing_samples();
     }

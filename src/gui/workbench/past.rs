@@ -11,7 +11,7 @@ use crate::language::finding;
 use crate::pipeline;
 use crate::progress::ReadError;
 
-use super::{Command, Workbench};
+use super::{Asked, Command, Workbench};
 
 impl Workbench {
     /// The sessions that were compared last.
@@ -23,7 +23,7 @@ impl Workbench {
     pub(crate) fn compare_here(&self) -> Command {
         match self.folder() {
             Some(folder) => Command::CompareSessions(folder),
-            None => Command::ChooseFolder,
+            None => Command::Ask(Asked::Folder),
         }
     }
 

@@ -16,7 +16,7 @@ use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::view::{OnDisk, Sheet};
 
 use super::state::Place;
-use super::{Command, Workbench};
+use super::{Command, ViewChange, Workbench};
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
@@ -110,10 +110,10 @@ impl Workbench {
 
     /// Opens the sheet on which a path to save to is typed.
     pub(crate) fn typed_path(&self) -> Command {
-        Command::Sheet(Some(Sheet::SavePath {
+        Command::View(ViewChange::Sheet(Some(Sheet::SavePath {
             path: self.proposed_path().display().to_string(),
             replace: false,
-        }))
+        })))
     }
 
     /// The file with its samples, if they are in one: it can be followed.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Command, Workbench};
+use super::{Command, Task, ViewChange, Workbench};
 use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::FileChange;
 use crate::gui::file_state::watcher::Seen;
@@ -235,7 +235,7 @@ fn a_step_is_done_for_the_model_that_was_exported_alone() {
 fn an_export_writes_the_table_and_what_it_means() {
     let mut workbench = workbench();
     done(&mut workbench, Edit::Identify);
-    workbench.execute(Command::GoTo(Step::Export));
+    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
     workbench.receive();
     let made = workbench.export().expect("prepared").expect("possible");
     let table = made.export.reads_as.as_ref().expect("a table");
@@ -290,9 +290,9 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     let mut workbench = workbench();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Edit(Edit::Identify));
-    workbench.execute(Command::Cancel);
+    workbench.execute(Command::Stop(Task::Newest));
     assert!(workbench.is_declined());
-    workbench.execute(Command::GoTo(Step::Export));
+    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
     assert!(workbench.jobs.newest().is_none(), "nobody asked again");
     workbench.execute(Command::Edit(Edit::Identify));
     assert!(workbench.jobs.newest().is_some());
@@ -315,7 +315,7 @@ fn a_search_that_is_stopped_answers_with_what_is_proven_so_far() {
     let mut workbench = workbench();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Search);
-    workbench.execute(Command::StopSearch);
+    workbench.execute(Command::Stop(Task::Search));
     for _ in 0..2000 {
         workbench.receive();
         if workbench.searching().is_none() {
@@ -331,8 +331,8 @@ fn a_search_that_is_stopped_answers_with_what_is_proven_so_far() {
     let mut workbench = self::workbench();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Search);
-    workbench.execute(Command::StopSearch);
-    workbench.execute(Command::StopSearch);
+    workbench.execute(Command::Stop(Task::Search));
+    workbench.execute(Command::Stop(Task::Search));
     assert!(workbench.searching().is_none() && workbench.diagnosis().is_none());
     assert!(workbench.stopped().is_some());
 }

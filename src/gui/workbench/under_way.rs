@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use super::{Command, Workbench};
+use super::{Command, Task, ViewChange, Workbench};
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
@@ -88,7 +88,7 @@ fn whatever_is_cancelled_leaves_everything_as_it_was() {
         let before = bench.document().clone();
         bench.execute(command);
         assert!(!idle(&bench), "{says}: the status bar names it");
-        bench.execute(Command::Cancel);
+        bench.execute(Command::Stop(Task::Newest));
         // Long enough for any of them to have come back.
         for _ in 0..40 {
             bench.receive();
@@ -118,7 +118,7 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
     bench
         .jobs
         .start(Kind::Writes, "saving", work, Workbench::take_saved);
-    bench.execute(Command::Cancel);
+    bench.execute(Command::Stop(Task::Newest));
     assert!(!idle(&bench), "it is still being written");
     go.send(()).expect("it waits");
     until(&mut bench, idle);
@@ -133,7 +133,7 @@ fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     until(&mut bench, idle);
     let go = write(&mut bench, "writing", written);
     bench.execute(Command::Leave);
-    bench.execute(Command::Cancel);
+    bench.execute(Command::Stop(Task::Newest));
     go.send(()).expect("it waits");
     until(&mut bench, idle);
     assert!(!bench.view().leaving);
@@ -206,7 +206,7 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
         .jobs
         .start(Kind::Once, what, work, Workbench::take_adapted);
     // Everything goes on meanwhile.
-    bench.execute(Command::GoTo(Step::Export));
+    bench.execute(Command::View(ViewChange::GoTo(Step::Export)));
     bench.execute(Command::Edit(Edit::IdentifyBy(Method::Regional)));
     bench.execute(Command::Undo);
     bench.execute(Command::Redo);

@@ -48,7 +48,7 @@ mod tests {
     use crate::gui::core::simulate::Form;
     use crate::gui::testing::workbench;
     use crate::gui::view::Canvas;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
     use egui_plot::PlotBounds;
 
     fn transform(scale: f64) -> PlotTransform {
@@ -78,7 +78,9 @@ mod tests {
         let all = longest(&mut (0..shown.each.len()));
         assert_eq!(longest(&mut kept.iter().copied()), all);
         // What draws them all does the same in number.
-        workbench.execute(Command::Canvas(Canvas::Layers(usize::MAX)));
+        workbench.execute(Command::View(ViewChange::Canvas(Canvas::Layers(
+            usize::MAX,
+        ))));
         let shown = Shown::of(&workbench);
         let [points, vectors] = super::super::layout::counts(&shown, &transform(1.0));
         assert!(

@@ -397,7 +397,7 @@ mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn the_way_of_each_reflector_says_how_sure_the_model_is_while_colour_says_that() {
@@ -405,7 +405,7 @@ mod tests {
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
         assert!(Shown::of(&workbench).sure.is_empty());
-        workbench.execute(Command::Colour(Colouring::Uncertainty));
+        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
         workbench.receive();
         let shown = Shown::of(&workbench);
         let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
@@ -415,7 +415,7 @@ mod tests {
         let parts = shown.sure.iter().flatten();
         assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
         assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
-        workbench.execute(Command::Colour(Colouring::State));
+        workbench.execute(Command::View(ViewChange::Colour(Colouring::State)));
         assert!(Shown::of(&workbench).sure.is_empty());
     }
 
@@ -445,11 +445,11 @@ mod tests {
             let lengths = lengths.iter().map(|a| a.vector_mm[0].hypot(a.vector_mm[1]));
             lengths.fold(0.0, f64::max)
         };
-        workbench.execute(Command::Blend(0.0));
+        workbench.execute(Command::View(ViewChange::Blend(0.0)));
         let before = longest(&workbench);
-        workbench.execute(Command::Blend(0.5));
+        workbench.execute(Command::View(ViewChange::Blend(0.5)));
         let between = longest(&workbench);
-        workbench.execute(Command::Blend(1.0));
+        workbench.execute(Command::View(ViewChange::Blend(1.0)));
         let after = longest(&workbench);
         assert!(
             before > between && between > after,
@@ -471,7 +471,7 @@ mod tests {
     #[test]
     fn there_is_no_dial_where_the_joint_is_seen_from_the_side() {
         let mut workbench = workbench();
-        workbench.execute(Command::Look(Plane::Xz));
+        workbench.execute(Command::View(ViewChange::Look(Plane::Xz)));
         assert_eq!(Shown::of(&workbench).dial, None);
     }
 

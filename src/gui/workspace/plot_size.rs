@@ -1,6 +1,6 @@
 //! Over how many points the workspace is drawn: vectors are magnified for it.
 
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 /// The points has to be another by this share for vectors to be drawn for it.
 const ANOTHER: f64 = 0.03;
@@ -14,6 +14,6 @@ pub(super) fn tell_plot_size(
     let points = 2.0 * workbench.loaded_session().overview.radius_mm * points_per_mm;
     let known = workbench.view().plot_size;
     if points.is_finite() && points > 0.0 && (points / known - 1.0).abs() > ANOTHER {
-        commands.push(Command::PlotSize(points));
+        commands.push(Command::View(ViewChange::PlotSize(points)));
     }
 }

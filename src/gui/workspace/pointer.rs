@@ -4,7 +4,7 @@ use egui::{Button, CursorIcon, Role, Ui, WidgetInfo};
 
 use crate::gui::actions::{EXCLUDE, WindowState};
 use crate::gui::view::ViewState;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::card;
 
@@ -20,10 +20,10 @@ pub(crate) fn hover(
 ) {
     let left = left(response, &response.ctx);
     if (response.hovered() || left) && under != workbench.view().hovered {
-        commands.push(Command::Hover(under));
+        commands.push(Command::View(ViewChange::Hover(under)));
     }
     if response.clicked() || response.secondary_clicked() && under.is_some() {
-        commands.push(Command::Select(under));
+        commands.push(Command::View(ViewChange::Select(under)));
     }
     if workbench.view().selected.is_some() {
         response.context_menu(|ui| sample_menu(ui, workbench, commands));

@@ -8,7 +8,7 @@ use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::{significant, trimmed};
 
 use super::model::{magnification as magnification_of, offers, readable};
@@ -86,7 +86,12 @@ pub(crate) fn show(
             if measured {
                 picture(ui, plot_of(view.aspect), commands);
             }
-            gestures::fit(ui, say!("Fit to view"), Command::FitWorkspace, commands);
+            gestures::fit(
+                ui,
+                say!("Fit to view"),
+                Command::View(ViewChange::FitWorkspace),
+                commands,
+            );
             if around && fold == Fold::Open {
                 which(ui, workbench, commands);
             }
@@ -150,9 +155,9 @@ fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (polar, say!("polar")),
     ];
     match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
-        Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
-        Some((Aspect::Space, _)) => commands.push(Command::LookFrom(None)),
-        Some((Aspect::Around, _)) => commands.push(Command::LookAround),
+        Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
+        Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
+        Some((Aspect::Around, _)) => commands.push(Command::View(ViewChange::LookAround)),
         None => {}
     }
 }
@@ -208,7 +213,7 @@ fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if offers(workbench, colouring) {
             let text = RichText::new(colouring.name()).size(size::SMALL);
             if ui.radio(colouring == shown, text).clicked() && colouring != shown {
-                commands.push(Command::Colour(colouring));
+                commands.push(Command::View(ViewChange::Colour(colouring)));
             }
         }
     }
@@ -227,7 +232,7 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             let chosen = component == now;
             if ui.selectable_label(chosen, component.name()).clicked() && !chosen {
-                commands.push(Command::Component(component));
+                commands.push(Command::View(ViewChange::Component(component)));
             }
         }
     });
@@ -243,7 +248,7 @@ fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let shown = [(false, say!("both")), (true, say!("only after"))];
     if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
-        commands.push(Command::OnlyAfter(only));
+        commands.push(Command::View(ViewChange::OnlyAfter(only)));
     }
 }
 
@@ -272,7 +277,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         node.set_label(say!("From before to after"));
     });
     if slider.changed() {
-        commands.push(Command::Blend(blend));
+        commands.push(Command::View(ViewChange::Blend(blend)));
     }
     slider.on_hover_text(blend_says(blend));
     if !bare {
@@ -319,7 +324,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
         node.set_label(say!("Length of vectors"));
     });
     if slider.changed() && factor != now {
-        commands.push(Command::Magnify(Some(factor)));
+        commands.push(Command::View(ViewChange::Magnify(Some(factor))));
     }
     caption(ui, &format!("× {}", significant(now, 2)));
 }
@@ -340,9 +345,9 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
-            commands.push(Command::Magnify(None));
+            commands.push(Command::View(ViewChange::Magnify(None)));
         }
-        Some(factor) => commands.push(Command::Magnify(factor)),
+        Some(factor) => commands.push(Command::View(ViewChange::Magnify(factor))),
         None => {}
     }
 }
@@ -364,7 +369,7 @@ fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 .selectable_label(shown == Some(from), from.name())
                 .clicked()
             {
-                commands.push(Command::LookFrom(Some(from)));
+                commands.push(Command::View(ViewChange::LookFrom(Some(from))));
             }
         }
     });
@@ -403,7 +408,7 @@ fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.ctx()
         .accesskit_node_builder(checkbox.id, |node| node.set_label(say!("heat map")));
     if checkbox.changed() {
-        commands.push(Command::Heat(shown));
+        commands.push(Command::View(ViewChange::Heat(shown)));
     }
 }
 
@@ -423,7 +428,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             let chosen = colouring == shown;
             if ui.selectable_label(chosen, colouring.name()).clicked() && !chosen {
-                commands.push(Command::Colour(colouring));
+                commands.push(Command::View(ViewChange::Colour(colouring)));
             }
         }
     });

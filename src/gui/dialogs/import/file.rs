@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, in_the_sheets_words};
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Questions, Separator,
@@ -144,13 +144,17 @@ const FEW_OPTIONS: usize = 2;
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
-    let title = spoken(option.title);
+    let (title, help) = (spoken(option.title), spoken(option.help));
     widgets::form_row(ui, &title, |ui| {
         let mut value = given.get(option.name).cloned().unwrap_or_default();
         let before = value.clone();
         if option.values.is_empty() {
-            let field = TextEdit::singleline(&mut value).desired_width(300.0);
-            let field = ui.add(field.hint_text(spoken(option.help)));
+            let field = TextEdit::singleline(&mut value).desired_width(OPTION);
+            let field = ui.add(if help_fits(ui, &help) {
+                field.hint_text(help.as_str())
+            } else {
+                field
+            });
             super::parts::name(ui, &field, &title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
@@ -165,6 +169,19 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
             given.insert(option.name, value);
         }
     });
+    // What has no room in the field stands below it.
+    if option.values.is_empty() && !help_fits(ui, &help) {
+        widgets::hint(ui, help);
+    }
+}
+
+/// Width of the field of an option, points.
+const OPTION: f32 = 300.0;
+
+/// Whether what an option takes can be said within its field.
+fn help_fits(ui: &Ui, help: &str) -> bool {
+    let body = egui::TextStyle::Body.resolve(ui.style());
+    widgets::width_of(ui, help, body) + 2.0 * space::ROW <= OPTION
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -18,7 +18,7 @@ use crate::gui::import_draft::{ImportAnswers, ImportDraft, LOOKING, in_the_sheet
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Task, Workbench};
 
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
@@ -52,6 +52,7 @@ pub(super) fn show(
         companion_file::base_frame(ui, now, &mut next, commands);
         companion_file::reflectors(ui, now, &mut next, commands);
         result::show(ui, now, workbench.units());
+        widgets::focus_in_sight(ui);
         ui.max_rect().width()
     });
     let missing = if next == now.said {
@@ -112,7 +113,7 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
             ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
         }
         if ui.small_button(say!("Stop looking")).clicked() {
-            commands.push(Command::StopLooking);
+            commands.push(Command::Stop(Task::Import));
         }
     });
     widgets::look_again_soon(ui);

@@ -7,7 +7,7 @@ use crate::diagnostic::Severity;
 use crate::gui::import_draft::{Companion, ImportDraft};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Asked, Command};
 
 /// A finding as a line; its kind is a word as well as a colour.
 pub(super) fn line(ui: &mut Ui, severity: Severity, says: &str) {
@@ -42,7 +42,7 @@ pub(super) fn path(
         let button = ui.button(say!("Choose…"));
         name(ui, &button, &say!("Choose: {label}", label = label));
         if button.clicked() {
-            commands.push(Command::ChooseBeside(which));
+            commands.push(Command::Ask(Asked::Beside(which)));
         }
     });
     if !typed.trim().is_empty() {

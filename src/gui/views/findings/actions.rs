@@ -7,7 +7,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::views::names::curve_link;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::language::spoken;
 use crate::set_up_errors::DataProblem;
 
@@ -54,7 +54,7 @@ fn in_the_model(
 /// A problem of the data: the samples that it is about, and its correction.
 pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<Command>) {
     if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
-        commands.push(Command::Mark(problem.samples.clone()));
+        commands.push(Command::View(ViewChange::Mark(problem.samples.clone())));
     }
     let Some(mend) = &problem.mend else {
         return;

@@ -7,7 +7,7 @@ use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::What;
 use crate::gui::views::copies;
 use crate::gui::widgets::{self};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 
@@ -48,7 +48,7 @@ pub(super) fn show(
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
     if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
-        commands.push(Command::ChooseWhereToExport(What::Poses));
+        commands.push(Command::Ask(Asked::WhereToExport(What::Poses)));
     }
 }
 

@@ -9,7 +9,7 @@ use egui::{Align, FontId, Label, Layout, MenuBar, RichText, Ui};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use crate::gui::actions;
 
@@ -86,7 +86,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
             if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
-                commands.push(Command::Results(!open));
+                commands.push(Command::View(ViewChange::Results(!open)));
             }
         });
     });

@@ -1,7 +1,7 @@
 //! How panes are called, and how they are changed.
 
 use crate::gui::view::{ChartPane, Content, Key, Pane, Panes};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 /// What a pane is called.
 pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
@@ -29,5 +29,5 @@ pub(super) fn changed(
 pub(super) fn rearranged(workbench: &Workbench, change: impl FnOnce(&mut Panes)) -> Command {
     let mut panes = workbench.view().panes.clone();
     change(&mut panes);
-    Command::Panes(Box::new(panes))
+    Command::View(ViewChange::Panes(Box::new(panes)))
 }

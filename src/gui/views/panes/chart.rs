@@ -13,7 +13,7 @@ use crate::gui::plots::{figure, gestures, legend, marks, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{ChartPane, Key, Plot, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::workspace::{self, marked, nearest};
 
 use super::super::copies;
@@ -160,7 +160,7 @@ fn pointed(
         response
     } else {
         if response.clicked() {
-            commands.push(Command::Mark(facts.samples.clone()));
+            commands.push(Command::View(ViewChange::Mark(facts.samples.clone())));
         }
         response.on_hover_cursor(CursorIcon::PointingHand)
     };
@@ -238,7 +238,7 @@ impl Other<'_> {
         match self {
             Self::Component(choice) => choice.show(ui, false).map(|component| {
                 if alone && place.pane.component.is_none() {
-                    return Command::Component(component);
+                    return Command::View(ViewChange::Component(component));
                 }
                 changed(workbench, place.key, |pane| {
                     pane.component = Some(component);
@@ -246,7 +246,7 @@ impl Other<'_> {
             }),
             Self::Joint(choice) => choice.show(ui, false).map(|joint| {
                 if alone && place.pane.joint.is_none() {
-                    return Command::ChartJoint(joint);
+                    return Command::View(ViewChange::ChartJoint(joint));
                 }
                 changed(workbench, place.key, |pane| pane.joint = Some(joint))
             }),
@@ -345,7 +345,7 @@ fn bar(
         first(ui, commands);
         if let Some(chart) = charts.show(ui, short) {
             let panes = workbench.with_choice(place.key, chart);
-            commands.push(Command::Panes(Box::new(panes)));
+            commands.push(Command::View(ViewChange::Panes(Box::new(panes))));
         }
         if one_row {
             let others = others.iter();
@@ -375,14 +375,19 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut
     let plot = Plot::Chart(about.id).said();
     let says = say!("Save data of the {plot}…", plot = plot);
     if widgets::data_button(ui, &says).clicked() {
-        commands.push(Command::ChooseWhereToExport(What::Numbers(about.id)));
+        commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));
     }
     let fit = place.own(say!("Fit chart to view"));
-    gestures::fit(ui, &fit, Command::FitChart(place.key), commands);
+    gestures::fit(
+        ui,
+        &fit,
+        Command::View(ViewChange::FitChart(place.key)),
+        commands,
+    );
     copies::chart_button(ui, &about, commands);
     if commands.len() > before {
         // Of two that show the same it is this one.
-        commands.insert(before, Command::Activate(place.key));
+        commands.insert(before, Command::View(ViewChange::Activate(place.key)));
     }
     widgets::question(ui, about.word);
 }

@@ -4,7 +4,7 @@ use egui::{Button, Popup, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::view::{Content, Edge, Pane, Plot, What};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 use super::change::rearranged;
 
@@ -37,16 +37,16 @@ pub(super) fn show(
                 (say!("Save picture…"), What::Picture(plot)),
             ] {
                 if item(ui, name, None, true) {
-                    commands.push(Command::Activate(key));
-                    commands.push(Command::ChooseWhereToExport(what));
+                    commands.push(Command::View(ViewChange::Activate(key)));
+                    commands.push(Command::Ask(Asked::WhereToExport(what)));
                 }
             }
             if item(ui, say!("Copy numbers"), None, true) {
-                commands.push(Command::Activate(key));
+                commands.push(Command::View(ViewChange::Activate(key)));
                 commands.push(Command::CopyNumbers(id));
             }
             if item(ui, say!("Fit chart to view"), None, true) {
-                commands.push(Command::FitChart(key));
+                commands.push(Command::View(ViewChange::FitChart(key)));
             }
             ui.separator();
         }
@@ -57,7 +57,7 @@ pub(super) fn show(
         for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
             if item(ui, &action.label(now), keys(&action), panes.has_room()) {
                 let with = workbench.with_chart(key, edge);
-                commands.push(Command::Panes(Box::new(with)));
+                commands.push(Command::View(ViewChange::Panes(Box::new(with))));
             }
         }
         if panes.panes().len() > 1 {

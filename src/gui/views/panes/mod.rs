@@ -13,10 +13,7 @@ use egui::Ui;
 use crate::gui::view::Key;
 use crate::gui::workbench::{Command, Workbench};
 
-use super::notices;
-
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    notices::show(ui, workbench, commands);
     let panes = &workbench.view().panes;
     let room = ui.available_size();
     if tiles::fits(&panes.root, room) {

@@ -4,7 +4,7 @@ use egui::{Response, Sense, Ui, vec2};
 
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{ChartPane, Content, Key, Pane};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::{widgets, workspace};
 
 use super::change::name_of;
@@ -106,6 +106,6 @@ pub(super) fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
         .map(|(key, short, long)| (*key, short.as_str(), long.as_str()))
         .collect();
     if let Some(key) = widgets::segmented_named(ui, &named, panes.active()) {
-        commands.push(Command::Activate(key));
+        commands.push(Command::View(ViewChange::Activate(key)));
     }
 }

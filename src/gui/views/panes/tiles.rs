@@ -11,7 +11,7 @@ use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::tokens::{Palette, space};
 use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
 use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::change::name_of;
 use super::pane::contents;
@@ -182,7 +182,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         if let Some(TileId(key)) = dragged {
             next.activate(Key::try_from(key).unwrap_or_default());
         }
-        commands.push(Command::Panes(Box::new(next)));
+        commands.push(Command::View(ViewChange::Panes(Box::new(next))));
     } else if dragged.is_none() {
         pulled(ui, workbench, &panes.root, room, &mut Vec::new(), commands);
     }
@@ -239,9 +239,9 @@ fn pulled(
             resize(&mut panes.root, way, &sizes);
             let panes = Box::new(panes);
             commands.push(if kept {
-                Command::Panes(panes)
+                Command::View(ViewChange::Panes(panes))
             } else {
-                Command::Pull(panes)
+                Command::View(ViewChange::Pull(panes))
             });
         }
         from = to + GAP;
@@ -310,7 +310,8 @@ impl Behavior<Key> for Middle<'_> {
         let pressed = ui.input(|input| input.pointer.any_pressed());
         let active = self.panes.active() == *key;
         if pressed && !active && ui.rect_contains_pointer(rect) {
-            self.commands.push(Command::Activate(*key));
+            self.commands
+                .push(Command::View(ViewChange::Activate(*key)));
         }
         if active && self.panes.panes().len() > 2 {
             let line = Stroke::new(space::RING, self.palette.accent);

@@ -15,7 +15,7 @@ use crate::gui::style::tokens::space;
 use crate::gui::view::Step;
 use crate::gui::views::step::StepView;
 use crate::gui::widgets::Progress;
-use crate::gui::workbench::{Command, Workbench, of_field};
+use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
 use crate::gui::{help, widgets};
 use crate::present::numbers::grouped;
 
@@ -227,6 +227,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     if widgets::primary(ui, say!("Continue to identify")).clicked() {
-        commands.push(Command::GoTo(Step::Identify));
+        commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
     }
 }

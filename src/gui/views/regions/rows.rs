@@ -7,7 +7,7 @@ use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::grouped;
 use crate::present::units::Units;
 use crate::sessions::Region;
@@ -220,10 +220,12 @@ fn angle(
     let Some(mut now) = typing else {
         return;
     };
-    let draft_is = |text: Option<String>| Command::Type {
-        region: region.name.clone(),
-        end,
-        text,
+    let draft_is = |text: Option<String>| {
+        Command::View(ViewChange::Type {
+            region: region.name.clone(),
+            end,
+            text,
+        })
     };
     if text != before {
         let placed = boundary_entry::angle(&text, units).and_then(|at| {
@@ -357,7 +359,7 @@ fn samples(
     };
     widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
-        commands.push(Command::Mark(samples_of(workbench, k)));
+        commands.push(Command::View(ViewChange::Mark(samples_of(workbench, k))));
     }
 }
 

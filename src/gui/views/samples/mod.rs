@@ -8,7 +8,7 @@ use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::views::copies;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::workspace::sample_menu;
 use crate::present::numbers::trimmed;
 
@@ -113,7 +113,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 }
                 let marked = view.marked.contains(&sample);
                 if response.clicked() || response.secondary_clicked() && !marked {
-                    commands.push(Command::Select(Some(sample)));
+                    commands.push(Command::View(ViewChange::Select(Some(sample))));
                 }
                 response.context_menu(|ui| sample_menu(ui, workbench, commands));
             });
@@ -128,7 +128,7 @@ fn point_at(ui: &Ui, hovered: Option<usize>, commands: &mut Vec<Command>) {
     let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
     ui.data_mut(|data| data.insert_temp(id, hovered));
     if before.flatten() != hovered {
-        commands.push(Command::Hover(hovered));
+        commands.push(Command::View(ViewChange::Hover(hovered)));
     }
 }
 

@@ -26,7 +26,7 @@ use crate::gui::view::{
     About, Camera, Canvas, ChartPane, Colouring, Edge, Key, NextAction, Panes, Plane, Plot, Sheet,
     Side, Standard, Step, Tile, What,
 };
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::progress::{Progress, unwatched};
@@ -187,17 +187,17 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
 }
 
 fn typed(random: &mut ChaCha8Rng) -> Command {
-    Command::Type {
+    Command::View(ViewChange::Type {
         region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
         end: pick(random, &[End::From, End::To]),
         text: one_of(random, &["", "-", "NaN", "−12,5", "1e400", "°", "7 rad"])
             .filter(|_| random.random_range(0..4) > 0)
             .map(|text| (*text).to_owned()),
-    }
+    })
 }
 
-fn plot_size(random: &mut ChaCha8Rng) -> Command {
-    Command::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
+fn plot_size(random: &mut ChaCha8Rng) -> ViewChange {
+    ViewChange::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
 }
 
 fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
@@ -313,7 +313,9 @@ fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
 
 fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
     let drafted = random.random::<bool>();
-    Command::Draft(drafted.then(|| Box::new(setup(random, workbench.loaded_session()))))
+    Command::View(ViewChange::Draft(
+        drafted.then(|| Box::new(setup(random, workbench.loaded_session()))),
+    ))
 }
 
 fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
@@ -336,10 +338,10 @@ fn sizes(random: &mut ChaCha8Rng) -> Sizes {
 
 fn characters(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..3) {
-        0 => Command::DismissLetters,
-        1 => Command::FindNamesOfLanguages,
+        0 => Command::Letters(Letters::Dismiss),
+        1 => Command::Letters(Letters::OfLanguages),
         // Private ones: no walk depends on the fonts of the machine.
-        _ => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
+        _ => Command::Letters(Letters::Find(['\u{E000}', '\u{E001}'].into())),
     }
 }
 
@@ -382,10 +384,10 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
 /// What is shown of the plots, and how much of them.
 fn look(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..4) {
-        0 => Command::Fit,
-        1 => Command::FitWorkspace,
-        2 => Command::FitChart(random.random_range(0..9)),
-        _ => Command::ActivateNext,
+        0 => Command::View(ViewChange::Fit),
+        1 => Command::View(ViewChange::FitWorkspace),
+        2 => Command::View(ViewChange::FitChart(random.random_range(0..9))),
+        _ => Command::View(ViewChange::ActivateNext),
     }
 }
 
@@ -417,14 +419,18 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
 /// Another way to look at the workspace, or another pose of its robot.
 fn way_to_look(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..4) {
-        0 => Command::LookAround,
-        1 => Command::LookFrom(one_of(random, &Standard::ALL).copied()),
-        2 => Command::Turn(Camera {
+        0 => Command::View(ViewChange::LookAround),
+        1 => Command::View(ViewChange::LookFrom(
+            one_of(random, &Standard::ALL).copied(),
+        )),
+        2 => Command::View(ViewChange::Turn(Camera {
             azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
             zoom: pick(random, &[1.0, -2.0, 1e300]),
             ..Camera::default()
-        }),
-        _ => Command::Pose(one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned()),
+        })),
+        _ => Command::View(ViewChange::Pose(
+            one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned(),
+        )),
     }
 }
 
@@ -439,15 +445,19 @@ fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
         .collect();
     let key = pick(random, &keys);
     match random.random_range(0..8) {
-        0 => return Command::Activate(key),
+        0 => return Command::View(ViewChange::Activate(key)),
         1 | 2 => {
-            return Command::Panes(Box::new(
+            return Command::View(ViewChange::Panes(Box::new(
                 workbench.with_chart(key, pick(random, &Edge::ALL)),
-            ));
+            )));
         }
         3 => panes.close(key),
         4 => panes.move_to(key, pick(random, &Edge::ALL)),
-        5 => return Command::Pull(Box::new(panes.arranged(shares(random, panes.root.clone())))),
+        5 => {
+            return Command::View(ViewChange::Pull(Box::new(
+                panes.arranged(shares(random, panes.root.clone())),
+            )));
+        }
         6 if random.random_range(0..4) == 0 => panes = Panes::default(),
         _ => {
             let quantities = Quantity::offered(workbench.loaded_session());
@@ -465,7 +475,7 @@ fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
             }
         }
     }
-    Command::Panes(Box::new(panes))
+    Command::View(ViewChange::Panes(Box::new(panes)))
 }
 
 /// The same tiles with other shares, which may be no numbers.
@@ -481,25 +491,48 @@ fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
 /// What the chart is about.
 fn chart_of(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..2) {
-        0 => Command::ChartJoint(random.random_range(0..7)),
-        _ => Command::ShowEffect(random.random_range(0..4)),
+        0 => Command::View(ViewChange::ChartJoint(random.random_range(0..7))),
+        _ => Command::View(ViewChange::ShowEffect(random.random_range(0..4))),
+    }
+}
+
+/// The document looked at otherwise: each of these numbers is one of the ways.
+fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> ViewChange {
+    let samples = workbench.loaded_session().len();
+    let sample = |random: &mut ChaCha8Rng| {
+        random
+            .random::<bool>()
+            .then(|| random.random_range(0..samples.max(1) + 10))
+    };
+    match at {
+        107..=112 => ViewChange::GoTo(pick(random, &Step::ALL)),
+        113 | 114 => ViewChange::Look(pick(random, &Plane::ALL)),
+        115 => ViewChange::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
+        116 if random.random() => plot_size(random),
+        116 => ViewChange::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
+        117 => ViewChange::Colour(pick(random, &Colouring::ALL)),
+        118 => ViewChange::Heat(random.random()),
+        119 | 120 => ViewChange::Component(pick(random, &Component::ALL)),
+        121 => ViewChange::OnlyAfter(random.random()),
+        122..=125 => ViewChange::Hover(sample(random)),
+        126..=129 => ViewChange::Select(sample(random)),
+        130 | 131 => ViewChange::Mark((0..random.random_range(0..500)).collect()),
+        _ => ViewChange::Side(pick(random, &[Side::Results, Side::Samples])),
     }
 }
 
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
-    let sample = |random: &mut ChaCha8Rng| {
-        let samples = workbench.loaded_session().len();
-        random
-            .random::<bool>()
-            .then(|| random.random_range(0..samples.max(1) + 10))
-    };
     match random.random_range(0..160) {
         0..=29 => Command::Edit(edit(random, workbench)),
         30..=49 => Command::Drag(edit(random, workbench)),
         50..=55 => Command::EndDrag,
         56..=63 => Command::Undo,
         64..=67 => Command::Redo,
+        68 if random.random() => {
+            let several = random.random_range(0..3);
+            Command::Drop((0..several).map(|_| files.any(random)).collect())
+        }
         68 => Command::OpenFile(files.any(random)),
         69 => Command::Say(Box::new(said(random, files, workbench))),
         70 if random.random() => Command::ConfirmColumns,
@@ -509,7 +542,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         74 => match (workbench.file(), workbench.at_risk().session) {
             // Otherwise it asks the system.
             (Some(_), true) => Command::SaveThen(then(random, files)),
-            _ => Command::Sheet(None),
+            _ => Command::View(ViewChange::Sheet(None)),
         },
         75..=77 if workbench.file().is_some() || workbench.loaded_session().is_empty() => {
             Command::Save
@@ -517,12 +550,14 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         78 => Command::SaveDespite,
         79 => Command::Reload,
         80 if random.random() => compensation(random, files),
-        80 => Command::KeepMine,
+        80 => Command::View(ViewChange::KeepMine),
         81 => Command::Follow(random.random()),
         82 => Command::Forget(files.any(random)),
-        83 => Command::Restore(random.random_range(0..2)),
-        84 if random.random_range(0..4) == 0 => Command::DiscardLeft(random.random_range(0..2)),
-        84 if random.random_range(0..8) == 0 => Command::DiscardAllLeft,
+        83 => Command::Left(LeftBehind::Restore(random.random_range(0..2))),
+        84 if random.random_range(0..4) == 0 => {
+            Command::Left(LeftBehind::Discard(random.random_range(0..2)))
+        }
+        84 if random.random_range(0..8) == 0 => Command::Left(LeftBehind::DiscardAll),
         84 | 85 => Command::KeepRecovery,
         86 => Command::LookAtDisk,
         87..=90 => Command::SaveAs {
@@ -538,40 +573,31 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             }
         }
         96 => Command::Adapt,
-        97 => Command::StopLooking,
+        97 => Command::Stop(Task::Import),
         98..=103 => typed(random),
         // It takes its time.
         104 if random.random_range(0..5) == 0 && workbench.loaded_session().len() < 60 => {
             Command::Search
         }
-        104 => Command::StopSearch,
+        104 => Command::Stop(Task::Search),
         105 => Command::Simulate(form(random)),
-        106 => Command::Cancel,
-        107..=112 => Command::GoTo(pick(random, &Step::ALL)),
-        113 | 114 => Command::Look(pick(random, &Plane::ALL)),
-        115 => Command::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
-        116 if random.random() => plot_size(random),
-        116 => Command::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
-        117 => Command::Colour(pick(random, &Colouring::ALL)),
-        118 => Command::Heat(random.random()),
-        119 | 120 => Command::Component(pick(random, &Component::ALL)),
-        121 => Command::OnlyAfter(random.random()),
-        122..=125 => Command::Hover(sample(random)),
-        126..=129 => Command::Select(sample(random)),
-        130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
-        132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
+        106 => Command::Stop(Task::Newest),
+        at @ 107..=133 => Command::View(seen(random, workbench, at)),
         152 | 153 => chart_of(random),
         154 => way_to_look(random),
         134 | 135 | 156 | 157 => arrangement(random, workbench),
-        155 => Command::Results(random.random()),
-        136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
+        155 => Command::View(ViewChange::Results(random.random())),
+        136 => Command::View(ViewChange::Canvas(pick(
+            random,
+            &[Canvas::Shapes, Canvas::Layers(1000)],
+        ))),
         137 | 138 => Command::Prefer(preferences(random)),
         139 if random.random() => record::command(random, workbench, files),
-        139 => Command::Resize(sizes(random)),
+        139 => Command::View(ViewChange::Resize(sizes(random))),
         140..=142 => draft(random, workbench),
-        143..=147 => Command::Sheet(sheet(random, files, workbench)),
+        143..=147 => Command::View(ViewChange::Sheet(sheet(random, files, workbench))),
         148 if random.random_range(0..4) == 0 => Command::Leave,
-        75..=77 | 148 => Command::Dismiss,
+        75..=77 | 148 => Command::View(ViewChange::Dismiss),
         149 => own_robot(random, workbench),
         150 => characters(random),
         151 => look(random),

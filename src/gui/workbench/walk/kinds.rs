@@ -2,15 +2,15 @@
 //! here, and the walk fails until it is among what it does.
 
 use crate::gui::core::edit::Edit;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange};
 
 macro_rules! kinds {
-    ($all:ident, $of:ident, $type:ident: $($variant:ident $fields:tt),* $(,)?) => {
-        pub(super) const $all: &[&str] = &[$(stringify!($variant)),*];
+    ($all:ident, $of:ident, $type:ident, $before:literal: $($variant:ident $fields:tt),* $(,)?) => {
+        pub(super) const $all: &[&str] = &[$(concat!($before, stringify!($variant))),*];
 
         pub(super) fn $of(one: &$type) -> &'static str {
             match one {
-                $(kinds!(@ $type $variant $fields) => stringify!($variant)),*
+                $(kinds!(@ $type $variant $fields) => concat!($before, stringify!($variant))),*
             }
         }
     };
@@ -20,18 +20,47 @@ macro_rules! kinds {
 }
 
 kinds!(
-    COMMANDS, command, Command:
-    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
-    ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
-    Follow(..), Forget(..), Restore(..), DiscardLeft(..), DiscardAllLeft(), ChooseImport(), KeepRecovery(), LookAtDisk(),
-    ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..), StopRecording(), ChooseLogo(), CompareSessions(..), ChooseFolder(), ChooseTargets(), Compensate(..), Adapt(), Type {..},
-    Search(), FindLetters(..), FindNamesOfLanguages(), DismissLetters(), Simulate(..), Cancel(), StopSearch(), OpenOutside {..}, StopLooking(), GoTo(..), Look(..), Magnify(..), PlotSize(..), Blend(..),
-    Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
-    Results(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), CopyNumbers(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Resize(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
+    COMMANDS, command, Command, "":
+    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), OpenFile(..), Drop(..), Say(..), ConfirmColumns(), Import(),
+    OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Follow(..), Forget(..), KeepRecovery(),
+    LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..),
+    CompareSessions(..), Compensate(..), Adapt(), Search(), Simulate(..), OpenOutside {..}, CopyNumbers(..), Prefer(..),
+    Leave(), View(..), Ask(..), Left(..), Stop(..), Letters(..),
 );
 
 kinds!(
-    EDITS, edit, Edit:
+    VIEW_CHANGES, view_change, ViewChange, "":
+    KeepMine(), Type {..}, GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
+    PlotSize(..), Blend(..), Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..),
+    Side(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), Results(..),
+    Canvas(..), Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
+);
+
+kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());
+
+kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import(), Recording());
+
+kinds!(LETTERS, letters, Letters, "Letters ": Find(..), OfLanguages(), Dismiss());
+
+/// Every kind, those within kinds among them.
+pub(super) fn all() -> impl Iterator<Item = &'static str> {
+    let lists = [COMMANDS, VIEW_CHANGES, LEFT, STOPPED, LETTERS];
+    lists.into_iter().flatten().copied()
+}
+
+/// The narrowest kind.
+pub(super) fn of(one: &Command) -> &'static str {
+    match one {
+        Command::View(change) => view_change(change),
+        Command::Left(one) => left(one),
+        Command::Stop(task) => stopped(task),
+        Command::Letters(one) => letters(one),
+        other => command(other),
+    }
+}
+
+kinds!(
+    EDITS, edit, Edit, "":
     Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), PlaceBoundary(..), Adapt(..),
     KeepRegions(), Split(..), Join(..), Delete(..), Rename(..), RegionsOfSession(), Method(..),
     Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Correct(..), Exclude(..), Recover(..),
@@ -39,17 +68,7 @@ kinds!(
 );
 
 /// These open a dialog of the system, which a test cannot drive.
-pub(super) const ASK_THE_SYSTEM: &[&str] = &[
-    "ChooseFile",
-    "ChooseImport",
-    "ChooseWhereToSave",
-    "ChooseWhereToExport",
-    "ChooseBeside",
-    "ChooseTargets",
-    "ChooseLogo",
-    "ChooseFolder",
-    "OpenOutside",
-];
+pub(super) const ASK_THE_SYSTEM: &[&str] = &["Ask", "OpenOutside"];
 
 /// These come only of a background task, which the walk starts.
 pub(super) const COME_BACK: &[&str] = &["Open", "OpenModel", "Adapt", "Recover"];

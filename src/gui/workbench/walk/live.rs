@@ -13,7 +13,7 @@ use super::{any, back_and_forth, consistent, frame, kinds, prepared};
 use crate::gui::App;
 use crate::gui::core::recording::RecordingRequest;
 use crate::gui::testing::workbench;
-use crate::gui::workbench::Command;
+use crate::gui::workbench::{Command, Task};
 
 const LINES: usize = 120;
 /// What is done meanwhile: nothing that opens another session, ends the recording or asks the system.
@@ -102,7 +102,7 @@ fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
             app.bench().loaded_session().len()
         );
         let command = any::command(&mut random, app.bench(), &files);
-        let kind = kinds::command(&command);
+        let kind = kinds::of(&command);
         let edits = matches!(kind, "Edit" | "Drag" | "Redo");
         if MEANWHILE.contains(&kind) && (!edits || is_live(&mut app, &table)) && !opens(&command) {
             app.bench().execute(command);
@@ -118,7 +118,7 @@ fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
     }
     back_and_forth(app.bench());
     assert!(serving.join().expect("it ended").is_ok());
-    app.bench().execute(Command::StopRecording);
+    app.bench().execute(Command::Stop(Task::Recording));
     app.bench().receive();
     let text = std::fs::read_to_string(&table).expect("the table is there");
     let kept: Vec<&str> = text.lines().skip(1).map(str::trim).collect();

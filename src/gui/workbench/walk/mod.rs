@@ -49,9 +49,8 @@ fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
         done.extend(some);
         edited.extend(changes);
     }
-    let missed: Vec<&&str> = kinds::COMMANDS
-        .iter()
-        .filter(|k| !done.contains(**k) && !kinds::ASK_THE_SYSTEM.contains(k))
+    let missed: Vec<&str> = kinds::all()
+        .filter(|k| !done.contains(k) && !kinds::ASK_THE_SYSTEM.contains(k))
         .collect();
     assert!(
         missed.is_empty(),
@@ -96,7 +95,7 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
     };
     for step in 0..COMMANDS {
         let command = any::command(&mut random, app.bench(), &files);
-        done.insert(kinds::command(&command));
+        done.extend([kinds::command(&command), kinds::of(&command)]);
         if let Command::Edit(edit) | Command::Drag(edit) = &command {
             edited.insert(kinds::edit(edit));
         }

@@ -8,17 +8,17 @@ use crate::compensation::decision::Rule;
 use crate::gui::core::recording::RecordingRequest;
 use crate::gui::core::stated::Stated;
 use crate::gui::view::Sheet;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
 use crate::report::Details;
 
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     match random.random_range(0..8) {
-        5 => Command::StopRecording,
-        6 => Command::Sheet(Some(Sheet::RECORDING)),
+        5 => Command::Stop(Task::Recording),
+        6 => Command::View(ViewChange::Sheet(Some(Sheet::RECORDING))),
         7 => Command::Record(Box::new(recording(random, files))),
         0 => Command::CompareSessions(files.any(random)),
-        1 => Command::Sheet(Some(Sheet::DETAILS)),
-        2 => Command::Sheet(Some(Sheet::HISTORY)),
+        1 => Command::View(ViewChange::Sheet(Some(Sheet::DETAILS))),
+        2 => Command::View(ViewChange::Sheet(Some(Sheet::HISTORY))),
         _ => Command::State(Box::new(stated(random, workbench, files))),
     }
 }

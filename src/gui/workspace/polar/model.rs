@@ -256,7 +256,7 @@ mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     fn spot(sample: usize, q: f64, before_mm: f64) -> PolarSample {
         PolarSample {
@@ -318,14 +318,14 @@ mod tests {
     #[test]
     fn it_shows_what_the_workbench_shows() {
         let mut workbench = workbench();
-        workbench.execute(Command::Component(Component::Radial));
+        workbench.execute(Command::View(ViewChange::Component(Component::Radial)));
         let before = Polar::of(&workbench).expect("the joint turns");
         assert_eq!(before.spots.len(), workbench.loaded_session().len());
         assert!(before.after.is_empty());
         assert_eq!(before.before.len(), 2, "a line for each side");
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        workbench.execute(Command::OnlyAfter(true));
+        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
         let after = Polar::of(&workbench).expect("the joint turns");
         assert!(after.division_mm < before.division_mm);
         assert!(after.before.is_empty() && after.after.len() == 2);

@@ -161,13 +161,14 @@ mod tests {
     use crate::gui::scene::Item;
     use crate::gui::testing::workbench;
     use crate::gui::view::Plane;
+    use crate::gui::workbench::ViewChange;
     use crate::present::drawing::Item as OnPaper;
 
     #[test]
     fn the_scene_holds_every_sample_and_the_sheet_states_its_scale() {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Tolerance(Some(0.2))));
-        workbench.execute(Command::Look(Plane::Xy));
+        workbench.execute(Command::View(ViewChange::Look(Plane::Xy)));
         let polar = Polar::of(&workbench).expect("it turns");
         let scene = scene(&workbench, &polar, 20.0);
         let marks = scene.items.iter().filter(|item| match item {

@@ -221,18 +221,18 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::view::Plane;
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn the_robot_stands_at_the_chosen_sample_and_else_at_one_as_an_example() {
         let mut workbench = workbench();
         let faint = Drawn::of(&workbench).expect("there are samples");
         assert!(!faint.asked_for && faint.describe().contains("as an example"));
-        workbench.execute(Command::Select(Some(30)));
+        workbench.execute(Command::View(ViewChange::Select(Some(30))));
         let chosen = Drawn::of(&workbench).expect("there are samples");
         assert!(chosen.asked_for);
         assert_eq!(chosen.describe(), "robot at sample 31: pan 0°");
-        workbench.execute(Command::Hover(Some(0)));
+        workbench.execute(Command::View(ViewChange::Hover(Some(0))));
         let hovered = Drawn::of(&workbench).expect("there are samples");
         assert_eq!(hovered.describe(), "robot at sample 1: pan −90°");
     }
@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn the_real_robot_is_displaced_by_the_magnified_deviation_and_never_off_the_plot() {
         let mut workbench = workbench();
-        workbench.execute(Command::Select(Some(30)));
+        workbench.execute(Command::View(ViewChange::Select(Some(30))));
         let displacement = |workbench: &Workbench| {
             let drawn = Drawn::of(workbench).expect("there are samples");
             let real = drawn.real.expect("it was measured");
@@ -253,13 +253,13 @@ mod tests {
             )
         };
         let e = workbench.loaded_session().deviation_before(30);
-        workbench.execute(Command::Magnify(Some(2.0)));
+        workbench.execute(Command::View(ViewChange::Magnify(Some(2.0))));
         let (moved, times, identified) = displacement(&workbench);
         assert!((moved - 2.0 * e[0].hypot(e[1])).abs() < 1e-9);
         assert!(times == 2.0 && !identified);
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        workbench.execute(Command::Magnify(Some(5000.0)));
+        workbench.execute(Command::View(ViewChange::Magnify(Some(5000.0))));
         let (moved, times, identified) = displacement(&workbench);
         assert!(identified && times < 5000.0);
         assert!(moved <= MOST_DISPLACED * workbench.loaded_session().overview.reach_mm + 1e-9);
@@ -269,7 +269,7 @@ mod tests {
     fn everything_of_the_robot_is_within_the_plots_bounds() {
         let mut workbench = workbench();
         for plane in Plane::ALL {
-            workbench.execute(Command::Look(plane));
+            workbench.execute(Command::View(ViewChange::Look(plane)));
             let shown = super::super::super::model::Shown::of(&workbench);
             let [low, high] = super::super::super::layout::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");

@@ -5,7 +5,7 @@ use egui::{RichText, ScrollArea, Slider, Ui};
 use crate::gui::core::scale::stride;
 use crate::gui::style::tokens::size;
 use crate::gui::widgets::{self, caption, fine};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::Units;
 
@@ -43,7 +43,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
     ui.horizontal(|ui| {
         widgets::title(ui, say!("Pose"));
         if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {
-            commands.push(Command::Pose(None));
+            commands.push(Command::View(ViewChange::Pose(None)));
         }
     });
     ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
@@ -65,12 +65,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
             if slider.changed() && next != *q {
                 let mut pose = now.to_vec();
                 pose[k] = next;
-                commands.push(Command::Pose(Some(pose)));
+                commands.push(Command::View(ViewChange::Pose(Some(pose))));
             }
         }
         if workbench.view().pose.is_none() {
             ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
         }
+        widgets::focus_in_sight(ui);
     });
 }
 

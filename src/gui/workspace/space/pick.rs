@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use crate::gui::testing::workbench;
     use crate::gui::view::{Camera, Standard};
-    use crate::gui::workbench::Command;
+    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn of_marks_on_one_another_the_nearest_to_the_viewer_is_picked() {
@@ -103,11 +103,11 @@ mod tests {
     fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side_by_shapes_and_layers() {
         for canvas in [Canvas::Shapes, Canvas::Layers(usize::MAX)] {
             let mut workbench = workbench();
-            workbench.execute(Command::Canvas(canvas));
+            workbench.execute(Command::View(ViewChange::Canvas(canvas)));
             let tilted = Camera::default().orbited([40.0, 25.0]);
             for camera in [Camera::from(Standard::Front), tilted] {
-                workbench.execute(Command::LookFrom(None));
-                workbench.execute(Command::Turn(camera));
+                workbench.execute(Command::View(ViewChange::LookFrom(None)));
+                workbench.execute(Command::View(ViewChange::Turn(camera)));
                 let shown = Shown::of(&workbench);
                 let facing = workbench.facing();
                 let subject = workbench.loaded_session();

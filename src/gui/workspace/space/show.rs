@@ -3,7 +3,7 @@
 use crate::gui::scene::{SIZE, Screen, Sheet, paint};
 use crate::gui::style::tokens::Palette;
 use crate::gui::view::{Camera, Canvas};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::drawing::Drawing;
 use crate::present::numbers::trimmed;
 use egui::{Panel, Pos2, Role, Sense, Ui, WidgetInfo};
@@ -64,9 +64,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     hover(&response, workbench, under, commands);
     let turned = looking::looked(ui, &response, rect, &space.ball, view.camera);
     if response.double_clicked() {
-        commands.push(Command::FitWorkspace);
+        commands.push(Command::View(ViewChange::FitWorkspace));
     } else if turned != view.camera {
-        commands.push(Command::Turn(turned));
+        commands.push(Command::View(ViewChange::Turn(turned)));
     }
 }
 
@@ -211,7 +211,7 @@ mod tests {
         let scene = Shown::of(&workbench);
         assert!(scene.magnification > 100.0 && !scene.look.ghosts());
         // The plane stays in the measuring frame.
-        workbench.execute(Command::Look(crate::gui::view::Plane::Xy));
+        workbench.execute(Command::View(ViewChange::Look(crate::gui::view::Plane::Xy)));
         assert_eq!(workbench.base(), Isometry3::identity());
     }
 
@@ -223,7 +223,7 @@ mod tests {
         let rect = Rect::from_min_size(egui::pos2(20.0, 30.0), vec2(500.0, 320.0));
         for _ in 0..6 {
             let turned = workbench.view().camera.orbited([61.0, 17.0]);
-            workbench.execute(Command::Turn(turned));
+            workbench.execute(Command::View(ViewChange::Turn(turned)));
             let space = Space::new(&workbench, rect);
             let subject = workbench.loaded_session();
             for sample in 0..subject.len() {
@@ -233,8 +233,8 @@ mod tests {
             assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));
         }
         let closer = workbench.view().camera.zoomed(20.0, [0.0; 2]);
-        workbench.execute(Command::Turn(closer));
-        workbench.execute(Command::FitWorkspace);
+        workbench.execute(Command::View(ViewChange::Turn(closer)));
+        workbench.execute(Command::View(ViewChange::FitWorkspace));
         assert_eq!(workbench.view().camera.zoom, 1.0);
     }
 
@@ -242,7 +242,7 @@ mod tests {
     fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
         let mut workbench = arm();
         let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
-        workbench.execute(Command::Pose(Some(pose.clone())));
+        workbench.execute(Command::View(ViewChange::Pose(Some(pose.clone()))));
         let drawn = Drawn::of(&workbench).expect("a robot");
         assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
         assert!(
@@ -250,10 +250,10 @@ mod tests {
             "{}",
             drawn.describe()
         );
-        workbench.execute(Command::Select(Some(3)));
+        workbench.execute(Command::View(ViewChange::Select(Some(3))));
         assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
-        workbench.execute(Command::Pose(Some(pose)));
-        workbench.execute(Command::Pose(Some(vec![0.0])));
+        workbench.execute(Command::View(ViewChange::Pose(Some(pose))));
+        workbench.execute(Command::View(ViewChange::Pose(Some(vec![0.0]))));
         assert_eq!(
             workbench.view().pose,
             None,
