@@ -594,10 +594,10 @@ fn directions_follow_from_the_motions_of_a_program() {
     let dir = |k: usize| answer.targets[k].result.as_ref().unwrap().dir.clone();
     assert_eq!(
         dir(1),
-        [0.0; 6],
+        [0; 6],
         "the first move comes from nobody knows where"
     );
-    assert_eq!(dir(0), [-1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    assert_eq!(dir(0), [-1, 1, 0, 0, 0, 0]);
 }
 
 #[test]
