@@ -122,9 +122,15 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
     Ok(columns)
 }
 
-/// Where the content of a cell is, without the blanks around it; those in quotes are none of it here.
+/// Where the content of a cell is, without the blanks around it; those in quotes are none of it here. Something behind
+/// its closing quote makes it one with its quotes.
 fn content(text: &Text, cell: Cell) -> Range<usize> {
-    trimmed(text.bytes, cell.start..cell.end)
+    let behind = cell.behind_quote(text.bytes);
+    if behind.is_empty() {
+        trimmed(text.bytes, cell.start..cell.end)
+    } else {
+        cell.start - 1..behind.end
+    }
 }
 
 /// What a heading means; an error says what was expected.
