@@ -55,7 +55,7 @@ pub(crate) fn table(
         column.in_field(table.names[index].as_str())
     };
     let layout = Layout::read(&table.names, joints, &header, &place, findings);
-    let kinds = layout.headings.iter().map(|heading| heading.cells());
+    let kinds = layout.headings.iter().map(Heading::cells);
     let (columns, line) = table.rows(kinds, bytes, file, findings, part)?;
     Ok(Some(Table {
         layout,
