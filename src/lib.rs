@@ -149,6 +149,8 @@ pub mod units;
 pub(crate) mod wide;
 
 pub mod kinematics;
+pub(crate) mod tables;
+
 pub mod sessions;
 
 pub mod robots;

@@ -11,8 +11,9 @@ use crate::sessions::columns::{Heading, Quantity, Unit};
 use crate::sessions::files::assemble;
 use crate::sessions::files::assemble::Declared;
 use crate::sessions::layout::{Layout, REMARKS};
-use crate::sessions::table::{Cells, Table};
+use crate::sessions::table::Table;
 use crate::sessions::{Instrument, Session, Target, validation};
+use crate::tables::Cells;
 
 impl Job<'_> {
     /// A measured position of an axis becomes the point to which the nominal robot would carry the

@@ -2,7 +2,7 @@
 //!
 //! With a date they are seconds since 1970, without one since midnight.
 
-use crate::importers::decimals::{Decimal, value};
+use crate::tables::decimals::{Decimal, value};
 
 /// The seconds that a text says.
 pub(crate) fn seconds(text: &str, decimal: Decimal) -> Option<f64> {

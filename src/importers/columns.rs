@@ -2,8 +2,8 @@
 
 use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
 use crate::sessions::{Azimuth, Lines};
+use crate::tables::{Cells, Names};
 
 #[derive(Debug, Clone)]
 pub(crate) struct Column {

@@ -12,13 +12,14 @@ use crate::importers::by_heading::ByHeading;
 use crate::importers::columns::Columns;
 use crate::importers::formats::tracker;
 use crate::importers::job::{Companion, Job};
+use crate::importers::lists;
 use crate::importers::matching::listed;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, Inspection, ReadContext, Reading};
-use crate::importers::{lists, text};
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::default_targets;
+use crate::tables::encoding;
 
 /// What the file of the commands is called in messages.
 pub(crate) const COMMANDS: &str = "commands";
@@ -33,7 +34,7 @@ impl Job<'_> {
         reader: fn(&mut ReadContext<'_>) -> Option<Columns>,
     ) -> Result<Columns, Rejected> {
         let mut findings = Vec::new();
-        let decoded = text::decode(companion.bytes, &companion.place(), &mut findings);
+        let decoded = encoding::decode(companion.bytes, &companion.place(), &mut findings);
         let (text, encoding) = match decoded {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![*error]),

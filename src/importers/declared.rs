@@ -16,8 +16,8 @@ use crate::importers::job::Job;
 use crate::importers::matching::{counted, listed};
 use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
 use crate::sessions::{Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station};
+use crate::tables::{Cells, Names};
 
 impl Job<'_> {
     /// Declares what the samples name, and completes the columns that name it.

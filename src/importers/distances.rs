@@ -16,7 +16,7 @@ use crate::importers::matching::{counted, listed};
 use crate::importers::role::Role;
 use crate::sessions::Anchor;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
+use crate::tables::{Cells, Names};
 
 /// Option: the anchor of all distances.
 pub(crate) const ANCHOR: &str = "anchor";

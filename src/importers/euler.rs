@@ -24,7 +24,7 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::Cells;
+use crate::tables::Cells;
 
 /// How three numbers make an orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 use super::columns::Columns;
 use super::formats::{IMPORTERS, Importer, KnownBy, Suits, Trial};
 use super::settings::{About, Inspection, ReadContext, Reading};
-use super::text::Encoding;
-use super::{formats, lists, text};
+use super::{formats, lists};
+use crate::tables::encoding::{self, Encoding};
 
 /// Looks at a file: what it is, what its columns are taken for, and what has to be answered before
 /// it can be imported. Without a kind in `reading` one is proposed.
@@ -53,7 +53,7 @@ pub(super) fn read(
     let decoded = if binary.is_some() {
         Ok((Cow::Borrowed(""), Encoding::Binary))
     } else {
-        text::decode(bytes, &place, &mut found.findings)
+        encoding::decode(bytes, &place, &mut found.findings)
     };
     let (text, encoding) = match decoded {
         Ok(decoded) => decoded,

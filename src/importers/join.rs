@@ -20,7 +20,7 @@ use crate::importers::path::{Path, Stop};
 use crate::importers::role::Role;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::Cells;
+use crate::tables::Cells;
 
 /// Which points of a recording become samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

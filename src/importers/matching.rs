@@ -213,7 +213,7 @@ pub(crate) fn join(measured: Columns, commands: Columns, pairs: &Pairs) -> (Colu
 mod tests {
     use super::*;
     use crate::importers::columns::Column;
-    use crate::sessions::table::Cells;
+    use crate::tables::Cells;
 
     fn points(names: &[&str]) -> Columns {
         let mut columns = Columns::default();

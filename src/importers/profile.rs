@@ -18,13 +18,13 @@ use serde::{Deserialize, Serialize};
 use super::by_heading::ByHeading;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::number::quoted;
-use crate::importers::decimals::Decimal;
 use crate::importers::formats::{IMPORTERS, find};
 use crate::importers::role::Role;
-use crate::importers::rows::Separator;
 use crate::importers::settings::{ColumnGuess, Reading};
 use crate::importers::units::{AngleUnit, LengthUnit};
 use crate::importers::{Imported, Matching};
+use crate::tables::Separator;
+use crate::tables::decimals::Decimal;
 
 const FORMAT: &str = "truepose-import-profile/1";
 

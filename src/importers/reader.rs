@@ -5,16 +5,16 @@ use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
-use crate::importers::decimals::{Decimal, value};
-use crate::importers::grid::{Complaints, Grid};
 use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::units::AngleUnit;
-use crate::importers::{clock_text, euler, joint_names, units};
+use crate::importers::{clock_text, euler, headings, joint_names, units};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
+use crate::tables::decimals::{Decimal, value};
+use crate::tables::{Cells, Names};
+use crate::tables::{Complaints, Grid, Words};
 use crate::text::{Template, Text};
 
 /// Rows that are kept to be shown.
@@ -23,6 +23,17 @@ const SHOWN_ROWS: usize = 8;
 const AUTO: &str = "auto";
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
+
+/// The words that tell the header of a table.
+const WORDS: Words = Words {
+    is_heading: |cell| !matches!(headings::understand(cell), Role::Kept),
+    is_unit: |cell| units::word(cell).is_some(),
+};
+
+/// What is said of complaints beyond the first ones.
+pub(crate) fn others_like_these(more: usize) -> Text {
+    text!("{more} more cells or rows like these", more = more)
+}
 
 impl<'a> ReadContext<'a> {
     pub(crate) fn ask(&mut self, about: About, says: impl Into<Text>, answers: &[&str]) {
@@ -60,7 +71,7 @@ impl<'a> ReadContext<'a> {
     /// Finds the table and notes what it looks like.
     pub(crate) fn grid(&mut self) -> Option<Grid<'a>> {
         let (separator, header) = (self.reading.separator, self.reading.header);
-        match Grid::find(self.text, separator, header, &self.place) {
+        match Grid::find(self.text, separator, header, &WORDS, &self.place) {
             Ok(grid) => {
                 self.found.separator = Some(grid.separator);
                 self.found.preamble = grid.preamble.iter().map(|line| line.join(" ")).collect();
@@ -152,14 +163,7 @@ impl<'a> ReadContext<'a> {
         let heading = |index: usize| heading_at(&headings, index);
         self.ask_about_twins(&roles, &headings);
         let is_number = |index: usize| roles.get(index).is_some_and(|role| role.is_number());
-        let decimal = grid.decimal(
-            self.reading.decimal,
-            &is_number,
-            &self.place,
-            &mut self.found.questions,
-            &mut self.found.findings,
-        );
-        self.found.decimal = decimal;
+        let decimal = self.decimal_sign(grid, &is_number);
         // While the sign is being asked for, a comma is good enough to know how far points spread.
         let mut reader = CellReader::new(&roles, decimal.unwrap_or(Decimal::Comma));
         let mut complaints = Complaints::default();
@@ -169,7 +173,7 @@ impl<'a> ReadContext<'a> {
                 reader.read(row, &headings, &self.place, complaints);
             });
         }
-        complaints.into(&self.place, &mut self.found.findings);
+        complaints.into(&self.place, &mut self.found.findings, others_like_these);
         let (cells, lines) = (reader.cells, reader.lines);
         self.found.rows = lines.len();
         self.found.names = distinct(&roles, &cells);
@@ -264,7 +268,7 @@ impl<'a> ReadContext<'a> {
             }
             _ => false,
         };
-        let named = grid.unit_in_preamble();
+        let named = units::of_preamble(&grid.preamble);
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
         for (role, cells) in roles.iter().zip(cells) {
@@ -465,7 +469,7 @@ impl<'a> CellReader<'a> {
 
     fn read(
         &mut self,
-        row: &crate::importers::rows::Row<'_>,
+        row: &crate::tables::TextRow<'_>,
         headings: &[String],
         file: &Place,
         complaints: &mut Complaints,

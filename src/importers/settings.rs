@@ -4,12 +4,12 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::importers::by_heading::ByHeading;
 use crate::importers::columns::Columns;
-use crate::importers::decimals::Decimal;
 use crate::importers::role::Role;
-use crate::importers::rows::Separator;
-use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
 use crate::progress::ProgressSpan;
+use crate::tables::Separator;
+use crate::tables::decimals::Decimal;
+use crate::tables::encoding::Encoding;
 use crate::text::{Template, Text};
 use std::collections::BTreeMap;
 use std::fmt;

@@ -119,6 +119,13 @@ pub(crate) fn word(text: &str) -> Option<Word> {
     })
 }
 
+/// The length unit that the lines before a table name; two different ones name none.
+pub(crate) fn of_preamble(lines: &[Vec<String>]) -> Option<(String, Unit)> {
+    let mut named = lines.iter().filter_map(|cells| named_in_preamble(cells));
+    let first = named.next()?;
+    named.all(|other| other.1 == first.1).then_some(first)
+}
+
 /// A length unit that a line before the table names: `Units: Millimeters`, `Length Unit;mm`.
 pub(crate) fn named_in_preamble(cells: &[impl AsRef<str>]) -> Option<(String, Unit)> {
     let line: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();

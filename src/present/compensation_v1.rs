@@ -198,7 +198,7 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
         "says": left.map(|l| l.says.to_string()),
         "q_deg": written.map(|w| outer(&w.commanded)),
         "change_deg": written.map(change),
-        "dir": written.map(|w| &w.dir),
+        "dir": written.map(|w| w.dir.iter().map(|dir| f64::from(*dir)).collect::<Vec<_>>()),
         "load_kg": written.map(|w| w.load_kg),
         "before_mm": written.map(|w| w.position_mm[0]),
         "after_mm": written.map(|w| w.position_mm[1]),

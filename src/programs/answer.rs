@@ -45,7 +45,7 @@ pub struct Written {
     /// Joint values that it means now, rad or mm.
     pub corrected: Vec<f64>,
     /// Side from which each joint comes: +1, −1, 0 unknown.
-    pub dir: Vec<f64>,
+    pub dir: Vec<i8>,
     /// Load at the tool's origin, kg.
     pub load_kg: f64,
     /// How far the real tool is from the target without and with the correction, mm.

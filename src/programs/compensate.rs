@@ -4,6 +4,8 @@
 //! commands ([`super::corrected`]); the numbers of those are written, and what was written is read back
 //! before it is given out. Everything else keeps its bytes.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Rotation3, Vector3};
 
 use crate::compensation::TableError;
@@ -83,18 +85,24 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     let at_run_time = placed(&program.at_run_time);
     drop(conditions);
     // What was read is not needed any more: a large file is not held twice.
-    let outcome = |(target, result): (Target, Result<Written, SkippedTarget>)| {
-        let left = result.is_err().then(|| target.shape.values());
-        let outcome = Outcome {
-            name: target.name,
-            place: text.place(target.at),
-            is_pose: matches!(target.shape, Shape::Pose(_)),
-            result,
-        };
-        (outcome, left)
-    };
-    let all = program.targets.into_iter().zip(corrected).map(outcome);
-    let (targets, left): (Vec<Outcome>, Vec<Option<Vec<f64>>>) = all.unzip();
+    let mut left = BTreeMap::new();
+    let heads = program.targets.into_iter().zip(&corrected).enumerate();
+    let heads = heads.map(|(k, (target, result))| {
+        if result.is_err() {
+            left.insert(k, target.shape.values());
+        }
+        let is_pose = matches!(target.shape, Shape::Pose(_));
+        (target.name, text.place(target.at), is_pose)
+    });
+    let heads: Vec<(String, (u64, u64), bool)> = heads.collect();
+    let targets = heads.into_iter().zip(corrected);
+    let targets = targets.map(|((name, place, is_pose), result)| Outcome {
+        name,
+        place,
+        is_pose,
+        result,
+    });
+    let targets: Vec<Outcome> = targets.collect();
     read_back(
         request,
         &reading,
@@ -201,7 +209,7 @@ fn read_back(
     reading: &Reading,
     axes: &Axes,
     convention: Convention<'_>,
-    (targets, left): (&[Outcome], &[Option<Vec<f64>>]),
+    (targets, left): (&[Outcome], &BTreeMap<usize, Vec<f64>>),
     bytes: &[u8],
 ) -> Result<(), CompensateError> {
     let robot = &request.calibration.model.robot;
@@ -214,9 +222,9 @@ fn read_back(
     if again.targets.len() != targets.len() {
         return wrong(format!("{} targets", again.targets.len()));
     }
-    for ((target, outcome), left) in again.targets.iter().zip(targets).zip(left) {
+    for (k, (target, outcome)) in again.targets.iter().zip(targets).enumerate() {
         let Ok(written) = &outcome.result else {
-            if left.as_ref() != Some(&target.shape.values()) {
+            if left.get(&k) != Some(&target.shape.values()) {
                 return wrong(format!("{} was to be left", target.name));
             }
             continue;

@@ -16,7 +16,12 @@ pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
             | Statement::Negative { joint: j, .. } => *j == joint,
             _ => false,
         };
-        target.configuration.iter().filter(about).all(agrees)
+        target
+            .posture()
+            .configuration
+            .iter()
+            .filter(about)
+            .all(agrees)
     };
     let edit = |mark: &Mark| match mark {
         Mark::Quadrant { span, joint } => (!still(*joint)).then(|| Edit {
@@ -51,7 +56,7 @@ pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
             })
         }
     };
-    target.marks.iter().filter_map(edit).collect()
+    target.posture().marks.iter().filter_map(edit).collect()
 }
 
 /// Whether corrected values have left the sides that the target stated and the values before had.
@@ -61,7 +66,11 @@ pub(super) fn leaves_its_sides(
     before: &[f64],
     now: &[f64],
 ) -> bool {
-    let sides = target.configuration.iter().filter(|s| !s.is_certain());
+    let sides = target
+        .posture()
+        .configuration
+        .iter()
+        .filter(|s| !s.is_certain());
     let mut left = sides.filter(|s| s.agrees(robot, before) == Some(true));
     left.any(|s| s.agrees(robot, now) == Some(false))
 }

@@ -257,6 +257,7 @@ impl Corrector<'_> {
             return None;
         }
         target
+            .posture()
             .configuration
             .iter()
             .find_map(|statement| match statement {

@@ -17,13 +17,11 @@ use super::pose::{Frame, Orientation};
 use super::program::Program;
 use super::target::{Circumstances, Problem, Remark, Shape, Target};
 use super::text::Text;
+use crate::tables::{Cell, Dialect, OpenQuote, Row, Rows, Separator, trimmed};
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
     let text = Text::new(bytes);
-    let Some(header) = text
-        .lines()
-        .find(|l| !text.bytes[l.clone()].trim_ascii().is_empty())
-    else {
+    let Some(header) = first_line(&text) else {
         return false;
     };
     let line = text.shown(header).to_lowercase();
@@ -33,48 +31,49 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
     names.any(|name| name.starts_with("q1_") || name == "x_mm" || name == "x_m")
 }
 
-struct Row {
-    /// The cells without blanks and quotes.
-    cells: Vec<Range<usize>>,
-    line: Range<usize>,
+/// The first line that is not blank.
+fn first_line(text: &Text) -> Option<Range<usize>> {
+    let is_blank = |line: &Range<usize>| text.bytes[line.clone()].trim_ascii().is_empty();
+    text.lines().find(|line| !is_blank(line))
 }
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
-    let lines = text
-        .lines()
-        .filter(|l| !text.bytes[l.clone()].trim_ascii().is_empty());
-    let mut lines = lines;
-    let Some(first) = lines.next() else {
+    let Some(first) = first_line(text) else {
         let expected = text!("a header, with q1_deg … or x_mm, y_mm, z_mm …");
         return Err(vec![Problem::new(0, text!("an empty table"), expected)]);
     };
-    let separator = separator(&text.bytes[first.clone()]);
-    let header = cells(text, first, separator).map_err(|problem| vec![problem])?;
-    let columns = header_columns(text, &header, axes).map_err(|problem| vec![problem])?;
+    let separator = Separator::of_headings(&text.bytes[first]);
+    let mut rows = Rows::new(text.bytes, text.start(), Dialect::of_lines(separator));
+    let mut row = Row::default();
+    rows.next(&mut row)
+        .map_err(|quote| vec![not_closed(quote)])?;
+    let header = row.number;
+    let columns = header_columns(text, &row, axes).map_err(|problem| vec![problem])?;
     let mut table = Table {
         text,
         axes,
         columns,
         joints: Vec::new(),
         inner: Arc::default(),
-        comma: separator != b',',
+        comma: separator != Separator::Comma,
     };
     let joints = (0..axes.joints()).filter_map(|joint| table.of(Quantity::Commanded(joint)));
     let (joints, inner): (Vec<usize>, Vec<f64>) = joints.unzip();
     (table.joints, table.inner) = (joints, inner.into());
-    let mut program = table.layout(&header).map_err(|problem| vec![problem])?;
+    let mut program = table.layout(row.start).map_err(|problem| vec![problem])?;
     let mut problems = Vec::new();
-    // Row by row: a large table has hundreds of thousands.
-    for (k, line) in lines.enumerate() {
-        let row = match cells(text, line, separator) {
-            Ok(row) if row.cells.iter().all(Range::is_empty) => continue,
-            Ok(row) => row,
-            Err(problem) => {
-                problems.push(problem);
+    // A large table has hundreds of thousands: room for each, and row by row.
+    program.targets.reserve_exact(text.lines().len());
+    loop {
+        match rows.next(&mut row) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(quote) => {
+                problems.push(not_closed(quote));
                 continue;
             }
-        };
-        match table.target(k + 1, &row) {
+        }
+        match table.target(row.number - header, &row) {
             Ok(target) => program.targets.push(target),
             Err(problem) => problems.push(problem),
         }
@@ -87,63 +86,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
 }
 
-/// The separator that the header uses most.
-fn separator(header: &[u8]) -> u8 {
-    let count = |sign: u8| memchr::memchr_iter(sign, header).count();
-    let mut best = b',';
-    for sign in [b';', b'\t'] {
-        if count(sign) > count(best) {
-            best = sign;
-        }
-    }
-    best
-}
-
-fn cells(text: &Text, line: Range<usize>, separator: u8) -> Result<Row, Problem> {
-    let bytes = text.bytes;
-    let mut cells = Vec::new();
-    let mut at = line.start;
-    loop {
-        let start = at;
-        let mut quoted = false;
-        while at < line.end && (quoted || bytes[at] != separator) {
-            if bytes[at] == b'"' {
-                quoted = !quoted;
-            }
-            at += 1;
-        }
-        if quoted {
-            return Err(Problem::new(
-                start,
-                text!("a cell that is not closed"),
-                text!("\" at its end"),
-            ));
-        }
-        cells.push(inside(bytes, start..at));
-        if at >= line.end {
-            return Ok(Row { cells, line });
-        }
-        at += 1;
-    }
-}
-
-/// A cell without the blanks around it and its quotes.
-fn inside(bytes: &[u8], range: Range<usize>) -> Range<usize> {
-    let trimmed = |range: Range<usize>| {
-        let cell = &bytes[range.clone()];
-        let front = cell.len() - cell.trim_ascii_start().len();
-        if front == cell.len() {
-            return range.start..range.start;
-        }
-        range.start + front..range.start + front + cell.trim_ascii().len()
-    };
-    let range = trimmed(range);
-    let quoted = range.len() >= 2 && bytes[range.start] == b'"' && bytes[range.end - 1] == b'"';
-    if quoted {
-        trimmed(range.start + 1..range.end - 1)
-    } else {
-        range
-    }
+fn not_closed(quote: OpenQuote) -> Problem {
+    let found = text!("a cell that is not closed");
+    Problem::new(quote.at, found, text!("\" at its end"))
 }
 
 /// What each column holds, and how many inner units (mm, rad) one of its is; `None`: left as it is.
@@ -152,6 +97,7 @@ type Columns = Vec<Option<(Quantity, f64)>>;
 fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Problem> {
     let mut columns: Columns = Vec::new();
     for cell in &header.cells {
+        let cell = content(text, *cell);
         let name = text.shown(cell.clone());
         let column = column(&name, axes).map_err(|expected| {
             Problem::new(
@@ -174,6 +120,17 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
         columns.push(column);
     }
     Ok(columns)
+}
+
+/// Where the content of a cell is, without the blanks around it; those in quotes are none of it here. Something behind
+/// its closing quote makes it one with its quotes.
+fn content(text: &Text, cell: Cell) -> Range<usize> {
+    let behind = cell.behind_quote(text.bytes);
+    if behind.is_empty() {
+        trimmed(text.bytes, cell.start..cell.end)
+    } else {
+        cell.start - 1..behind.end
+    }
 }
 
 /// What a heading means; an error says what was expected.
@@ -238,8 +195,7 @@ impl Table<'_> {
     }
 
     /// Checks that the columns make targets, and says what they are.
-    fn layout(&self, header: &Row) -> Result<Program, Problem> {
-        let at = header.line.start;
+    fn layout(&self, at: usize) -> Result<Program, Problem> {
         let wrong =
             |found: crate::text::Text, expected: Template| Err(Problem::new(at, found, expected));
         let mut program = Program::default();
@@ -284,21 +240,24 @@ impl Table<'_> {
         if row.cells.len() != self.columns.len() {
             let found = text!(one "{count} cell", "{count} cells", count = row.cells.len());
             let expected = text!("{columns}, as in the heading", columns = self.columns.len());
-            return Err(Problem::new(row.line.start, found, expected));
+            return Err(Problem::new(row.start, found, expected));
         }
-        let number_at = |k: usize| self.number(row.cells[k].clone());
+        let number_at = |k: usize| self.number(content(self.text, row.cells[k]));
         let shape = if self.is_of_joints() {
-            let numbers = self.joints.iter().map(|k| number_at(*k));
-            let numbers: Result<Vec<Number>, Problem> = numbers.collect();
+            // No larger than needed, as collecting results would make it.
+            let mut numbers = Vec::with_capacity(self.joints.len());
+            for k in &self.joints {
+                numbers.push(number_at(*k)?);
+            }
             // 10⁻⁷ rad is 10⁻⁴ mm at a metre.
             let degrees = self.inner.iter().all(|unit| (*unit - 1.0).abs() > 0.5);
             Shape::Joints {
-                numbers: numbers?,
+                numbers,
                 inner: Arc::clone(&self.inner),
                 decimals: if degrees { 6 } else { 7 },
             }
         } else {
-            Shape::Pose(self.pose(row)?)
+            Shape::Pose(Box::new(self.pose(row)?))
         };
         let mut circumstances = Circumstances::default();
         let joints = self.axes.joints();
@@ -314,7 +273,7 @@ impl Table<'_> {
             let Some((quantity, unit)) = *column else {
                 continue;
             };
-            if row.cells[k].is_empty() {
+            if content(self.text, row.cells[k]).is_empty() {
                 continue;
             }
             match quantity {
@@ -340,7 +299,7 @@ impl Table<'_> {
                 _ => {}
             }
         }
-        let mut target = Target::new(format!("row {number}"), row.line.start, shape);
+        let mut target = Target::new(format!("row {number}"), row.start, shape);
         target.set_circumstances(circumstances);
         Ok(target)
     }
@@ -349,7 +308,7 @@ impl Table<'_> {
         let number = |quantity: Quantity| -> Result<Option<(Number, f64)>, Problem> {
             let place = self.of(quantity);
             place
-                .map(|(k, unit)| Ok((self.number(row.cells[k].clone())?, unit)))
+                .map(|(k, unit)| Ok((self.number(content(self.text, row.cells[k]))?, unit)))
                 .transpose()
         };
         let (mut position, mut turn) = (Vec::new(), Vec::new());
@@ -371,10 +330,7 @@ impl Table<'_> {
             orientation,
         };
         if frame.goal().is_none() {
-            let at = frame
-                .turn
-                .first()
-                .map_or(row.line.start, |n| n.range().start);
+            let at = frame.turn.first().map_or(row.start, |n| n.range().start);
             let found = text!("a quaternion of no length");
             return Err(Problem::new(at, found, text!("an orientation")));
         }

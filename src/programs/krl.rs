@@ -318,10 +318,10 @@ impl KrlReader<'_> {
         let Some(frame) = Frame::of_degrees(&numbers, Orientation::ZyxDegrees) else {
             return Ok(None);
         };
-        let mut target = Target::new(name, aggregate.at, Shape::Pose(frame));
+        let mut target = Target::new(name, aggregate.at, Shape::Pose(Box::new(frame)));
         let number = |slot| aggregate.number(&axis_name(slot)).ok_or(());
         match self.axes.external(number) {
-            Ok(external) => target.external = external,
+            Ok(external) => target.posture_mut().external = external,
             Err(()) => return Ok(None),
         }
         if let Some((value, range, binary_digits)) = aggregate.whole("t", name)? {
@@ -330,11 +330,12 @@ impl KrlReader<'_> {
                 if let Some(joint) = *joint {
                     let negative = value >> bit & 1 != 0;
                     target
+                        .posture_mut()
                         .configuration
                         .push(Statement::Negative { joint, negative });
                 }
             }
-            target.marks.push(Mark::Signs(Box::new(Signs {
+            target.posture_mut().marks.push(Mark::Signs(Box::new(Signs {
                 range,
                 joints,
                 value,
@@ -342,7 +343,10 @@ impl KrlReader<'_> {
             })));
         }
         if let Some((value, ..)) = aggregate.whole("s", name)? {
-            target.configuration.push(Statement::Behind(value & 1 != 0));
+            target
+                .posture_mut()
+                .configuration
+                .push(Statement::Behind(value & 1 != 0));
         }
         Ok(Some(target))
     }

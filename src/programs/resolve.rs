@@ -104,16 +104,16 @@ impl<'a> Resolver<'a> {
 
     fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, SkippedTarget> {
         let mut fixed = vec![0.0; self.robot.joints.len()];
-        for (joint, value) in &target.external {
+        for (joint, value) in &target.posture().external {
             fixed[*joint] = *value;
         }
         self.convention.to_model(&mut fixed);
-        let stated = target.near.clone().map(|mut near| {
+        let stated = target.posture().near.clone().map(|mut near| {
             self.convention.to_model(&mut near);
             near
         });
         let near = stated.or_else(|| self.before.clone()).map(|mut q| {
-            for (joint, _) in &target.external {
+            for (joint, _) in &target.posture().external {
                 q[*joint] = fixed[*joint];
             }
             q
@@ -121,7 +121,7 @@ impl<'a> Resolver<'a> {
         if !self.inverse.is_determined(goal) {
             return self.nearest_of_a_line(goal, near.as_deref());
         }
-        let known = self.with_external(&target.external, &fixed);
+        let known = self.with_external(&target.posture().external, &fixed);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
             let says = text!("no joint values within the limits reach it");
@@ -173,8 +173,11 @@ impl<'a> Resolver<'a> {
     /// define each for their own arms decides between what is left.
     fn as_stated(&self, target: &Target, all: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, SkippedTarget> {
         let meets = |q: &[f64], s: &Statement| s.agrees(self.robot, q) != Some(false);
-        let (certain, sides): (Vec<&Statement>, Vec<&Statement>) =
-            target.configuration.iter().partition(|s| s.is_certain());
+        let (certain, sides): (Vec<&Statement>, Vec<&Statement>) = target
+            .posture()
+            .configuration
+            .iter()
+            .partition(|s| s.is_certain());
         let mut possible: Vec<Vec<f64>> = all
             .iter()
             .filter(|q| certain.iter().all(|s| meets(q, s)))

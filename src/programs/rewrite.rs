@@ -62,5 +62,6 @@ pub(super) fn applied(bytes: &[u8], targets: impl Iterator<Item = Vec<Edit>>) ->
         }
     }
     written.extend_from_slice(&bytes[at..]);
+    written.shrink_to_fit();
     written
 }

@@ -104,9 +104,8 @@ impl<'m> Sequence<'m> {
     }
 
     /// Side from which each joint comes to a target.
-    pub(super) fn dir(&self, target: usize) -> Vec<f64> {
-        let own = &self.dir[target * self.joints..(target + 1) * self.joints];
-        own.iter().map(|dir| f64::from(*dir)).collect()
+    pub(super) fn dir(&self, target: usize) -> Vec<i8> {
+        self.dir[target * self.joints..(target + 1) * self.joints].to_vec()
     }
 
     /// Load at a target, kg.

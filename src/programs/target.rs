@@ -50,8 +50,8 @@ pub enum Shape {
         /// Digits behind the point that a number needs at least.
         decimals: usize,
     },
-    /// A pose of the tool.
-    Pose(Frame),
+    /// A pose of the tool. Tables are of joint values, whose targets are smaller by it.
+    Pose(Box<Frame>),
 }
 
 impl Shape {
@@ -103,6 +103,18 @@ pub struct Circumstances {
     pub speed: Vec<Option<f64>>,
 }
 
+/// What a file says about how the arm stands at a target.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Posture {
+    /// Its configuration.
+    pub configuration: Vec<Statement>,
+    /// Joint values that its configuration is the nearest to, rad or mm.
+    pub near: Option<Vec<f64>>,
+    /// Values of the joints that the pose does not move (external axes), rad or mm, by joint.
+    pub external: Vec<(usize, f64)>,
+    pub(super) marks: Vec<Mark>,
+}
+
 /// One target of a file. A long program has hundreds of thousands, so that what few have stands apart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
@@ -112,16 +124,10 @@ pub struct Target {
     pub at: usize,
     /// Its numbers.
     pub shape: Shape,
-    /// What the file says about its configuration.
-    pub configuration: Vec<Statement>,
-    /// Joint values that its configuration is the nearest to, rad or mm.
-    pub near: Option<Vec<f64>>,
-    /// Values of the joints that the pose does not move (external axes), rad or mm, by joint.
-    pub external: Vec<(usize, f64)>,
+    posture: Option<Box<Posture>>,
     known: Option<Box<Circumstances>>,
     /// Why it cannot be corrected, whatever its numbers.
     pub left: Option<Box<SkippedTarget>>,
-    pub(super) marks: Vec<Mark>,
     /// In which frames and with which tools motions go to it.
     pub(super) ways: UsedPairs,
     /// How its pose is to be read.
@@ -134,12 +140,9 @@ impl Target {
             name: name.into(),
             at,
             shape,
-            configuration: Vec::new(),
-            near: None,
-            external: Vec::new(),
+            posture: None,
             known: None,
             left: None,
-            marks: Vec::new(),
             ways: UsedPairs::default(),
             placed: Placed::default(),
         }
@@ -160,10 +163,32 @@ impl Target {
         self.known = (known != Circumstances::default()).then(|| Box::new(known));
     }
 
-    /// Gives back the room that lists have to grow.
+    /// What the file says about how the arm stands there.
+    pub fn posture(&self) -> &Posture {
+        const NOTHING: &Posture = &Posture {
+            configuration: Vec::new(),
+            near: None,
+            external: Vec::new(),
+            marks: Vec::new(),
+        };
+        self.posture.as_deref().unwrap_or(NOTHING)
+    }
+
+    /// The same, to say something.
+    pub(super) fn posture_mut(&mut self) -> &mut Posture {
+        self.posture.get_or_insert_default()
+    }
+
+    /// Gives back the room that lists have to grow, and that of nothing.
     pub(super) fn shrink(&mut self) {
-        self.configuration.shrink_to_fit();
-        self.marks.shrink_to_fit();
-        self.external.shrink_to_fit();
+        self.posture = self
+            .posture
+            .take()
+            .filter(|said| **said != Posture::default());
+        if let Some(said) = &mut self.posture {
+            said.configuration.shrink_to_fit();
+            said.marks.shrink_to_fit();
+            said.external.shrink_to_fit();
+        }
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 
 use super::target::Problem;
+use crate::tables::encoding::{Mark, mark};
 
 /// A program as bytes, with its lines. Programs are read as bytes: what is not ASCII stands in comments, strings and
 /// names only, so that any encoding with ASCII in it comes back as it was.
@@ -14,9 +15,6 @@ pub struct Text<'a> {
     pub bytes: &'a [u8],
     line_starts: Vec<usize>,
 }
-
-/// The byte-order mark of UTF-8.
-const MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl<'a> Text<'a> {
     /// A file; lines end with LF, CR LF or CR.
@@ -33,10 +31,9 @@ impl<'a> Text<'a> {
 
     /// Where the content begins, behind a byte-order mark.
     pub fn start(&self) -> usize {
-        if self.bytes.starts_with(MARK) {
-            MARK.len()
-        } else {
-            0
+        match mark(self.bytes) {
+            Some((Mark::Utf8, length)) => length,
+            _ => 0,
         }
     }
 
@@ -52,7 +49,7 @@ impl<'a> Text<'a> {
     }
 
     /// Every line without its end, by the places of its bytes.
-    pub fn lines(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+    pub fn lines(&self) -> impl ExactSizeIterator<Item = std::ops::Range<usize>> + '_ {
         (0..self.line_starts.len()).map(|k| {
             let start = if k == 0 {
                 self.start()
@@ -70,7 +67,7 @@ impl<'a> Text<'a> {
 
     /// What keeps the file from being read at all.
     pub(super) fn unreadable(&self) -> Option<Problem> {
-        let wide = self.bytes.starts_with(b"\xff\xfe") || self.bytes.starts_with(b"\xfe\xff");
+        let wide = matches!(mark(self.bytes), Some((Mark::Utf16Le | Mark::Utf16Be, _)));
         let zero = self.bytes.iter().position(|b| *b == 0);
         let at = if wide { Some(0) } else { zero };
         at.map(|at| Problem {

@@ -321,7 +321,7 @@ impl UrscriptReader<'_, '_> {
                     let found = text!("a pose of {numbers} numbers", numbers = numbers.len());
                     return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
                 };
-                Shape::Pose(frame)
+                Shape::Pose(Box::new(frame))
             }
             Literal::List(numbers) => {
                 let joints = self.axes.joints();
@@ -339,7 +339,9 @@ impl UrscriptReader<'_, '_> {
             }
         };
         let mut target = Target::new(name, at, shape);
-        target.near = near;
+        if near.is_some() {
+            target.posture_mut().near = near;
+        }
         Ok(Some(self.moves.target(&mut self.program, key, target)))
     }
 

@@ -316,7 +316,7 @@ impl SessionBuilder {
     #[must_use]
     pub fn setups(mut self, names: &[&str]) -> Self {
         self.count("setups", names.len(), "names");
-        let mut cells = crate::sessions::table::Names::default();
+        let mut cells = crate::tables::Names::default();
         for name in names {
             cells.push(name);
         }

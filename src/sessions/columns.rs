@@ -5,6 +5,7 @@
 //! rad. A revolute joint takes angles only and a prismatic one lengths only.
 
 use crate::kinematics::{Joint, JointKind};
+use crate::tables::CellKind;
 use crate::text::Template;
 use crate::units::{
     LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S, rad_from_deg,
@@ -240,16 +241,6 @@ impl Quantity {
             Distance | Azimuth | Elevation | Anchor | Station | Plane | Socket
         )
     }
-}
-
-/// What kind of cells a column has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum CellKind {
-    Number,
-    /// Few different names.
-    Name,
-    /// Kept as it stands.
-    Text,
 }
 
 /// A unit in a heading.

@@ -5,8 +5,8 @@
 
 use crate::kinematics::Robot;
 use crate::sessions::correction::Corrected;
-use crate::sessions::lines::Lines;
 use crate::sessions::references::{ObservedColumns, References};
+use crate::tables::Lines;
 use nalgebra::Point3;
 use std::path::PathBuf;
 

@@ -21,7 +21,6 @@ pub(crate) mod files;
 mod group;
 mod group_samples;
 pub(crate) mod layout;
-mod lines;
 pub(crate) mod measuring_order;
 mod observed;
 mod references;
@@ -32,6 +31,7 @@ pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use crate::atomic::WriteError;
+pub use crate::tables::Lines;
 pub use built::SessionBuilder;
 pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
@@ -52,7 +52,6 @@ pub use files::save::{
     write_inline,
 };
 pub use group::Group;
-pub use lines::Lines;
 pub use references::{
     Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
 };

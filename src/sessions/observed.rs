@@ -6,7 +6,7 @@ use crate::document::number::quoted;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
 use crate::sessions::references::{ObservedColumns, References};
-use crate::sessions::table::Names;
+use crate::tables::Names;
 use crate::text::Text;
 use std::collections::BTreeMap;
 

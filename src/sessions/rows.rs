@@ -2,8 +2,8 @@
 //! as each other.
 
 use super::domain::{Samples, Session, Setups, UnknownColumn};
-use super::lines::Lines;
 use super::references::ObservedColumns;
+use crate::tables::Lines;
 
 impl Samples {
     /// Takes samples away; `rows` count from 0, in any order. Rows that are not there are passed

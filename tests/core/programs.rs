@@ -505,7 +505,7 @@ fn programs_without_targets_come_back_byte_for_byte() {
 
 /// Language, program, line and column of what is wrong, and a word of what was expected.
 #[rustfmt::skip]
-const BROKEN: [(&str, &[u8], u64, u64, &str); 41] = [
+const BROKEN: [(&str, &[u8], u64, u64, &str); 43] = [
     ("csv", b"", 1, 1, "a header"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 23, "6"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,6]];", 1, 22, "jointtarget"),
@@ -547,6 +547,8 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 41] = [
     ("fanuc-ls", b"/POS\nP[1]{\n CONFIG : 'Q U T, 0, 0, 0', X = 1 mm, Y = 2 mm, Z = 3 mm, W = 0 deg, P = 0 deg, R = 0 deg\n};", 3, 11, "N U T"),
     ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,4,5,nan\n", 2, 11, "number"),
     ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,2,3,4,5\n", 1, 1, "each joint"),
+    ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,note\n1,2,3,4,5,6,\"a\n1,2,3,4,5,6,b\"\n", 2, 13, "\""),
+    ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,4,5,\"6\"7\n", 2, 11, "number"),
 ];
 
 #[test]
@@ -594,10 +596,10 @@ fn directions_follow_from_the_motions_of_a_program() {
     let dir = |k: usize| answer.targets[k].result.as_ref().unwrap().dir.clone();
     assert_eq!(
         dir(1),
-        [0.0; 6],
+        [0; 6],
         "the first move comes from nobody knows where"
     );
-    assert_eq!(dir(0), [-1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    assert_eq!(dir(0), [-1, 1, 0, 0, 0, 0]);
 }
 
 #[test]

@@ -38,7 +38,7 @@ fn other_programs_are_started_by_the_window_alone_to_open_what_was_saved() {
 #[test]
 fn unsafe_code_stands_where_vectors_are_and_nowhere_else() {
     let unsafe_code = files_that_say(&["unsafe {", "unsafe fn", "unsafe impl"]);
-    assert_eq!(unsafe_code, ["sessions/files/csv/lanes.rs", "wide.rs"]);
+    assert_eq!(unsafe_code, ["tables/samples/lanes.rs", "wide.rs"]);
 }
 
 #[test]

@@ -8,7 +8,7 @@
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::gui::cache::work::Work;
 use crate::gui::help::Word;
-use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands};
+use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
 
 pub(crate) struct Cumulative;
@@ -99,11 +99,11 @@ impl Sorted {
             bounds: [[0.0, 0.0], [value(1.05 * most), 105.0]],
             items: vec![Item::Line(
                 self.0.iter().enumerate().map(point).collect(),
-                Stands::After,
+                ColourRole::After,
                 1.6,
                 false,
             )],
-            legend: vec![Entry::after(Sign::Line)],
+            legend: vec![Entry::after(LegendSymbol::Line)],
             note: String::new(),
         }
     }

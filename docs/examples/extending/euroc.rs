@@ -2,7 +2,7 @@
 //! with commas; further columns (speeds, biases) are ignored. The quaternion's real part comes first.
 
 use crate::importers::columns::Columns;
-use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
+use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{Known, ReadContext};
@@ -11,10 +11,10 @@ use crate::sessions::columns::{Quantity, Unit};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "euroc",
-    plainly: "a EuRoC trajectory: time in nanoseconds, position, quaternion",
-    asks: Asks {
+    plainly: phrase!("a EuRoC trajectory: time in nanoseconds, position, quaternion"),
+    asks: Questions {
         columns: Meanings::Fixed,
-        ..Asks::TABLE
+        ..Questions::TABLE
     },
     options: &[],
     known_by: KnownBy::Text(|text| text.starts_with("#timestamp")),
@@ -25,8 +25,9 @@ pub(crate) static IMPORTER: Importer = Importer {
 fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width < 8 {
-        let found = format!("{} columns", grid.width);
-        case.refuse(found, "8: timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z");
+        let found = text!(one "{count} column", "{count} columns", count = grid.width);
+        let expected = text!("8: timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z");
+        case.refuse(found, expected);
         return None;
     }
     let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);

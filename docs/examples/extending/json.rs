@@ -2,6 +2,7 @@
 //! with the fewest digits that read back as the same; mm in place of degrees where the joint slides.
 
 use crate::document::{Member, Value, text_of};
+use crate::text::Text;
 
 use super::rules::{Directions, Rules, Says, Spacing};
 use super::sheet::Sheet;
@@ -17,7 +18,7 @@ pub(super) const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 1.0,
     most_entries: usize::MAX,
-    limit_because: "it has no limit",
+    limit_because: phrase!("it has no limit"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two places",
@@ -29,7 +30,7 @@ pub(super) const RULES: Rules = Rules {
 };
 
 pub(super) const FORMAT: Format = TableFile::format(
-    "JSON table",
+    phrase!("JSON table"),
     "json",
     &TableFile {
         rules: &RULES,
@@ -44,7 +45,7 @@ fn keys(sheet: &Sheet) -> [String; 3] {
     ["commanded", "correction_forward", "correction_reverse"].map(|key| format!("{key}_{unit}"))
 }
 
-fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     let columns = [&sheet.places, &sheet.forward, &sheet.reverse];
     let members = keys(sheet).into_iter().zip(columns);
     let members = members.map(|(key, values)| Member::new(key, values.as_slice()));

@@ -20,7 +20,7 @@ const ABOUT: About = About {
     over: Over::Temperature,
     implausible_above: Some(100.0),
     usual_size: phrase!("0 to 24 ppm/K"),
-    confused_with: "a scale error: another temperature separates them",
+    confused_with: phrase!("a scale error: another temperature separates them"),
     check: phrase!("the material of the scale, and the controller's temperature compensation"),
     needs: &[Need::PRISMATIC, Need::TEMPERATURE],
     distinguished_by: &[Condition::Temperature],

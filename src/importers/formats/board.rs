@@ -25,7 +25,7 @@ use crate::importers::role::Role;
 use crate::importers::settings::{About, Known, ReadContext};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
+use crate::tables::{Cells, Names};
 
 const CAMERA: &str = "camera";
 

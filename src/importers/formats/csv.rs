@@ -2,15 +2,15 @@
 
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
-use crate::importers::decimals::shape;
 use crate::importers::families;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
-use crate::importers::grid::Grid;
 use crate::importers::joint_names::understand;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Heading, Quantity};
+use crate::tables::Grid;
+use crate::tables::decimals::shape;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",

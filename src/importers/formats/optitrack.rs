@@ -8,17 +8,17 @@
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::decimals::Decimal;
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
-use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
-use crate::importers::reader::{fixed, number};
+use crate::importers::reader::{fixed, number, others_like_these};
 use crate::importers::role::Role;
-use crate::importers::rows::{Row, Rows, Separator};
 use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
+use crate::tables::decimals::Decimal;
+use crate::tables::{Cells, Names};
+use crate::tables::{Complaints, MOST_COLUMNS, open_quote};
+use crate::tables::{Dialect, Separator, TextRow, TextRows};
 use crate::text::Text;
 
 /// Lines between the first one and that of the frames.
@@ -61,7 +61,7 @@ fn is_likely(text: &str) -> bool {
 fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     case.found.separator = Some(Separator::Comma);
     case.found.decimal = Some(Decimal::Point);
-    let mut rows = Rows::new(case.text, Separator::Comma);
+    let mut rows = TextRows::new(case.text, Dialect::foreign(Separator::Comma));
     let keys = key_line(case, &mut rows)?;
     let (tracked, frame_line) = header(case, &mut rows)?;
     case.found.header_line = Some(frame_line);
@@ -97,8 +97,8 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     (!case.is_open()).then_some(columns)
 }
 
-fn key_line(case: &mut ReadContext<'_>, rows: &mut Rows<'_>) -> Option<Vec<(String, String)>> {
-    let mut row = Row::default();
+fn key_line(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(String, String)>> {
+    let mut row = TextRow::default();
     match rows.next(&mut row) {
         Ok(true) if is_likely(&row.cells[0]) => {}
         Ok(_) => {
@@ -182,14 +182,14 @@ fn rotation_is_quaternion(case: &mut ReadContext<'_>, keys: &[(String, String)])
 }
 
 /// The lines down to that of the frames: what is tracked, in the order of the columns.
-fn header(case: &mut ReadContext<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64)> {
+fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tracked>, u64)> {
     let mut lines: Vec<Vec<String>> = Vec::new();
-    let mut row = Row::default();
+    let mut row = TextRow::default();
     let frame_line = loop {
         match rows.next(&mut row) {
             Ok(true) if row.cells[0].eq_ignore_ascii_case("frame") => break row.line,
             Ok(true) if lines.len() < MOST_HEADER_LINES => {
-                lines.push(row.cells.iter().map(ToString::to_string).collect());
+                lines.push(row.owned());
             }
             Err(quote) => {
                 case.found.findings.push(open_quote(&case.place, quote));
@@ -325,11 +325,11 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-fn first_rows(rows: &Rows<'_>) -> Vec<Vec<String>> {
+fn first_rows(rows: &TextRows<'_>) -> Vec<Vec<String>> {
     const ROWS: usize = 8;
     const CELLS: usize = 32;
     let mut rows = rows.clone();
-    let mut row = Row::default();
+    let mut row = TextRow::default();
     let mut first = Vec::new();
     while first.len() < ROWS && rows.next(&mut row) == Ok(true) {
         let cells = row.cells.iter().take(CELLS).map(ToString::to_string);
@@ -351,7 +351,7 @@ struct Frames {
 
 fn frames(
     case: &mut ReadContext<'_>,
-    rows: Rows<'_>,
+    rows: TextRows<'_>,
     chosen: &[Tracked],
     with_orientation: bool,
 ) -> Frames {
@@ -366,7 +366,7 @@ fn frames(
     let mut first_occluded = None;
     let place = case.place.clone();
     let mut rows = rows.in_pass_of(case.part);
-    let mut row = Row::default();
+    let mut row = TextRow::default();
     loop {
         match rows.next(&mut row) {
             Ok(true) => {}
@@ -413,7 +413,11 @@ fn frames(
         }
     }
     case.found.rows = frames.frame.len();
-    complaints.into(&case.place.clone(), &mut case.found.findings);
+    complaints.into(
+        &case.place.clone(),
+        &mut case.found.findings,
+        others_like_these,
+    );
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
         let found = text!(
             "{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position",

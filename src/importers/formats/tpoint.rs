@@ -24,12 +24,12 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns, Directions};
 use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
-use crate::importers::grid::Complaints;
+use crate::importers::reader::others_like_these;
 use crate::importers::role::Role;
 use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::Cells;
 use crate::sessions::{Azimuth, Lines};
+use crate::tables::{Cells, Complaints};
 
 /// Option: which axis of the tool looks at the sky.
 const POINTING_AXIS: &str = "pointing-axis";
@@ -152,7 +152,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         }
     }
     let place = case.place.clone();
-    complaints.into(&place, &mut case.found.findings);
+    complaints.into(&place, &mut case.found.findings, others_like_these);
     case.found.rows = values[0].len();
     if case.found.rows == 0 && !case.is_open() {
         case.refuse(text!("no row that can be read"), text!("at least one star"));

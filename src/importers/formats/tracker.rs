@@ -5,13 +5,13 @@
 //! (points are often numbered). Where the columns do not tell, the person does.
 
 use crate::importers::columns::Columns;
-use crate::importers::decimals::{Shape, shape};
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
-use crate::importers::grid::{Complaints, Grid};
 use crate::importers::joint_names::understand;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::Quantity;
+use crate::tables::decimals::{Shape, shape};
+use crate::tables::{Complaints, Grid};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",

@@ -14,9 +14,9 @@ use crate::text::Text;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use crate::importers::decimals::shape;
 use crate::importers::headings::understand;
 use crate::importers::role::Role;
+use crate::tables::decimals::shape;
 use tree::Node;
 
 /// A text of lists as a text of rows.

@@ -310,8 +310,8 @@ impl Positions<'_, '_, '_> {
         let Some(frame) = Frame::of_degrees(&numbers?, Orientation::XyzFixedDegrees) else {
             return Ok(None);
         };
-        let mut target = Target::new(name, at, Shape::Pose(frame));
-        target.external = self.axes.external(of_axis)?;
+        let mut target = Target::new(name, at, Shape::Pose(Box::new(frame)));
+        target.posture_mut().external = self.axes.external(of_axis)?;
         if let Some(range) = &group.configuration {
             self.configuration(range.clone(), &mut target)?;
         }
@@ -345,6 +345,7 @@ impl Positions<'_, '_, '_> {
             (b"N" | b"F", Some(joint)) => {
                 let negative = *wrist == b"N";
                 target
+                    .posture_mut()
                     .configuration
                     .push(Statement::WristNegative { joint, negative });
             }
@@ -354,9 +355,11 @@ impl Positions<'_, '_, '_> {
         for letter in rest {
             match *letter {
                 b"U" | b"D" => target
+                    .posture_mut()
                     .configuration
                     .push(Statement::ElbowTurned(*letter == b"D")),
                 b"T" | b"B" => target
+                    .posture_mut()
                     .configuration
                     .push(Statement::Behind(*letter == b"B")),
                 // Of arms with other shapes.
@@ -373,8 +376,11 @@ impl Positions<'_, '_, '_> {
             let blanks = part.len() - part.trim_ascii_start().len();
             let span = Span::of(&(at + blanks..at + blanks + digits.len()));
             if let Some((joint, span)) = self.axes.numbered(Slot::Own(axis)).zip(span) {
-                target.configuration.push(Statement::Turns { joint, turns });
-                target.marks.push(Mark::Turns { span, joint });
+                target
+                    .posture_mut()
+                    .configuration
+                    .push(Statement::Turns { joint, turns });
+                target.posture_mut().marks.push(Mark::Turns { span, joint });
             }
             at += part.len() + 1;
         }

@@ -234,16 +234,17 @@ impl Lists<'_, '_, '_> {
                 text!("an orientation"),
             ));
         }
-        let mut target = Target::new(name, at, Shape::Pose(frame));
+        let mut target = Target::new(name, at, Shape::Pose(Box::new(frame)));
         for (number, axis) in configuration.iter().zip([0, 3, 5]) {
             let quadrant = whole(number)?;
             let Some(joint) = self.axes.numbered(Slot::Own(axis)) else {
                 continue;
             };
             target
+                .posture_mut()
                 .configuration
                 .push(Statement::Quadrant { joint, quadrant });
-            target.marks.push(Mark::Quadrant {
+            target.posture_mut().marks.push(Mark::Quadrant {
                 span: number.span(),
                 joint,
             });
@@ -253,15 +254,20 @@ impl Lists<'_, '_, '_> {
             if let Some(joint) = self.axes.numbered(Slot::Own(4)) {
                 let negative = cfx & 1 != 0;
                 target
+                    .posture_mut()
                     .configuration
                     .push(Statement::WristNegative { joint, negative });
             }
             target
+                .posture_mut()
                 .configuration
                 .push(Statement::ElbowTurned(cfx & 2 != 0));
-            target.configuration.push(Statement::Behind(cfx & 4 != 0));
+            target
+                .posture_mut()
+                .configuration
+                .push(Statement::Behind(cfx & 4 != 0));
         }
-        target.external = self.axes.external(|slot| match slot {
+        target.posture_mut().external = self.axes.external(|slot| match slot {
             Slot::Own(k) | Slot::External(k) => external_axis(&external[k], name).cloned(),
         })?;
         Ok(target)

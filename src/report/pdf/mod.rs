@@ -3,11 +3,13 @@
 //! holds letters that the bundled fonts lack do the bytes depend on the machine: on the font that is
 //! found there ([`crate::fonts`]).
 //!
-//! `pages` lays the blocks out, `fonts` measures and embeds, this file writes. PDF 1.7,
+//! `pages` lays the blocks out on what `flow` has room for, `tables` those of them, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
 
+mod flow;
 mod pages;
 mod picture;
+mod tables;
 
 use std::collections::BTreeSet;
 
@@ -21,7 +23,8 @@ use super::fonts::{self, Embedded, Fonts, Run, Used};
 pub use super::pdf_error::PdfError;
 use crate::fonts::{Library, Purpose, is_worth_a_font};
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
-use pages::{Mark, PAGE, pages};
+use flow::PAGE;
+use pages::{Mark, pages};
 use picture::f32_of;
 
 /// A report as PDF, and what it cannot show.

@@ -1,32 +1,18 @@
 //! From blocks to pages of A4: every page is a drawing.
 
-use super::super::fonts::{Fonts, breakable};
+use super::super::fonts::Fonts;
+use super::flow::{BOTTOM, Flow, LEFT, LINE, NAMES, PAGE, TEXT, TOP};
+use super::tables::{FEWEST_ROWS, TableLayout, row_height};
 use crate::compensation::decision::Outcome;
 use crate::present::chart::FULL_WIDTH;
 use crate::present::decision::title;
 use crate::present::drawing::{
-    AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE,
-    Stroke,
+    AFTER, Anchor, BEFORE, CORRECTED, Colour, Drawing, INK, Label, MUTED, RULE, Stroke,
 };
-use crate::report::document::{Block, Figure, Report, Table};
+use crate::report::document::{Block, Figure, Report};
 use crate::report::logo::LOGO;
 use crate::text::Text;
 
-/// A4, points.
-pub(super) const PAGE: [f64; 2] = [595.28, 841.89];
-pub(super) const LEFT: f64 = 54.0;
-pub(super) const TOP: f64 = 52.0;
-const BOTTOM: f64 = PAGE[1] - 62.0;
-/// Size of the running text, points.
-const TEXT: f64 = 8.8;
-const LINE: f64 = 12.6;
-const NAMES: f64 = 132.0;
-const PADDING: f64 = 4.5;
-/// Lines of a cell that are shown, so that a row fits on a page.
-const MOST_LINES: usize = 40;
-
-/// Rows of a table that stay with its head, and with its last row.
-const FEWEST_ROWS: usize = 2;
 /// Room that a page keeps for what comes before a block: its section's heading, points.
 const MOST_BEFORE: f64 = 90.0;
 
@@ -100,53 +86,7 @@ fn foot(page: &mut Drawing, report: &Report, number: usize, of: usize, fonts: &F
     page.text(label.anchored(Anchor::End));
 }
 
-struct Flow<'f> {
-    fonts: &'f Fonts<'f>,
-    pages: Vec<Drawing>,
-    y: f64,
-}
-
 impl Flow<'_> {
-    fn page(&mut self) -> &mut Drawing {
-        if self.pages.is_empty() {
-            self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
-        }
-        let last = self.pages.len() - 1;
-        &mut self.pages[last]
-    }
-
-    /// Turns the page where less than `height` is left.
-    fn room_for(&mut self, height: f64) {
-        if self.y + height > BOTTOM && self.y > TOP {
-            self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
-            self.y = TOP;
-        }
-    }
-
-    fn rule(&mut self, y: f64, width: f64, colour: Colour) {
-        self.page().line(
-            [LEFT, y],
-            [LEFT + FULL_WIDTH, y],
-            Stroke::new(width, colour),
-        );
-    }
-
-    /// One line of text, and down by its height.
-    fn line_of(&mut self, text: &str, size: f64, height: f64, bold: bool, colour: Colour, x: f64) {
-        self.room_for(height);
-        let at = [x, self.y + height / 2.0 + size * 0.35];
-        let mut label = Label::new(at, text, size, colour);
-        label.bold = bold;
-        self.page().text(label);
-        self.y += height;
-    }
-
-    fn paragraph(&mut self, text: &str, size: f64, height: f64, colour: Colour) {
-        for line in self.fonts.wrapped(text, size, false, FULL_WIDTH) {
-            self.line_of(&line, size, height, false, colour, LEFT);
-        }
-    }
-
     fn head(&mut self, report: &Report) {
         if let Some(logo) = &report.logo {
             self.y += logo.within(LOGO)[1] + 10.0;
@@ -355,129 +295,6 @@ impl Flow<'_> {
         self.y += 5.0;
     }
 
-    fn table_layout(&self, table: &Table) -> TableLayout {
-        let widths = self.column_widths(table);
-        let headings = table.columns.iter().map(|column| &*column.heading);
-        let head = self.cells(headings, &widths, true);
-        let cells = |row: &Vec<crate::present::table::Cell>| {
-            let shown = row.iter().map(|cell| &*cell.shown);
-            self.cells(shown, &widths, false)
-        };
-        let rows = table.rows.iter().map(cells).collect();
-        TableLayout { widths, head, rows }
-    }
-
-    /// A table: its head on every page that it reaches, never alone, and no row by itself at the end.
-    fn table(&mut self, table: &Table) {
-        let TableLayout { widths, head, rows } = self.table_layout(table);
-        let heights: Vec<f64> = rows.iter().map(|row| row_height(row)).collect();
-        let head_height = row_height(&head);
-        let first: f64 = heights.iter().take(FEWEST_ROWS).sum();
-        self.room_for((head_height + first).min(BOTTOM - TOP));
-        let breaks = table_breaks(
-            &heights,
-            BOTTOM - self.y - head_height,
-            BOTTOM - TOP - head_height,
-        );
-        self.row(&head, &widths, table, true);
-        for (k, cells) in rows.iter().enumerate() {
-            if breaks.contains(&k) {
-                self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
-                self.y = TOP;
-                self.row(&head, &widths, table, true);
-            }
-            self.row(cells, &widths, table, false);
-        }
-        self.y += 8.0;
-    }
-
-    fn cells<'t>(
-        &self,
-        row: impl Iterator<Item = &'t str>,
-        widths: &[f64],
-        bold: bool,
-    ) -> Vec<Vec<String>> {
-        let wrap = |(text, width): (&str, &f64)| {
-            let mut lines = self.fonts.wrapped(text, 8.2, bold, width - 2.0 * PADDING);
-            if lines.len() > MOST_LINES {
-                lines.truncate(MOST_LINES);
-                lines.push("…".to_owned());
-            }
-            lines
-        };
-        row.zip(widths).map(wrap).collect()
-    }
-
-    fn row(&mut self, cells: &[Vec<String>], widths: &[f64], table: &Table, head: bool) {
-        let height = row_height(cells);
-        let y = self.y;
-        let page = self.page();
-        if head {
-            page.items
-                .push(Item::Box([LEFT, y], [FULL_WIDTH, height], GROUND));
-        }
-        let mut x = LEFT;
-        for ((lines, width), column) in cells.iter().zip(widths).zip(&table.columns) {
-            for (k, line) in lines.iter().enumerate() {
-                let base = y + 2.6 + 11.0 * (k as f64 + 0.5) + 8.2 * 0.35;
-                let (at, anchor) = if column.right {
-                    ([x + width - PADDING, base], Anchor::End)
-                } else {
-                    ([x + PADDING, base], Anchor::Start)
-                };
-                let mut label = Label::new(at, line.clone(), 8.2, INK).anchored(anchor);
-                label.bold = head;
-                page.text(label);
-            }
-            x += width;
-        }
-        self.y += height;
-        let y = self.y;
-        self.rule(
-            y,
-            if head { 0.7 } else { 0.4 },
-            if head { MUTED } else { RULE },
-        );
-    }
-
-    /// As wide as the content wants, where there is room; else the widest give way.
-    fn column_widths(&self, table: &Table) -> Vec<f64> {
-        let wide = |text: &str, bold: bool| self.fonts.width(text, 8.2, bold) + 2.0 * PADDING + 0.5;
-        let natural: Vec<f64> = (0..table.columns.len())
-            .map(|k| {
-                let cells = table.rows.iter().filter_map(|row| row.get(k));
-                let widest = cells
-                    .map(|cell| wide(&cell.shown, false))
-                    .fold(0.0, f64::max);
-                // A heading may break over two lines.
-                let heading = &table.columns[k].heading;
-                let words = heading
-                    .split(' ')
-                    .flat_map(breakable)
-                    .map(|w| wide(w, true));
-                widest
-                    .max(words.fold(0.0, f64::max))
-                    .max(wide(heading, true) * 0.6)
-            })
-            .collect();
-        let total: f64 = natural.iter().sum();
-        if total <= FULL_WIDTH {
-            let each = (FULL_WIDTH - total) / natural.len().max(1) as f64;
-            return natural.iter().map(|w| w + each).collect();
-        }
-        // Columns below the share that is left to the others keep their width.
-        let mut share = FULL_WIDTH / natural.len() as f64;
-        for _ in 0..natural.len() {
-            let narrow: f64 = natural.iter().filter(|w| **w <= share).sum();
-            let others = natural.iter().filter(|w| **w > share).count();
-            if others == 0 {
-                break;
-            }
-            share = (FULL_WIDTH - narrow) / others as f64;
-        }
-        natural.iter().map(|w| w.min(share)).collect()
-    }
-
     fn sign(&mut self, lines: &[(String, String)]) {
         let height = 46.0;
         self.room_for(height * lines.len().div_ceil(2) as f64 + 12.0);
@@ -495,41 +312,6 @@ impl Flow<'_> {
             self.y += height;
         }
     }
-}
-
-/// A table's columns, head and rows as they are wrapped.
-struct TableLayout {
-    /// Points.
-    widths: Vec<f64>,
-    head: Vec<Vec<String>>,
-    rows: Vec<Vec<Vec<String>>>,
-}
-
-/// The rows before which a page begins, where so much room (points) is left on this page and so much
-/// is on a whole one. The last page has at least two rows where the one before it can spare one.
-fn table_breaks(heights: &[f64], first_page: f64, whole_page: f64) -> Vec<usize> {
-    let mut breaks: Vec<usize> = Vec::new();
-    let (mut left, mut on_this_page) = (first_page, 0);
-    for (k, height) in heights.iter().enumerate() {
-        if *height > left && on_this_page > 0 {
-            breaks.push(k);
-            (left, on_this_page) = (whole_page, 0);
-        }
-        left -= height;
-        on_this_page += 1;
-    }
-    if let Some(last) = breaks.pop() {
-        let before = breaks.last().copied().unwrap_or(0);
-        let alone = last + 1 == heights.len() && last > before + FEWEST_ROWS;
-        let fits = alone && heights[last - 1] + heights[last] <= whole_page;
-        breaks.push(if fits { last - 1 } else { last });
-    }
-    breaks
-}
-
-fn row_height(cells: &[Vec<String>]) -> f64 {
-    let lines = cells.iter().map(Vec::len).max().unwrap_or(1);
-    11.0 * lines as f64 + 5.2
 }
 
 #[cfg(test)]
@@ -573,19 +355,5 @@ mod tests {
                 );
             }
         }
-    }
-
-    #[test]
-    fn a_table_breaks_where_rows_no_longer_fit_and_leaves_no_row_alone() {
-        // Four rows fit on the first page, ten on another.
-        assert_eq!(table_breaks(&[10.0; 4], 40.0, 100.0), Vec::<usize>::new());
-        assert_eq!(table_breaks(&[10.0; 6], 40.0, 100.0), vec![4]);
-        assert_eq!(table_breaks(&[10.0; 5], 40.0, 100.0), vec![3]);
-        assert_eq!(table_breaks(&[10.0; 15], 40.0, 100.0), vec![4, 13]);
-        // A page whose two rows are all that it has keeps them.
-        assert_eq!(table_breaks(&[20.0; 3], 40.0, 100.0), vec![2]);
-        // A row that is higher than a page stands on one of its own.
-        assert_eq!(table_breaks(&[10.0, 500.0, 10.0], 40.0, 100.0), vec![1, 2]);
-        assert_eq!(table_breaks(&[], 40.0, 100.0), Vec::<usize>::new());
     }
 }

@@ -4,7 +4,7 @@ use crate::report::logo::{LOGO, Logo};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Content, Filter, Name, Pdf, Ref};
 
-use super::pages::{LEFT, PAGE, TOP};
+use super::flow::{LEFT, PAGE, TOP};
 
 /// Its name among what a page draws.
 pub(super) const NAME: Name<'_> = Name(b"Logo");

@@ -1,21 +1,25 @@
-//! From a table as it was read to samples in inner units.
+//! From the cells of a table to samples in inner units.
 //!
 //! Here a cell gets its meaning: units become mm and rad, names become indices, and what a number
 //! cannot be (a direction of 2, a target that is not declared) is said with its place.
 
 use crate::text::Text;
 use std::collections::BTreeMap;
+use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::document::ranges::short;
 use crate::kinematics::Joint;
+use crate::progress::ProgressSpan;
 use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
+use crate::sessions::layout::Layout;
 use crate::sessions::observed;
 use crate::sessions::observed::Locate;
 use crate::sessions::references::References;
-use crate::sessions::table::{Cells, Names, Table};
+use crate::sessions::table::Table;
+use crate::tables::{Cells, Names, SampleTable};
 
 /// Complaints about one column that are worth printing.
 const MOST_COMPLAINTS: usize = 10;
@@ -25,6 +29,40 @@ const MOST_COMPLAINTS: usize = 10;
 pub(crate) struct Declared<'a> {
     pub(crate) targets: &'a [Target],
     pub(crate) references: &'a References,
+}
+
+/// Reads the CSV file of a session, told as `part` of something: its headings are those of the robot's joints and of
+/// what was measured. `bytes` is the length of the input where it is known.
+/// `None` when the headings already make no sense; otherwise the table is whole only if `findings`
+/// got no error.
+///
+/// # Errors
+/// What reading from `input` says, or that it was cancelled.
+pub(crate) fn table(
+    input: impl Read,
+    bytes: Option<u64>,
+    file: &Place,
+    joints: Option<&[Joint]>,
+    findings: &mut Vec<Diagnostic>,
+    part: ProgressSpan<'_>,
+) -> io::Result<Option<Table>> {
+    let Some(mut table) = SampleTable::open(input, file, findings)? else {
+        return Ok(None);
+    };
+    let header = file.clone().at_line(1);
+    let place = |index: usize| {
+        let column = header.clone().at_column(index as u64 + 1);
+        column.in_field(table.names[index].as_str())
+    };
+    let layout = Layout::read(&table.names, joints, &header, &place, findings);
+    let kinds = layout.headings.iter().map(Heading::cells);
+    let (columns, line) = table.rows(kinds, bytes, file, findings, part)?;
+    Ok(Some(Table {
+        layout,
+        names: table.names,
+        columns,
+        line,
+    }))
 }
 
 /// Makes samples of the rows of a text file, and says of each on which line it stands.

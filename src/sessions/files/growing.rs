@@ -15,7 +15,7 @@ use crate::progress::{Progress, unwatched};
 use crate::sessions::domain::{Samples, Session, Target};
 use crate::sessions::files::assemble;
 use crate::sessions::files::assemble::Declared;
-use crate::sessions::files::{csv, open};
+use crate::sessions::files::open;
 use crate::sessions::references::References;
 
 /// As many bytes before the place that was read to are remembered.
@@ -160,7 +160,7 @@ impl Growing {
         let input = heading.chain(bytes);
         let joints = Some(self.joints.as_slice());
         let progress = Progress::new(&unwatched);
-        let table = csv::read(input, None, &file, joints, &mut findings, progress.whole());
+        let table = assemble::table(input, None, &file, joints, &mut findings, progress.whole());
         let table = table.map_err(|error| {
             let error = Diagnostic::error(
                 file.clone(),

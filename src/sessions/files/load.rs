@@ -18,7 +18,7 @@ use crate::sessions::files::format_v1::head;
 use crate::sessions::files::format_v1::head::SamplesAt;
 use crate::sessions::files::format_v1::inline;
 use crate::sessions::files::format_v1::robot::ROBOT;
-use crate::sessions::files::{assemble, csv, open};
+use crate::sessions::files::{assemble, open};
 use crate::sessions::validation;
 
 /// A session and the notes and warnings that came up on the way.
@@ -286,7 +286,7 @@ fn samples_from(
 ) -> Option<Samples> {
     let hash = file_hash::begun(wanted.sha256.is_some());
     let input = HashedInput::new(input, &hash);
-    let table = csv::read(input, bytes, file, wanted.joints, findings, wanted.part);
+    let table = assemble::table(input, bytes, file, wanted.joints, findings, wanted.part);
     if let (Some(found), Some(own)) = (file_hash::ended(hash), &wanted.sha256)
         && found != *own
         && matches!(table, Ok(Some(_)))

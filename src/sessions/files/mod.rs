@@ -1,7 +1,7 @@
 //! How a session lies on the disk. What was measured ([`Session`](super::Session) and its parts) knows nothing of it.
 //!
-//! The way in: bytes → `document` (a tree that knows places) → `format_v1` (units, ranges, the robot) → `csv` or inline
-//! columns → `assemble` (samples in inner units). The way out: `save`, whole or not at all, with the columns of
+//! The way in: bytes → `document` (a tree that knows places) → `format_v1` (units, ranges, the robot) →
+//! [`tables`](crate::tables) or inline columns → `assemble` (samples in inner units). The way out: `save`, whole or not at all, with the columns of
 //! `saved_columns`.
 //!
 //! - `open`: files that a document names, and nothing else; `file_hash`: whether they are still the same.
@@ -10,7 +10,6 @@
 
 pub(crate) mod assemble;
 pub(crate) mod bundled;
-mod csv;
 mod file_hash;
 pub(crate) mod format_v1;
 pub(crate) mod growing;

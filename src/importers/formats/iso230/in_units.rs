@@ -2,11 +2,11 @@
 
 use super::parts::TableColumn;
 use crate::document::number::quoted;
-use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::settings::{About, ReadContext};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;
+use crate::tables::Grid;
 
 /// Units of targets and of what was measured.
 #[derive(Debug, Clone, Copy)]

@@ -14,15 +14,15 @@ mod parts;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::decimals::{Decimal, value};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
-use crate::importers::grid::{Complaints, Grid};
-use crate::importers::reader::{direction, extent, fixed};
+use crate::importers::reader::{direction, extent, fixed, others_like_these};
 use crate::importers::role::Role;
 use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::Cells;
+use crate::tables::Cells;
+use crate::tables::decimals::{Decimal, value};
+use crate::tables::{Complaints, Grid};
 use crate::text::{Template, Text};
 
 use in_units::{Units, units_of};
@@ -96,16 +96,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             None | Some(TableColumn::Direction | TableColumn::Run | TableColumn::Other)
         )
     };
-    let place = case.place.clone();
-    let found = &mut case.found;
-    let decimal = grid.decimal(
-        case.reading.decimal,
-        &is_number,
-        &place,
-        &mut found.questions,
-        &mut found.findings,
-    );
-    case.found.decimal = decimal;
+    let decimal = case.decimal_sign(&grid, &is_number);
     let units = units_of(case, &grid, &headings, &parts);
     let (decimal, units) = (decimal?, units?);
     let list = measurements(case, &grid, &parts, decimal);
@@ -186,7 +177,7 @@ fn measurements(
             }
         }
     });
-    complaints.into(&place, &mut case.found.findings);
+    complaints.into(&place, &mut case.found.findings, others_like_these);
     if empty > 0 {
         case.note(text!(
             one "{count} cell is empty: not measured, excluded",

@@ -1,10 +1,10 @@
 //! What the columns of such a table are.
 
 use crate::document::number::quoted;
-use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::reader::direction;
 use crate::importers::settings::{About, ReadContext};
+use crate::tables::Grid;
 
 /// What a column of the table is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,7 +11,7 @@ use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::table::{Cells, Names};
+use crate::tables::{Cells, Names};
 
 use super::messages::Measured;
 use super::options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};

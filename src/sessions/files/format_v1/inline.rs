@@ -5,10 +5,11 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Fields, Member, Node, Path, Source, Value, element_offset};
 use crate::kinematics::Joint;
-use crate::sessions::columns::CellKind;
 use crate::sessions::layout::Layout;
-use crate::sessions::lines::Lines;
-use crate::sessions::table::{Cells, Names, Table};
+use crate::sessions::table::Table;
+use crate::tables::CellKind;
+use crate::tables::Lines;
+use crate::tables::{Cells, Names};
 
 /// A table and where its columns stand in the document, so that a finding can name its place.
 pub(crate) struct Inline {

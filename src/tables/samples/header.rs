@@ -5,23 +5,24 @@ use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{any_decimal, quoted};
-use crate::sessions::files::csv::blocks::Blocks;
-use crate::sessions::files::csv::cells::{Cell, Stop};
+use crate::tables::encoding::{Mark, mark};
+
+use super::blocks::Blocks;
+use super::cells::{Sample, Stop};
 
 /// A session has fewer columns, with every quantity of a hundred joints.
 const MOST_COLUMNS: usize = 10_000;
 
 /// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
-pub(crate) fn read<R: Read>(
+pub(super) fn read<R: Read>(
     blocks: &mut Blocks<R>,
     file: &Place,
     findings: &mut Vec<Diagnostic>,
 ) -> io::Result<Option<Vec<String>>> {
     let start = blocks.peek()?;
-    let bom = if start.starts_with(b"\xef\xbb\xbf") {
-        3
-    } else {
-        0
+    let bom = match mark(start) {
+        Some((Mark::Utf8, length)) => length,
+        _ => 0,
     };
     if let Some(diagnostic) = something_else(&start[bom..], file) {
         findings.push(diagnostic);
@@ -41,7 +42,7 @@ pub(crate) fn read<R: Read>(
     let mut names = Vec::new();
     let mut at = 0;
     loop {
-        let cell = Cell::read(lines.bytes, at, lines.end);
+        let cell = Sample::read(lines.bytes, at, lines.end);
         match cell.text() {
             Ok(_) if names.len() == MOST_COLUMNS => {
                 findings.push(Diagnostic::error(
@@ -88,8 +89,12 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
             phrase!("a line of headings and one line per sample"),
         );
     }
-    if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-        return error(text!("a file in UTF-16"), IMPORT);
+    match mark(start) {
+        Some((Mark::Utf16Le | Mark::Utf16Be, _)) => {
+            return error(text!("a file in UTF-16"), IMPORT);
+        }
+        Some((Mark::Utf32, _)) => return error(text!("a file in UTF-32"), IMPORT),
+        Some((Mark::Utf8, _)) | None => {}
     }
     let nul = memchr::memchr(0, start)?;
     if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {

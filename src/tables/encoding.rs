@@ -40,6 +40,26 @@ impl fmt::Display for Encoding {
     }
 }
 
+/// What a byte order mark says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mark {
+    Utf8,
+    Utf16Le,
+    Utf16Be,
+    Utf32,
+}
+
+/// The byte order mark of a file and its length.
+pub(crate) fn mark(bytes: &[u8]) -> Option<(Mark, usize)> {
+    Some(match bytes {
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => (Mark::Utf32, 4),
+        [0xff, 0xfe, ..] => (Mark::Utf16Le, 2),
+        [0xfe, 0xff, ..] => (Mark::Utf16Be, 2),
+        [0xef, 0xbb, 0xbf, ..] => (Mark::Utf8, 3),
+        _ => return None,
+    })
+}
+
 /// How much of a file without a byte order mark is looked at for UTF-16.
 const LOOKED_AT: usize = 1024;
 
@@ -53,14 +73,12 @@ pub(crate) fn decode<'a>(
     if bytes.trim_ascii().is_empty() {
         return Err(refused(text!("an empty file")));
     }
-    let (text, encoding) = match bytes {
-        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => {
-            return Err(refused(text!("a file in UTF-32")));
-        }
-        [0xff, 0xfe, rest @ ..] => (utf_16(rest, UTF_16LE, file)?, Encoding::Utf16Le),
-        [0xfe, 0xff, rest @ ..] => (utf_16(rest, UTF_16BE, file)?, Encoding::Utf16Be),
-        [0xef, 0xbb, 0xbf, rest @ ..] => utf_8_or_windows(rest, file, findings),
-        _ => match zeros(bytes) {
+    let (text, encoding) = match mark(bytes) {
+        Some((Mark::Utf32, _)) => return Err(refused(text!("a file in UTF-32"))),
+        Some((Mark::Utf16Le, mark)) => (utf_16(&bytes[mark..], UTF_16LE, file)?, Encoding::Utf16Le),
+        Some((Mark::Utf16Be, mark)) => (utf_16(&bytes[mark..], UTF_16BE, file)?, Encoding::Utf16Be),
+        Some((Mark::Utf8, mark)) => utf_8_or_windows(&bytes[mark..], file, findings),
+        None => match zeros(bytes) {
             [0, 0] => utf_8_or_windows(bytes, file, findings),
             [even, odd] => {
                 let (decoder, encoding) = if odd > even {

@@ -6,18 +6,14 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
-use crate::importers::decimals::{Decimal, Decision, Votes, shape};
-use crate::importers::headings::understand;
-use crate::importers::role::Role;
-use crate::importers::rows::{OpenQuote, Row, Rows, Separator};
-use crate::importers::settings::{About, Question};
-use crate::importers::units;
 use crate::progress::ProgressSpan;
-use crate::sessions::columns::Unit;
-use crate::text::Text;
 
-/// Lines that are looked at for the separator and the start of the table.
-const LOOKED_AT: usize = 400;
+use super::complaints::Complaints;
+use super::decimals::Votes;
+use super::dialect::{Dialect, Separator};
+use super::head::{Head, LOOKED_AT, Words, header_in_comment, numbers_in, take_header};
+use super::rows::{OpenQuote, TextRow, TextRows};
+
 /// Columns that a table may have.
 pub(crate) const MOST_COLUMNS: usize = 1024;
 /// Lines before the table that are kept, the last ones.
@@ -34,7 +30,7 @@ pub(crate) struct Grid<'a> {
     /// Number of cells in a row.
     pub(crate) width: usize,
     /// Stands before the first row.
-    body: Rows<'a>,
+    body: TextRows<'a>,
     /// The work that going through all rows belongs to.
     part: Option<ProgressSpan<'a>>,
 }
@@ -52,6 +48,7 @@ impl<'a> Grid<'a> {
         text: &'a str,
         separator: Option<Separator>,
         header: Option<u64>,
+        words: &Words,
         file: &Place,
     ) -> Result<Self, Box<Diagnostic>> {
         let candidates = match separator {
@@ -87,7 +84,7 @@ impl<'a> Grid<'a> {
             let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
-        let found = Self::with(text, separator, width, numbers)
+        let found = Self::with(text, separator, (width, numbers), words)
             .map_err(|quote| Box::new(open_quote(file, quote)))?;
         match header {
             None => Ok(found),
@@ -101,13 +98,13 @@ impl<'a> Grid<'a> {
 
     /// The same table with its header in this line, and everything below it as rows.
     fn below(self, text: &'a str, line: u64, file: &Place) -> Result<Self, Box<Diagnostic>> {
-        let mut rows = Rows::new(text, self.separator);
-        let mut row = Row::default();
+        let mut rows = TextRows::new(text, Dialect::foreign(self.separator));
+        let mut row = TextRow::default();
         let mut before: Vec<Vec<String>> = Vec::new();
         loop {
             match rows.next(&mut row) {
                 Ok(true) if row.line < line => {
-                    before.push(row.cells.iter().map(ToString::to_string).collect());
+                    before.push(row.owned());
                     if before.len() > 2 * SHOWN {
                         before.drain(..SHOWN);
                     }
@@ -123,7 +120,7 @@ impl<'a> Grid<'a> {
             }
         }
         before.drain(..before.len().saturating_sub(SHOWN));
-        let mut names: Vec<String> = row.cells.iter().map(ToString::to_string).collect();
+        let mut names: Vec<String> = row.owned();
         names.resize(names.len().max(self.width), String::new());
         Ok(Self {
             preamble: before,
@@ -137,12 +134,12 @@ impl<'a> Grid<'a> {
     fn with(
         text: &'a str,
         separator: Separator,
-        width: usize,
-        numbers: usize,
+        (width, numbers): (usize, usize),
+        words: &Words,
     ) -> Result<Self, OpenQuote> {
         let enough = numbers.div_ceil(2).max(1);
-        let mut rows = Rows::new(text, separator);
-        let mut row = Row::default();
+        let mut rows = TextRows::new(text, Dialect::foreign(separator));
+        let mut row = TextRow::default();
         let mut before: Vec<(u64, Vec<String>)> = Vec::new();
         let body = loop {
             let start = rows.clone();
@@ -152,16 +149,15 @@ impl<'a> Grid<'a> {
             if row.cells.len() == width && numbers_in(&row) >= enough {
                 break start;
             }
-            let cells = row.cells.iter().map(ToString::to_string).collect();
-            before.push((row.line, cells));
+            before.push((row.line, row.owned()));
             // Only the last lines can be a header.
             if before.len() > LOOKED_AT {
                 before.drain(..LOOKED_AT / 2);
             }
         };
-        let header = take_header(&mut before, width).or_else(|| {
-            let (line, comment) = rows.comment?;
-            header_in_comment(comment, separator, width).map(|cells| (line, cells))
+        let header = take_header(&mut before, width, words).or_else(|| {
+            let (line, comment) = rows.comment()?;
+            header_in_comment(comment, separator, width, words).map(|cells| (line, cells))
         });
         before.drain(..before.len().saturating_sub(SHOWN));
         Ok(Self {
@@ -186,13 +182,13 @@ impl<'a> Grid<'a> {
         &self,
         file: &Place,
         complaints: &mut Complaints,
-        mut each: impl FnMut(&Row<'a>, &mut Complaints),
+        mut each: impl FnMut(&TextRow<'a>, &mut Complaints),
     ) {
         let mut rows = self.body.clone();
         if let Some(part) = self.part {
             rows = rows.in_pass_of(part);
         }
-        let mut row = Row::default();
+        let mut row = TextRow::default();
         loop {
             match rows.next(&mut row) {
                 Ok(true) => {}
@@ -224,235 +220,40 @@ impl<'a> Grid<'a> {
     /// The first rows as they stand.
     pub(crate) fn first_rows(&self, count: usize) -> Vec<Vec<String>> {
         let mut rows = self.body.clone();
-        let mut row = Row::default();
+        let mut row = TextRow::default();
         let mut first = Vec::new();
         while first.len() < count && rows.next(&mut row) == Ok(true) {
-            first.push(row.cells.iter().map(ToString::to_string).collect());
+            first.push(row.owned());
         }
         first
     }
 
-    /// Which decimal sign the number columns have, by all of their cells.
-    pub(crate) fn decimal(
-        &self,
-        given: Option<Decimal>,
-        is_number: &dyn Fn(usize) -> bool,
-        file: &Place,
-        questions: &mut Vec<Question>,
-        findings: &mut Vec<Diagnostic>,
-    ) -> Option<Decimal> {
-        if given.is_some() {
-            return given;
-        }
+    /// What the cells of the number columns say about the decimal sign.
+    pub(crate) fn votes(&self, is_number: &dyn Fn(usize) -> bool, file: &Place) -> Votes {
         let mut votes = Votes::default();
         // What is wrong with rows is said when they are read.
-        let mut ignored = Complaints::default();
-        self.each_row(file, &mut ignored, |row, _| {
+        self.each_row(file, &mut Complaints::default(), |row, _| {
             for (index, cell) in row.cells.iter().take(self.width).enumerate() {
                 if is_number(index) && cell.bytes().any(|byte| byte == b',' || byte == b'.') {
                     votes.add(cell, row.line, index + 1);
                 }
             }
         });
-        let place = |example: &crate::importers::decimals::Example| {
-            let place = file.clone().at_line(example.line);
-            place.at_column(example.column as u64)
-        };
-        match votes.decide() {
-            Decision::Is(decimal) => Some(decimal),
-            Decision::Ask(example) => {
-                let says = text!(
-                    "{cell} is {decimal} with a decimal comma, or {grouped} with a comma between thousands, and no other number tells",
-                    cell = quoted(&example.cell),
-                    decimal = example.cell.replace(',', "."),
-                    grouped = example.cell.replace(',', "")
-                );
-                questions.push(Question::new(
-                    About::Decimal,
-                    place(&example),
-                    says,
-                    &[",", "."],
-                ));
-                None
-            }
-            Decision::Mixed(point, comma) => {
-                let found = text!(
-                    "{cell} here and {other} in line {line}: a decimal point and a decimal comma",
-                    cell = quoted(&comma.cell),
-                    other = quoted(&point.cell),
-                    line = point.line
-                );
-                let expected = text!(
-                    "one decimal sign in the whole file, or --decimal if one of the two separates thousands"
-                );
-                findings.push(Diagnostic::error(place(&comma), found, expected));
-                None
-            }
-        }
+        votes
     }
-
-    /// The unit that a line before the table names.
-    pub(crate) fn unit_in_preamble(&self) -> Option<(String, Unit)> {
-        let mut named = self
-            .preamble
-            .iter()
-            .filter_map(|cells| units::named_in_preamble(cells));
-        let first = named.next()?;
-        // Two different units name none.
-        named.all(|other| other.1 == first.1).then_some(first)
-    }
-}
-
-/// Complaints about the rows of one file, the first ones in full.
-#[derive(Debug, Default)]
-pub(crate) struct Complaints {
-    pub(crate) findings: Vec<Diagnostic>,
-    more: usize,
-}
-
-impl Complaints {
-    const MOST: usize = 20;
-
-    pub(crate) fn add(&mut self, complaint: impl FnOnce() -> Diagnostic) {
-        if self.findings.len() < Self::MOST {
-            self.findings.push(complaint());
-        } else {
-            self.more += 1;
-        }
-    }
-
-    pub(crate) fn into(self, file: &Place, findings: &mut Vec<Diagnostic>) {
-        findings.extend(self.findings);
-        if self.more > 0 {
-            let found = text!("{more} more cells or rows like these", more = self.more);
-            findings.push(Diagnostic::error(file.clone(), found, Text::default()));
-        }
-    }
-}
-
-fn is_number(cell: &str) -> bool {
-    shape(cell).is_some()
-}
-
-fn numbers_in(row: &Row<'_>) -> usize {
-    row.cells.iter().filter(|cell| is_number(cell)).count()
-}
-
-/// What the first lines are like with one separator.
-struct Head {
-    /// Cells and numbers of each line.
-    lines: Vec<(usize, usize)>,
-    open_quote: Option<OpenQuote>,
-}
-
-impl Head {
-    fn read(text: &str, separator: Separator) -> Self {
-        let mut rows = Rows::new(text, separator);
-        let mut row = Row::default();
-        let mut head = Self {
-            lines: Vec::new(),
-            open_quote: None,
-        };
-        while head.lines.len() < LOOKED_AT {
-            match rows.next(&mut row) {
-                Ok(true) => head.lines.push((row.cells.len(), numbers_in(&row))),
-                Ok(false) => break,
-                Err(quote) => {
-                    head.open_quote = Some(quote);
-                    break;
-                }
-            }
-        }
-        head
-    }
-
-    /// Whether this is a column of numbers below a heading.
-    fn is_single(&self) -> bool {
-        let numbers = self.lines.iter().filter(|line| **line == (1, 1)).count();
-        numbers > 0 && numbers + 1 >= self.lines.len()
-    }
-
-    /// How much of a table this is, with its number of columns and of number columns: over the
-    /// lines of the best width, the sum of numbers² / cells, which favours many numbers and few
-    /// other cells.
-    fn quality(&self) -> Option<(f64, usize, usize)> {
-        let mut widths: Vec<usize> = self.lines.iter().map(|line| line.0).collect();
-        widths.sort_unstable();
-        widths.dedup();
-        let of_width = |width: usize| {
-            let mut numbers: Vec<usize> = self
-                .lines
-                .iter()
-                .filter(|line| line.0 == width && line.1 > 0)
-                .map(|line| line.1)
-                .collect();
-            numbers.sort_unstable();
-            let typical = *numbers.get(numbers.len() / 2)?;
-            let sum: f64 = numbers.iter().map(|&n| (n * n) as f64 / width as f64).sum();
-            Some((sum, width, typical))
-        };
-        let tables = widths.into_iter().filter(|width| *width > 1);
-        tables
-            .filter_map(of_width)
-            .reduce(|best, next| if next.0 > best.0 { next } else { best })
-    }
-}
-
-/// Takes the header out of the lines before the table.
-fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u64, Vec<String>)> {
-    let fits = |cells: &[String]| {
-        let filled = cells
-            .iter()
-            .rposition(|cell| !cell.is_empty())
-            .map_or(0, |at| at + 1);
-        let numbers = cells.iter().filter(|cell| is_number(cell)).count();
-        // A line of one or two words is a remark, unless the table is as narrow.
-        cells.len() >= width.saturating_sub(1).max(1)
-            && (filled > 2 || filled + 1 >= width)
-            && 2 * numbers < filled.max(1)
-    };
-    let (line, mut cells) = before.pop_if(|(_, cells)| fits(cells))?;
-    let is_unit = |cell: &String| {
-        let plain = cell.trim_matches(['[', ']', '(', ')']);
-        cell.is_empty() || plain == "-" || units::word(plain).is_some()
-    };
-    // `X;Y;Z`, then `mm;mm;mm`. A column called `M` or `In` alone is no line of units.
-    let some = cells.iter().filter(|cell| !cell.is_empty()).count();
-    let all_units = some > 1 && cells.iter().all(is_unit);
-    if all_units && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells)) {
-        let joined = names.iter().enumerate().map(|(index, name)| {
-            match cells
-                .get(index)
-                .map(|cell| cell.trim_matches(['[', ']', '(', ')']))
-            {
-                None | Some("" | "-") => name.clone(),
-                Some(unit) => format!("{name} [{unit}]"),
-            }
-        });
-        return Some((line, joined.collect()));
-    }
-    cells.resize(cells.len().max(width), String::new());
-    Some((line, cells))
-}
-
-/// `# name x y z`: a header behind a comment sign, if its words are known.
-fn header_in_comment(comment: &str, separator: Separator, width: usize) -> Option<Vec<String>> {
-    let mut row = Row::default();
-    let mut rows = Rows::new(comment, separator);
-    if rows.next(&mut row) != Ok(true) || row.cells.len() != width {
-        return None;
-    }
-    let known = |cell: &&std::borrow::Cow<'_, str>| !matches!(understand(cell), Role::Kept);
-    let enough = row.cells.iter().filter(known).count() >= 2;
-    enough.then(|| row.cells.iter().map(ToString::to_string).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const WORDS: Words = Words {
+        is_heading: |cell| matches!(cell, "name" | "x" | "y" | "z"),
+        is_unit: |cell| matches!(cell, "mm" | "m" | "in"),
+    };
+
     fn find(text: &str) -> Grid<'_> {
-        Grid::find(text, None, None, &Place::default()).expect("there is a table")
+        Grid::find(text, None, None, &WORDS, &Place::default()).expect("there is a table")
     }
 
     fn header(text: &str) -> String {
@@ -498,7 +299,7 @@ mod tests {
     fn a_text_without_a_table_is_no_table() {
         for text in ["hello\nworld\n", "1\nx\ny\n", "a,b\nc,d\n", "1,\"2\n"] {
             assert!(
-                Grid::find(text, None, None, &Place::default()).is_err(),
+                Grid::find(text, None, None, &WORDS, &Place::default()).is_err(),
                 "{text}"
             );
         }

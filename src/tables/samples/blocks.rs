@@ -8,10 +8,10 @@ use crate::document::number::PADDING;
 const BLOCK: usize = 256 << 10;
 
 /// No sample has a line this long.
-pub(crate) const LONGEST_LINE: usize = 64 << 20;
+pub(super) const LONGEST_LINE: usize = 64 << 20;
 
 /// Reads ahead of the rows.
-pub(crate) struct Blocks<R> {
+pub(super) struct Blocks<R> {
     input: R,
     /// `filled` bytes, then at least [`PADDING`] that are no digits.
     buffer: Vec<u8>,
@@ -25,17 +25,17 @@ pub(crate) struct Blocks<R> {
 }
 
 /// Complete lines.
-pub(crate) struct Lines<'a> {
+pub(super) struct Lines<'a> {
     /// The lines and, beyond `end`, what must not be looked at but may be loaded.
-    pub(crate) bytes: &'a [u8],
+    pub(super) bytes: &'a [u8],
     /// Where the last complete line ends.
-    pub(crate) end: usize,
+    pub(super) end: usize,
     /// Whether the input ends here.
-    pub(crate) last: bool,
+    pub(super) last: bool,
 }
 
 impl<R: Read> Blocks<R> {
-    pub(crate) fn new(input: R) -> Self {
+    pub(super) fn new(input: R) -> Self {
         Self {
             input,
             buffer: vec![0; BLOCK + PADDING],
@@ -47,13 +47,13 @@ impl<R: Read> Blocks<R> {
     }
 
     /// What was read so far and not consumed; reads the first block where nothing was.
-    pub(crate) fn peek(&mut self) -> io::Result<&[u8]> {
+    pub(super) fn peek(&mut self) -> io::Result<&[u8]> {
         self.fill()?;
         Ok(&self.buffer[..self.filled])
     }
 
     /// The complete lines that are at hand; `None` at the end of the input.
-    pub(crate) fn next_rows(&mut self) -> io::Result<Option<Lines<'_>>> {
+    pub(super) fn next_rows(&mut self) -> io::Result<Option<Lines<'_>>> {
         loop {
             if self.stuck && !self.grow() {
                 return Ok(None);
@@ -79,7 +79,7 @@ impl<R: Read> Blocks<R> {
     }
 
     /// The first bytes are done with.
-    pub(crate) fn consume(&mut self, used: usize) {
+    pub(super) fn consume(&mut self, used: usize) {
         self.stuck = used == 0;
         self.buffer.copy_within(used..self.filled, 0);
         self.filled -= used;
@@ -87,7 +87,7 @@ impl<R: Read> Blocks<R> {
     }
 
     /// About how many rows the whole input has, judged by the lines that are at hand.
-    pub(crate) fn rows_to_expect(&self, bytes: Option<u64>) -> usize {
+    pub(super) fn rows_to_expect(&self, bytes: Option<u64>) -> usize {
         /// Whatever the file says of its size, more than this is not reserved in advance.
         const MOST: u64 = 4 << 20;
         let sample = &self.buffer[..self.filled];
@@ -100,7 +100,7 @@ impl<R: Read> Blocks<R> {
     }
 
     /// The line that did not fit, given the number of the line that was to come next.
-    pub(crate) fn endless_line(&self, next: u64) -> Option<u64> {
+    pub(super) fn endless_line(&self, next: u64) -> Option<u64> {
         self.endless.then_some(next)
     }
 

@@ -9,11 +9,12 @@
 //! A stretch with anything else in it is given back untouched, and its rows are taken one by one:
 //! only there is anything complained about, in the order of the file.
 
-use super::starts::Mark;
 use crate::document::number::{any_decimal, plain_decimal, short_decimal};
-use crate::sessions::files::csv::cells::{Cell, trimmed};
-use crate::sessions::files::csv::table_rows::Rows;
-use crate::sessions::table::Cells;
+use crate::tables::columns::Cells;
+
+use super::cells::{Sample, trimmed};
+use super::rows::Rows;
+use super::starts::Mark;
 
 /// The value of a cell of this length, at most fifteen, at the start of these bytes, if it is a
 /// plain number: `[-]digits[.digits]`.
@@ -83,7 +84,7 @@ fn take_column(
 ) -> bool {
     let Cells::Numbers(values) = column else {
         return spans.all(|(start, end)| {
-            bytes[end] == ended_by && Cell::read(bytes, start, end + 1).store_text(column)
+            bytes[end] == ended_by && Sample::read(bytes, start, end + 1).store_text(column)
         });
     };
     let before = values.len();

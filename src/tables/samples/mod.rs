@@ -1,10 +1,10 @@
-//! Reads a CSV file of samples, in one pass and large blocks.
+//! A CSV file of samples, in one pass and large blocks.
 //!
 //! The file is never mapped (a mapped file that shrinks kills the program) and never held whole:
 //! a block is read, its complete rows go straight into their columns, and what is left of the last
 //! row moves to the front of the next block. Regular rows go column by column, a [`stretch`] at a
 //! time; the others row by row and cell by cell. Numbers take the exact short cut of
-//! [`number`](crate::sessions::number); everything else, quotes and every complaint included, is off the hot
+//! [`number`](crate::document::number); everything else, quotes and every complaint included, is off the hot
 //! path in [`cells`].
 //!
 //! Dialect: UTF-8 (a byte order mark is skipped), comma, decimal point, LF or CRLF, `"` around
@@ -13,101 +13,97 @@
 
 mod blocks;
 mod cells;
-mod complaints;
 mod header;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
+mod rows;
 mod starts;
 mod stretch;
-mod table_rows;
 
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{plain_decimal, short_cell, short_decimal};
-use crate::kinematics::Joint;
 use crate::progress::ProgressSpan;
-use crate::sessions::files::csv::blocks::Blocks;
-use crate::sessions::files::csv::cells::{Cell, Stop};
-use crate::sessions::files::csv::starts::{Mark, Starts};
-use crate::sessions::files::csv::stretch::{Decimal, Tools};
-use crate::sessions::layout::Layout;
-use crate::sessions::lines::Lines;
-use crate::sessions::table::{Cells, Table};
-pub(crate) use complaints::Complaints;
-use table_rows::Rows;
 
-/// Reads a table, told as `part` of something. `bytes` is the length of the input where it is known.
-/// `None` when the headings already make no sense; otherwise the table is whole only if `findings`
-/// got no error.
-///
-/// # Errors
-/// What reading from `input` says, or that it was cancelled.
-pub(crate) fn read(
-    input: impl Read,
-    bytes: Option<u64>,
-    file: &Place,
-    joints: Option<&[Joint]>,
-    findings: &mut Vec<Diagnostic>,
-    part: ProgressSpan<'_>,
-) -> io::Result<Option<Table>> {
-    let mut blocks = Blocks::new(input);
-    let Some(names) = header::read(&mut blocks, file, findings)? else {
-        return Ok(None);
-    };
-    let place = |index: usize| {
-        let column = file.clone().at_line(1).at_column(index as u64 + 1);
-        column.in_field(names[index].as_str())
-    };
-    let header = file.clone().at_line(1);
-    let layout = Layout::read(&names, joints, &header, &place, findings);
-    let rows = blocks.rows_to_expect(bytes);
-    let columns = layout
-        .headings
-        .iter()
-        .map(|heading| Cells::of(heading.cells(), rows))
-        .collect();
-    let mut rows = Rows {
-        columns,
-        line: Lines::default(),
-        next_line: 2,
-        starts: Starts::new(),
-        complaints: Complaints::new(file, &names),
-    };
-    let mut done = 0;
-    while let Some(block) = blocks.next_rows()? {
-        let used = rows.take(block.bytes, block.end, block.last);
-        blocks.consume(used);
-        done += used as u64;
-        part.reached(done as f64 / bytes.unwrap_or(0).max(done) as f64)?;
-        if rows.complaints.hopeless {
-            break;
-        }
+use super::columns::{CellKind, Cells};
+use super::lines::Lines;
+use blocks::Blocks;
+use cells::{Sample, Stop};
+use rows::{CellComplaints, Rows};
+use starts::{Mark, Starts};
+use stretch::{Decimal, Tools};
+
+/// A table whose headings were read.
+pub(crate) struct SampleTable<R> {
+    /// The headings.
+    pub(crate) names: Vec<String>,
+    blocks: Blocks<R>,
+}
+
+impl<R: Read> SampleTable<R> {
+    /// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
+    ///
+    /// # Errors
+    /// What reading from `input` says.
+    pub(crate) fn open(
+        input: R,
+        file: &Place,
+        findings: &mut Vec<Diagnostic>,
+    ) -> io::Result<Option<Self>> {
+        let mut blocks = Blocks::new(input);
+        let names = header::read(&mut blocks, file, findings)?;
+        Ok(names.map(|names| Self { names, blocks }))
     }
-    if let Some(line) = blocks.endless_line(rows.next_line) {
-        let place = file.clone().at_line(line);
-        findings.push(Diagnostic::error(
-            place,
-            text!(
+
+    /// Reads the rows, told as `part` of something: a column for each of the kinds, which are those of the headings,
+    /// and the line of each row. `bytes` is the length of the input where it is known. They are whole only if
+    /// `findings` got no error.
+    ///
+    /// # Errors
+    /// What reading from the input says, or that it was cancelled.
+    pub(crate) fn rows(
+        &mut self,
+        kinds: impl Iterator<Item = CellKind>,
+        bytes: Option<u64>,
+        file: &Place,
+        findings: &mut Vec<Diagnostic>,
+        part: ProgressSpan<'_>,
+    ) -> io::Result<(Vec<Cells>, Lines)> {
+        let Self { names, blocks } = self;
+        let expected = blocks.rows_to_expect(bytes);
+        let mut rows = Rows {
+            columns: kinds.map(|kind| Cells::of(kind, expected)).collect(),
+            line: Lines::default(),
+            next_line: 2,
+            starts: Starts::new(),
+            complaints: CellComplaints::new(file, names),
+        };
+        let mut done = 0;
+        while let Some(block) = blocks.next_rows()? {
+            let used = rows.take(block.bytes, block.end, block.last);
+            blocks.consume(used);
+            done += used as u64;
+            part.reached(done as f64 / bytes.unwrap_or(0).max(done) as f64)?;
+            if rows.complaints.hopeless {
+                break;
+            }
+        }
+        if let Some(line) = blocks.endless_line(rows.next_line) {
+            let found = text!(
                 "a line of more than {blocks} MiB",
                 blocks = blocks::LONGEST_LINE >> 20
-            ),
-            text!("one sample per line"),
-        ));
+            );
+            let place = file.clone().at_line(line);
+            findings.push(Diagnostic::error(
+                place,
+                found,
+                text!("one sample per line"),
+            ));
+        }
+        rows.complaints.into(findings);
+        Ok((rows.columns, rows.line))
     }
-    let Rows {
-        columns,
-        line,
-        complaints,
-        ..
-    } = rows;
-    complaints.into(findings);
-    Ok(Some(Table {
-        layout,
-        names,
-        columns,
-        line,
-    }))
 }
 
 impl Rows<'_> {
@@ -193,8 +189,8 @@ impl Rows<'_> {
                 };
                 continue;
             }
-            let cell = Cell::read(bytes, at, end);
-            if cell.unclosed && !last {
+            let cell = Sample::read(bytes, at, end);
+            if cell.is_open() && !last {
                 for column in &mut self.columns {
                     column.truncate(rows);
                 }

@@ -16,8 +16,9 @@ use std::arch::x86_64::{
 };
 
 use crate::document::number::ratio;
-use crate::sessions::files::csv::stretch::{SHORT, Tools};
-use crate::sessions::files::csv::table_rows::Rows;
+
+use super::rows::Rows;
+use super::stretch::{SHORT, Tools};
 
 /// As [`Rows::take_with`] the portable way; `None` where the processor cannot.
 pub(super) fn take(rows: &mut Rows<'_>, bytes: &[u8], end: usize, last: bool) -> Option<usize> {

@@ -1,0 +1,142 @@
+//! What the first lines of a text are like: how much of a table they are with a separator, and which of them is the
+//! header.
+
+use super::decimals::shape;
+use super::dialect::{Dialect, Separator};
+use super::rows::{OpenQuote, TextRow, TextRows};
+
+/// Lines that are looked at for the separator and the start of the table.
+pub(super) const LOOKED_AT: usize = 400;
+
+/// Words that whoever reads the table knows.
+pub(crate) struct Words {
+    /// Of a heading.
+    pub(crate) is_heading: fn(&str) -> bool,
+    /// Of a unit.
+    pub(crate) is_unit: fn(&str) -> bool,
+}
+
+fn is_number(cell: &str) -> bool {
+    shape(cell).is_some()
+}
+
+pub(super) fn numbers_in(row: &TextRow<'_>) -> usize {
+    row.cells.iter().filter(|cell| is_number(cell)).count()
+}
+
+/// What the first lines are like with one separator.
+pub(super) struct Head {
+    /// Cells and numbers of each line.
+    lines: Vec<(usize, usize)>,
+    pub(super) open_quote: Option<OpenQuote>,
+}
+
+impl Head {
+    pub(super) fn read(text: &str, separator: Separator) -> Self {
+        let mut rows = TextRows::new(text, Dialect::foreign(separator));
+        let mut row = TextRow::default();
+        let mut head = Self {
+            lines: Vec::new(),
+            open_quote: None,
+        };
+        while head.lines.len() < LOOKED_AT {
+            match rows.next(&mut row) {
+                Ok(true) => head.lines.push((row.cells.len(), numbers_in(&row))),
+                Ok(false) => break,
+                Err(quote) => {
+                    head.open_quote = Some(quote);
+                    break;
+                }
+            }
+        }
+        head
+    }
+
+    /// Whether this is a column of numbers below a heading.
+    pub(super) fn is_single(&self) -> bool {
+        let numbers = self.lines.iter().filter(|line| **line == (1, 1)).count();
+        numbers > 0 && numbers + 1 >= self.lines.len()
+    }
+
+    /// How much of a table this is, with its number of columns and of number columns: over the
+    /// lines of the best width, the sum of numbers² / cells, which favours many numbers and few
+    /// other cells.
+    pub(super) fn quality(&self) -> Option<(f64, usize, usize)> {
+        let mut widths: Vec<usize> = self.lines.iter().map(|line| line.0).collect();
+        widths.sort_unstable();
+        widths.dedup();
+        let of_width = |width: usize| {
+            let mut numbers: Vec<usize> = self
+                .lines
+                .iter()
+                .filter(|line| line.0 == width && line.1 > 0)
+                .map(|line| line.1)
+                .collect();
+            numbers.sort_unstable();
+            let typical = *numbers.get(numbers.len() / 2)?;
+            let sum: f64 = numbers.iter().map(|&n| (n * n) as f64 / width as f64).sum();
+            Some((sum, width, typical))
+        };
+        let tables = widths.into_iter().filter(|width| *width > 1);
+        tables
+            .filter_map(of_width)
+            .reduce(|best, next| if next.0 > best.0 { next } else { best })
+    }
+}
+
+/// Takes the header out of the lines before the table.
+pub(super) fn take_header(
+    before: &mut Vec<(u64, Vec<String>)>,
+    width: usize,
+    words: &Words,
+) -> Option<(u64, Vec<String>)> {
+    let fits = |cells: &[String]| {
+        let filled = cells
+            .iter()
+            .rposition(|cell| !cell.is_empty())
+            .map_or(0, |at| at + 1);
+        let numbers = cells.iter().filter(|cell| is_number(cell)).count();
+        // A line of one or two words is a remark, unless the table is as narrow.
+        cells.len() >= width.saturating_sub(1).max(1)
+            && (filled > 2 || filled + 1 >= width)
+            && 2 * numbers < filled.max(1)
+    };
+    let (line, mut cells) = before.pop_if(|(_, cells)| fits(cells))?;
+    let is_unit = |cell: &String| {
+        let plain = cell.trim_matches(['[', ']', '(', ')']);
+        cell.is_empty() || plain == "-" || (words.is_unit)(plain)
+    };
+    // `X;Y;Z`, then `mm;mm;mm`. A column called `M` or `In` alone is no line of units.
+    let some = cells.iter().filter(|cell| !cell.is_empty()).count();
+    let all_units = some > 1 && cells.iter().all(is_unit);
+    if all_units && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells)) {
+        let joined = names.iter().enumerate().map(|(index, name)| {
+            match cells
+                .get(index)
+                .map(|cell| cell.trim_matches(['[', ']', '(', ')']))
+            {
+                None | Some("" | "-") => name.clone(),
+                Some(unit) => format!("{name} [{unit}]"),
+            }
+        });
+        return Some((line, joined.collect()));
+    }
+    cells.resize(cells.len().max(width), String::new());
+    Some((line, cells))
+}
+
+/// `# name x y z`: a header behind a comment sign, if its words are known.
+pub(super) fn header_in_comment(
+    comment: &str,
+    separator: Separator,
+    width: usize,
+    words: &Words,
+) -> Option<Vec<String>> {
+    let mut row = TextRow::default();
+    let mut rows = TextRows::new(comment, Dialect::foreign(separator));
+    if rows.next(&mut row) != Ok(true) || row.cells.len() != width {
+        return None;
+    }
+    let known = row.cells.iter().filter(|cell| (words.is_heading)(cell));
+    (known.count() >= 2).then(|| row.owned())
+}

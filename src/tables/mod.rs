@@ -1,0 +1,38 @@
+//! Tables as they lie in files: one reader under sessions, instruments' files and targets of programs.
+//!
+//! ```text
+//! bytes → text (encoding) → what ends cells and lines (dialect) → one cell: where it is, its quotes (cell)
+//!       → rows: places or texts (rows) → where the table begins, its header (grid) → columns
+//! ```
+//!
+//! - Samples of a session are comma-separated and may be millions: `samples` takes them by the block, from a file that
+//!   is never held whole. What is regular goes column by column through wide registers; the rest cell by cell, as here.
+//! - Instruments write any dialect: [`Grid`] finds separator and header in a [text](encoding::decode) and
+//!   [`decimals`] the decimal sign.
+//! - Targets are changed in place: [`Rows`] says where their cells are, whatever the encoding.
+//!
+//! What headings mean is the affair of whoever reads; so is the sentence about what is wrong, for which there are
+//! [`Complaints`].
+
+mod cell;
+mod columns;
+mod complaints;
+pub(crate) mod decimals;
+mod dialect;
+pub(crate) mod encoding;
+mod grid;
+mod head;
+mod lines;
+mod rows;
+mod samples;
+
+pub(crate) use cell::Cell;
+pub(crate) use columns::{CellKind, Cells, Names};
+pub(crate) use complaints::Complaints;
+pub use dialect::Separator;
+pub(crate) use dialect::{Dialect, trimmed};
+pub(crate) use grid::{Grid, MOST_COLUMNS, open_quote};
+pub(crate) use head::Words;
+pub use lines::Lines;
+pub(crate) use rows::{OpenQuote, Row, Rows, TextRow, TextRows};
+pub(crate) use samples::SampleTable;

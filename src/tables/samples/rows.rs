@@ -1,0 +1,93 @@
+//! The rows of a table while they are read, and what is wrong with their cells.
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::tables::columns::Cells;
+use crate::tables::complaints::Complaints;
+use crate::tables::lines::Lines;
+use crate::text::Text;
+
+use super::starts::Starts;
+
+/// The rows so far.
+pub(super) struct Rows<'a> {
+    pub(super) columns: Vec<Cells>,
+    pub(super) line: Lines,
+    pub(super) next_line: u64,
+    pub(super) starts: Starts,
+    pub(super) complaints: CellComplaints<'a>,
+}
+
+/// Complaints that are worth printing; the rest is counted.
+pub(super) const MOST_COMPLAINTS: usize = 50;
+
+/// Problems in cells, with their places.
+pub(super) struct CellComplaints<'a> {
+    file: &'a Place,
+    names: &'a [String],
+    all: Complaints,
+    /// Binary: there is no point in going on.
+    pub(super) hopeless: bool,
+}
+
+impl<'a> CellComplaints<'a> {
+    pub(super) fn new(file: &'a Place, names: &'a [String]) -> Self {
+        Self {
+            file,
+            names,
+            all: Complaints::of_at_most(MOST_COMPLAINTS),
+            hopeless: false,
+        }
+    }
+
+    #[cold]
+    pub(super) fn about_cell(
+        &mut self,
+        line: u64,
+        index: usize,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
+    ) {
+        let place = self.place(line, index + 1);
+        let place = place.in_field(self.names[index].as_str());
+        self.all.add(|| Diagnostic::error(place, found, expected));
+    }
+
+    #[cold]
+    pub(super) fn too_few_cells(&mut self, line: u64, cells: usize, headings: usize) {
+        let found = text!(
+            "the line ends after {cells}",
+            cells = counted(cells, "cell")
+        );
+        let expected = text!(
+            "{headings}, one for each heading",
+            headings = counted(headings, "cell")
+        );
+        let place = self.place(line, cells);
+        self.all.add(|| Diagnostic::error(place, found, expected));
+    }
+
+    #[cold]
+    pub(super) fn too_many_cells(&mut self, line: u64, cells: usize, headings: usize) {
+        let found = Text::verbatim(counted(cells, "cell"));
+        let expected = text!(
+            "{headings}, one for each heading; a file with decimal commas is read by \
+             `truepose import --decimal ,`",
+            headings = counted(headings, "cell")
+        );
+        let place = self.place(line, headings + 1);
+        self.all.add(|| Diagnostic::error(place, found, expected));
+    }
+
+    fn place(&self, line: u64, column: usize) -> Place {
+        self.file.clone().at_line(line).at_column(column as u64)
+    }
+
+    pub(super) fn into(self, findings: &mut Vec<Diagnostic>) {
+        let others = |more| text!("{more} more problems of this kind", more = more);
+        self.all.into(self.file, findings, others);
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
