@@ -12,9 +12,8 @@ impl Where {
             Self::Range { variable, from, to } => {
                 if let Some((group, name)) = of_a_group(variable) {
                     return text!(
-                        "{group} {name}, samples {from} to {to}",
-                        group = group.name(),
-                        name = name,
+                        "{thing}, samples {from} to {to}",
+                        thing = group.called(name),
                         from = trimmed(*from, 0),
                         to = trimmed(*to, 0)
                     );

@@ -275,7 +275,7 @@ impl ReportContext<'_> {
             .collect();
         facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
         facts.push(fact(say!("Samples"), self.samples()));
-        if let Some(measured) = kinds::measured(s) {
+        if let Some(measured) = s.kinds_in_words().map(spoken) {
             facts.push(fact(say!("Measured"), measured));
         }
         facts.push(fact(say!("Conditions"), self.conditions()));

@@ -120,7 +120,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     }
     widgets::fact_of(ui, phrase!("samples"), samples);
     if let Some(kinds) = &subject.overview.kinds {
-        widgets::fact_of(ui, phrase!("measured"), kinds);
+        widgets::fact_of(ui, phrase!("measured"), language::spoken(kinds));
     }
     if session.targets.len() > 1 {
         widgets::fact_of(ui, phrase!("reflectors"), session.targets.len().to_string());
