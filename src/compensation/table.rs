@@ -270,7 +270,7 @@ impl JointTable {
             for about in own.map(|t| t.effect.about()) {
                 if about.of_other_joints {
                     notes.push(text!(
-                        "the {effect} of this joint depends on the other joints: they stand at home here",
+                        "the {effect} of this joint depends on the other joints: here they are at home",
                         effect = Text::named(about.title.english().to_lowercase(), about.title)
                     ));
                 }

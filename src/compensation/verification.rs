@@ -423,7 +423,7 @@ pub(super) fn model_for(
         .collect();
     if !dropped.is_empty() {
         notes.push(text!(
-            "{effects} belong to the session that the model came from and are left out",
+            "{effects} belong to the session that the model came from and are excluded",
             effects = Text::listed(dropped.into_iter().map(called), ", ")
         ));
     }

@@ -249,7 +249,7 @@ fn why(rivals: &[&Rival]) -> Text {
     let mut pairs: Vec<Text> = Vec::new();
     for rival in rivals {
         let pair = text!(
-            "tells {one} from {other}",
+            "distinguishes {one} from {other}",
             one = names(&rival.removed),
             other = names(&rival.instead)
         );

@@ -3,9 +3,9 @@
 use super::json::{Json, list, object};
 use super::numbers::plain;
 use super::table::{Cell, Column, Table};
-use crate::language::spoken;
 use crate::observations::figures::{Errors, KindFigures};
 use crate::observations::kind_in_words;
+use crate::text::{by_titles, current};
 
 /// One row for each kind; numbers are in its `unit`, mm or mrad.
 pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
@@ -31,6 +31,11 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
     })
 }
 
+/// What a kind is called, in the language of this thread.
+fn name_of(own: &KindFigures) -> String {
+    kind_in_words(own.kind).said(current(), by_titles())
+}
+
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
 pub(crate) fn table(kinds: &[KindFigures]) -> Table {
     let mut table = Table::of([
@@ -49,7 +54,7 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
         let fitted = own
             .fitted
             .as_ref()
-            .map(|errors| (spoken(kind_in_words(own.kind)), errors, own));
+            .map(|errors| (name_of(own), errors, own));
         let open = KindFigures {
             unseen_rms: None,
             stated_sigma: None,
@@ -58,7 +63,7 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
         };
         let held_out = own.held_out.as_ref();
         let held_out = held_out.map(|errors| {
-            let name = say!("{kind}, held out", kind = spoken(kind_in_words(own.kind)));
+            let name = say!("{kind}, held out", kind = name_of(own));
             (name, errors, &open)
         });
         for (name, errors, more) in fitted.into_iter().chain(held_out) {

@@ -15,7 +15,7 @@ const MOST_COMPLAINTS: usize = 10;
 
 /// Indices of what the cells of column `index` name, of what is declared; an empty cell names nothing.
 pub(crate) fn indices(
-    (what, declared): (&str, Vec<&str>),
+    declared: &[&str],
     cells: &Names,
     index: usize,
     locate: Locate<'_>,
@@ -28,10 +28,9 @@ pub(crate) fn indices(
     let wrong = (0..cells.index.len())
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
-        0 => text!("{what} of the session, which declares none", what = what),
+        0 => text!("a name that the session declares; it declares none"),
         _ => text!(
-            "{what} of the session: {declared}",
-            what = what,
+            "a name that the session declares: {declared}",
             declared = first_of(declared.iter().copied())
         ),
     };
@@ -80,7 +79,7 @@ pub(crate) fn complete(
         let lacking: Vec<usize> = (0..rows)
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
-        let names = first_of(references.named(Quantity::Anchor).1.into_iter());
+        let names = first_of(references.named(Quantity::Anchor).into_iter());
         let expected = text!(
             "one of the anchors of the session in the column anchor: {names}",
             names = names
@@ -130,7 +129,7 @@ pub(crate) fn complete(
             let lacking: Vec<usize> = (0..rows)
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
-            let names = first_of(references.named(Quantity::Station).1.into_iter());
+            let names = first_of(references.named(Quantity::Station).into_iter());
             let expected = text!(
                 "one of the stations of the session in the column station: {names}; or the key \
                  pointing, where the tool itself points",

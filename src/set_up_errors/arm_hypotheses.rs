@@ -257,8 +257,8 @@ fn measured(session: &Session) -> Vec<Change> {
         text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")
     } else {
         text!(
-            "the measured axes {what} are swapped",
-            what = phrase!("x and y")
+            "the measured axes {axes} are swapped",
+            axes = phrase!("x and y")
         )
     };
     all.push(one(

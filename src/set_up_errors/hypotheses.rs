@@ -140,7 +140,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             ([2, 0, 1], phrase!("x, y and z (read as z, x, y)")),
         ] {
             push(
-                text!("the measured axes {what} are swapped", what = what),
+                text!("the measured axes {axes} are swapped", axes = what),
                 text!("exchange the headings of the measured columns"),
                 SessionCorrection::Reorder(order),
             );
@@ -148,8 +148,8 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     } else {
         push(
             text!(
-                "the measured axes {what} are swapped",
-                what = phrase!("x and y")
+                "the measured axes {axes} are swapped",
+                axes = phrase!("x and y")
             ),
             text!("exchange the headings of the measured columns"),
             SessionCorrection::Reorder([1, 0, 2]),

@@ -32,7 +32,7 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
             which = listed(&lost)
         ),
         evidence: text!("it wrote 0, 0, 0"),
-        proposal: text!("these samples are left out; measure them again"),
+        proposal: text!("these samples are excluded; measure them again"),
         mend: Some(SessionCorrection::Remove(lost.clone())),
         samples: lost,
     });
@@ -91,7 +91,7 @@ pub(super) fn mislocked(
                 ),
                 evidence: text!("the points lie where {name} should be", name = name),
                 proposal: text!(
-                    "these samples are left out; correct their target or measure them again"
+                    "these samples are excluded; correct their target or measure them again"
                 ),
                 mend: Some(SessionCorrection::Remove(close.clone())),
                 samples: close,
@@ -116,7 +116,7 @@ pub(super) fn mislocked(
                 which = listed(&stuck)
             ),
             evidence: text!("the measured point stays while the robot moves"),
-            proposal: text!("these samples are left out; measure them again"),
+            proposal: text!("these samples are excluded; measure them again"),
             mend: Some(SessionCorrection::Remove(stuck.clone())),
             samples: stuck,
         });

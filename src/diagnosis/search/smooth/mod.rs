@@ -179,9 +179,9 @@ fn fitted<'a>(
     let values = columns.values.len();
     if values < FEWEST_VALUES {
         return Err(text!(
-            "joint {joint} was measured at {values} different values; a curve needs at least {needed}",
+            one "joint {joint} was measured at {count} value; a curve needs at least {needed}", "joint {joint} was measured at {count} different values; a curve needs at least {needed}",
             joint = joint + 1,
-            values = values,
+            count = values,
             needed = FEWEST_VALUES
         ));
     }

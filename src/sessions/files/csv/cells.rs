@@ -107,7 +107,7 @@ impl<'a> Cell<'a> {
     pub(crate) fn text(&self) -> Result<&str, (Text, Template)> {
         if self.unclosed {
             return Err((
-                text!("a quote that never closes"),
+                text!("a quote that is not closed"),
                 phrase!("a closing quote"),
             ));
         }

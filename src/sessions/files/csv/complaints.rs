@@ -54,12 +54,14 @@ impl<'a> Complaints<'a> {
         self.add(
             place,
             text!(
-                "the line ends after {cells}",
-                cells = counted(cells, "cell")
+                one "the line ends after {count} cell",
+                "the line ends after {count} cells",
+                count = cells
             ),
             text!(
-                "{headings}, one for each heading",
-                headings = counted(headings, "cell")
+                one "{count} cell, one for each heading",
+                "{count} cells, one for each heading",
+                count = headings
             ),
         );
     }
@@ -73,11 +75,13 @@ impl<'a> Complaints<'a> {
             .at_column(headings as u64 + 1);
         self.add(
             place,
-            Text::verbatim(counted(cells, "cell")),
+            text!(one "{count} cell", "{count} cells", count = cells),
             text!(
-                "{headings}, one for each heading; a file with decimal commas is read by \
+                one "{count} cell, one for each heading; a file with decimal commas is read by \
                  `truepose import --decimal ,`",
-                headings = counted(headings, "cell")
+                "{count} cells, one for each heading; a file with decimal commas is read by \
+                 `truepose import --decimal ,`",
+                count = headings
             ),
         );
     }
@@ -87,13 +91,9 @@ impl<'a> Complaints<'a> {
         if self.more > 0 {
             findings.push(Diagnostic::error(
                 self.file.clone(),
-                text!("{more} more problems of this kind", more = self.more),
+                text!(one "{count} more problem of this kind", "{count} more problems of this kind", count = self.more),
                 Text::default(),
             ));
         }
     }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
